@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "cases/case_passes.hpp"
+#include "cases/converter_slip.hpp"
 #include "cases/exact_input_cases.hpp"
 #include "core/contract.hpp"
 #include "core/tolerance.hpp"
@@ -212,6 +213,35 @@ LoadedFlanks solve_on_loaded_flanks(const Mechanism& drawn,
   return result;
 }
 
+CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const CaseRequest& request);
+
+// Where the motion leaves a converter open whose torque is known: the case with its slip, else with
+// what the search says.
+std::optional<CaseAnalysis> solve_by_converter(const Mechanism& drawn,
+                                               const Bases& bases,
+                                               const CaseRequest& request,
+                                               CaseAnalysis& open) {
+  if (!open.which.asks_actions || open.motion->status != SolveStatus::underdetermined) {
+    return std::nullopt;
+  }
+  std::optional<ConverterSearch> search =
+      find_converter_slip(drawn, bases.motion, request.which, [&](const Case& one) {
+        return solve_case(
+            drawn,
+            bases,
+            {.which = one, .accuracy = request.accuracy, .passes = CasePasses::magnitudes});
+      });
+  if (!search || !search->which) {
+    open.converter_search = std::move(search);
+    return std::nullopt;
+  }
+  CaseRequest closed{
+      .which = *search->which, .accuracy = request.accuracy, .passes = request.passes};
+  CaseAnalysis result = solve_case(drawn, bases, closed);
+  result.converter_search = std::move(search);
+  return result;
+}
+
 CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const CaseRequest& request) {
   const Case& which = request.which;
   CaseAnalysis result;
@@ -220,6 +250,9 @@ CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const CaseRe
     result.motion = *request.motion;
   } else if (which.asks_motions) {
     result.motion = solve_velocity(drawn, bases.motion, which.motions, request.accuracy);
+    if (std::optional<CaseAnalysis> closed = solve_by_converter(drawn, bases, request, result)) {
+      return *std::move(closed);
+    }
   }
   if (result.motion && request.exact_input != nullptr) {
     request.certainty->has_exact_input_motion =
@@ -243,6 +276,9 @@ CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const CaseRe
   if (has_answer(result.action)) {
     result.contacts = find_cable_contact_states(
         mechanism, *result.action, is_solved(result.motion) ? &*result.motion : nullptr);
+    if (is_solved(result.motion)) {
+      result.converters = find_converter_states(mechanism, *result.motion);
+    }
     if (!find_pushed_segments(mechanism, *result.action).empty()) {
       result.pretension = find_pretension(mechanism, flanks.basis, *result.action);
     }

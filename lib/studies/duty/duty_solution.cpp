@@ -144,9 +144,7 @@ class DutySum {
     for (const LossyMesh& mesh : mechanism.lossy_meshes) {
       result_.meshes.push_back({.coupling = mesh.coupling});
     }
-    for (const CouplingFriction& friction : mechanism.frictions) {
-      result_.frictions.push_back({.coupling = friction.coupling});
-    }
+    list_frictions();
     list_gears(meshes);
     list_bearings();
     for (std::size_t a = 0; a < slips_.size(); ++a) {
@@ -201,7 +199,7 @@ class DutySum {
     }
     for (std::size_t f = 0; f < state.friction.size(); ++f) {
       lose(state.friction[f]);
-      result_.frictions[f].energy -= t * state.friction[f];
+      result_.frictions[loser_of_[f]].energy -= t * state.friction[f];
     }
     one.balance_residual = largest == 0.0 ? 0.0 : std::abs(sum) / largest;
     add_wear(state, t);
@@ -250,6 +248,21 @@ class DutySum {
       count = std::max(count, mechanism_.planet_counts[static_cast<std::size_t>(a)]);
     }
     return count;
+  }
+
+  // What the stator of a torque converter gives counts with what its pump loses to the turbine.
+  void list_frictions() {
+    for (const CouplingFriction& friction : mechanism_.frictions) {
+      const auto first = std::ranges::find_if(result_.frictions, [&](const CouplingLoss& one) {
+        const CouplingTopology& other = mechanism_.topology.coupling(one.coupling);
+        return friction.converter && friction.converter->is_of_stator &&
+               other.tail == friction.converter->pump && other.head == friction.converter->turbine;
+      });
+      loser_of_.push_back(static_cast<std::size_t>(first - result_.frictions.begin()));
+      if (first == result_.frictions.end()) {
+        result_.frictions.push_back({.coupling = friction.coupling});
+      }
+    }
   }
 
   void list_gears(std::span<const Mesh> meshes) {
@@ -325,6 +338,7 @@ class DutySum {
   const Mechanism& mechanism_;
   const DutyPlan& plan_;
   std::vector<bool> slips_;
+  std::vector<std::size_t> loser_of_;  ///< of each friction: index into result_.frictions
   std::vector<DutyEnergy> energy_of_case_;
   std::vector<GearSum> gears_;
   std::vector<BearingSum> bearings_;

@@ -89,7 +89,7 @@ struct DutySolution {
   DutyEnergy whole;
   std::vector<DutyCaseEnergy> cases;    ///< those of the points, in the order of the mechanism
   std::vector<CouplingLoss> meshes;     ///< as mechanism.lossy_meshes
-  std::vector<CouplingLoss> frictions;  ///< as mechanism.frictions
+  std::vector<CouplingLoss> frictions;  ///< as mechanism.frictions, a torque converter as one
   std::vector<GearDuty> gears;
   std::vector<BearingDuty> bearings;
   std::vector<ElementDuty> elements;

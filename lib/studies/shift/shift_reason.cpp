@@ -1,5 +1,7 @@
 #include "studies/shift/shift_reason.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "core/text.hpp"
@@ -54,7 +56,8 @@ class ReasonWriter {
                            actuator_name(plan_.outputs[static_cast<std::size_t>(state_.which)]),
                            plan_.inputs.size() == 1 ? "the input" : "the inputs",
                            freedoms_text(state_.idle, true),
-                           held_text());
+                           held_text()) +
+               converter_text();
       case ShiftCause::outputs_held:
         return fmt::format(
             "{} held: {}; {}", outputs_text(), held_text(), freedoms_text(state_.freedom, false));
@@ -66,6 +69,22 @@ class ReasonWriter {
         return freewheel_text("locks: its slip would be", "slips only in the", "sense");
     }
     return "";
+  }
+
+  // What moves is driven by a fluid if that has a pump which turns with the inputs.
+  std::string converter_text() const {
+    const Names moving = bodies(motions(true), true);
+    for (const CouplingTopology& coupling : topology_.couplings) {
+      const bool is_fluid = coupling.type == CouplingType::torque_converter;
+      if (is_fluid && std::ranges::count(moving, topology_.body(coupling.head).name) > 0) {
+        return fmt::format(
+            "; torque converter '{}' drives '{}' without a ratio of speeds: give it as a case with "
+            "the speeds of both, and here the gear with its lock-up engaged",
+            coupling.name,
+            topology_.body(coupling.head).name);
+      }
+    }
+    return {};
   }
 
   // What a gear leaves free and open.
