@@ -125,12 +125,14 @@ struct GearSum {
   GearDuty duty;
   bool is_head = true;
   std::size_t mesh = 0;
+  double share = 1.0;  ///< of the most loaded of equal planets
   WearSum wear;
 };
 
 struct BearingSum {
   BearingDuty duty;
   int freedom = 0;
+  double share = 1.0;  ///< likewise
   WearSum wear;
 };
 
@@ -250,6 +252,15 @@ class DutySum {
     return count;
   }
 
+  // How much more than the mean the most loaded of equal planets bears.
+  double sharing_of(const CouplingTopology& coupling) const {
+    double sharing = 1.0;
+    for (int a = coupling.first_action; a < coupling.first_action + coupling.action_count; ++a) {
+      sharing = std::max(sharing, mechanism_.load_sharing[static_cast<std::size_t>(a)]);
+    }
+    return sharing;
+  }
+
   // What the stator of a torque converter gives counts with what its pump loses to the turbine.
   void list_frictions() {
     for (const CouplingFriction& friction : mechanism_.frictions) {
@@ -277,6 +288,7 @@ class DutySum {
                                      .wear = {}},
                             .is_head = is_head,
                             .mesh = m,
+                            .share = sharing_of(coupling) / planets_of(coupling),
                             .wear = WearSum(plan_.gear_exponent)});
         }
       }
@@ -294,6 +306,7 @@ class DutySum {
       bearings_.push_back(
           {.duty = {.bearing = CouplingId{e}, .planets = planets_of(coupling), .wear = {}},
            .freedom = coupling.first_freedom,
+           .share = sharing_of(coupling) / planets_of(coupling),
            .wear = WearSum(plan_.bearing_exponent)});
     }
   }
@@ -312,12 +325,12 @@ class DutySum {
     for (GearSum& gear : gears_) {
       const MeshState& mesh = state.teeth[gear.mesh];
       const GearState& one = gear.is_head ? mesh.head : mesh.tail;
-      gear.wear.add(one.speed * t / kTurn, one.torque / gear.duty.planets);
+      gear.wear.add(one.speed * t / kTurn, one.torque * gear.share);
     }
     for (BearingSum& bearing : bearings_) {
       const double rate = state.rates[static_cast<std::size_t>(bearing.freedom)];
       const double force = state.forces[static_cast<std::size_t>(bearing.duty.bearing.value)];
-      bearing.wear.add(std::abs(rate) * t / kTurn, force / bearing.duty.planets);
+      bearing.wear.add(std::abs(rate) * t / kTurn, force * bearing.share);
     }
   }
 
