@@ -25,7 +25,8 @@ class ReasonWriter {
   std::string run() const {
     const std::string cause = cause_text();
     const int count = static_cast<int>(engaged_.size());
-    if (count == network_.needed()) {
+    const int more = count - network_.needed();
+    if (more >= 0 && more <= network_.following(plan_)) {
       return cause;
     }
     const std::string number = fmt::format("engages {} element{} where a gear needs {}",
@@ -91,6 +92,20 @@ class ReasonWriter {
   std::string beside_text() const {
     std::string text =
         state_.idle == 0 ? "" : fmt::format("beside it {}", freedoms_text(state_.idle, true));
+    const auto inputs = static_cast<int>(plan_.inputs.size());
+    Names following;
+    for (int i = 0; i < inputs && plan_.is_hybrid(); ++i) {
+      if (std::ranges::count(state_.moving, i) == 0) {
+        following.push_back(actuator_name(plan_.inputs[static_cast<std::size_t>(i)].actuator));
+      }
+    }
+    if (!following.empty()) {
+      text += fmt::format(
+          "{}the speed of {} follows from that of '{}'",
+          text.empty() ? "" : "; ",
+          plain_list(following),
+          actuator_name(plan_.inputs[static_cast<std::size_t>(state_.moving.front())].actuator));
+    }
     if (!state_.surplus.empty()) {
       text += (text.empty() ? "" : "; ") + redundancy_text();
     }
