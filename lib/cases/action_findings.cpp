@@ -175,6 +175,41 @@ bool is_of_cable(const StaticSolution& action, const Mechanism& mechanism) {
   });
 }
 
+// A torque converter whose characteristic says nothing of the speeds of the case.
+const CouplingFriction* find_converter_without_value(const JudgedFile& file,
+                                                     const CaseAnalysis& one) {
+  const auto found =
+      std::ranges::find_if(file.mechanism.frictions, [&](const CouplingFriction& friction) {
+        if (!friction.converter) {
+          return false;
+        }
+        const auto [pump, turbine] = converter_turns(file.mechanism, *one.motion, friction);
+        return !friction.converter->point(pump, turbine);
+      });
+  return found == file.mechanism.frictions.end() ? nullptr : &*found;
+}
+
+void add_converter_without_value(const JudgedFile& file,
+                                 const CaseAnalysis& one,
+                                 const CouplingFriction& friction,
+                                 CaseFindings& found) {
+  const auto [pump, turbine] = converter_turns(file.mechanism, *one.motion, friction);
+  const Topology& topology = file.mechanism.topology;
+  const std::string speeds = pump == 0.0
+                                 ? fmt::format("its pump '{}' rests and its turbine '{}' turns",
+                                               topology.body(friction.converter->pump).name,
+                                               topology.body(friction.converter->turbine).name)
+                                 : fmt::format("its speed ratio is {:.6g}", turbine / pump);
+  found.error("E0604",
+              friction.where,
+              fmt::format("case '{}': the characteristic of torque converter '{}' has no value, or "
+                          "gives power, where {}",
+                          one.which.label,
+                          topology.coupling(friction.coupling).name,
+                          speeds),
+              "extend its tables to that speed ratio, or give speeds between stall, 0, and 1");
+}
+
 // A drag for whose speed the expression of the file has no value.
 const CouplingFriction* find_drag_without_value(const JudgedFile& file, const CaseAnalysis& one) {
   const Topology& topology = file.mechanism.topology;
@@ -191,6 +226,11 @@ void add_friction_at_rest(const JudgedFile& file, const CaseAnalysis& one, CaseF
   const bool has_motion = one.motion.has_value();
   if (has_motion && one.motion->status != SolveStatus::solved) {
     return;  // why it has no answer is said of the motion
+  }
+  if (const CouplingFriction* converter =
+          has_motion ? find_converter_without_value(file, one) : nullptr) {
+    add_converter_without_value(file, one, *converter, found);
+    return;
   }
   if (const CouplingFriction* drag = has_motion ? find_drag_without_value(file, one) : nullptr) {
     const CouplingTopology& coupling = file.mechanism.topology.coupling(drag->coupling);

@@ -13,6 +13,7 @@
 #include "power/ratio.hpp"
 #include "power/transmission_efficiency.hpp"
 #include "statics/cable_contact_state.hpp"
+#include "statics/converter_state.hpp"
 #include "statics/static_solution.hpp"
 #include "studies/mobility/mobility_counts.hpp"
 #include "studies/sensitivity/affine.hpp"
@@ -33,13 +34,27 @@ struct FreeParameterLabel {
   std::string unit;
 };
 
+/// A case whose motion a torque converter decides, by the torque that it takes.
+struct ConverterSearch {
+  CouplingId coupling;
+  int action = 0;                   ///< the one that must fit: index into Topology::actions
+  double least = 0.0;               ///< what it may be at the speeds of the case [N·m]
+  double greatest = 0.0;            ///< likewise
+  bool has_any = false;             ///< whether it may be anything
+  std::vector<double> ratios = {};  ///< speed ratios at which it fits
+  std::optional<Case> which =
+      {};  ///< with the slip as a known motion instead of it, where one fits
+};
+
 /// The passes that a case asked for; a pass that it did not ask for is empty.
 struct CaseAnalysis {
   Case which;
   std::optional<KinematicSolution> motion;
   std::optional<StaticSolution> action;
   std::vector<CableContactState>
-      contacts;                    ///< of cables with pulleys, in the order of the mechanism's
+      contacts;  ///< of cables with pulleys, in the order of the mechanism's
+  std::vector<ConverterState> converters;           ///< beside `action`, where the case has motion
+  std::optional<ConverterSearch> converter_search;  ///< where the motion lacks what that decides
   std::optional<VecX> pretension;  ///< of each action, which keeps pushed segments in tension
   std::vector<int> coast_flanks;   ///< of geometry.other_flanks: those on which the teeth press
   std::optional<PowerFlow> power;

@@ -63,6 +63,33 @@ void add_idle_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFind
   }
 }
 
+// What a torque converter would have to take, where the torques of a case decide its slip.
+std::string converter_text(const JudgedFile& file, const CaseAnalysis& one) {
+  if (!one.converter_search) {
+    return "";
+  }
+  const ConverterSearch& search = *one.converter_search;
+  const KnownSide side = action_side(file, one.which);
+  const auto in_unit = [&](double si) {
+    return fmt::format(
+        "{:.6g} {}", si / side.unit(search.action), side.units.text(side.kind(search.action)));
+  };
+  const std::string& converter = file.mechanism.topology.coupling(search.coupling).name;
+  if (!search.ratios.empty()) {
+    return fmt::format("; torque converter '{}' takes '{}' at speed ratios of {:.6g} and {:.6g}",
+                       converter,
+                       side.name(search.action),
+                       search.ratios.front(),
+                       search.ratios.back());
+  }
+  return fmt::format(
+      "; torque converter '{}' takes '{}' at no speed ratio, as it may be from {} to {} there",
+      converter,
+      side.name(search.action),
+      in_unit(search.least),
+      in_unit(search.greatest));
+}
+
 void add_motion_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
   const KinematicSolution& motion = *one.motion;
   const KnownSide side = motion_side(file, one.which);
@@ -98,12 +125,13 @@ void add_motion_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFi
     found.error("E0501",
                 one.which.where,
                 fmt::format("case '{}' knows {} of the {} motions needed (net degree of freedom "
-                            "{}); undetermined are {}",
+                            "{}); undetermined are {}{}",
                             one.which.label,
                             one.which.motions.size(),
                             motion.counts.net_freedom,
                             motion.counts.net_freedom,
-                            plain_list(names_of(motion.check.undetermined, side))),
+                            plain_list(names_of(motion.check.undetermined, side)),
+                            converter_text(file, one)),
                 completions_text(motion.check, side));
   }
 }

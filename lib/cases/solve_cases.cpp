@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "cases/case_passes.hpp"
+#include "cases/converter_slip.hpp"
 #include "cases/exact_input_cases.hpp"
 #include "cases/idle_freedoms.hpp"
 #include "core/contract.hpp"
@@ -230,6 +231,35 @@ KinematicSolution solve_motion_of(const Mechanism& mechanism,
   return motion;
 }
 
+CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const CaseRequest& request);
+
+// Where the motion leaves a converter open whose torque is known: the case with its slip, else with
+// what the search says.
+std::optional<CaseAnalysis> solve_by_converter(const Mechanism& drawn,
+                                               const Bases& bases,
+                                               const CaseRequest& request,
+                                               CaseAnalysis& open) {
+  if (!open.which.asks_actions || open.motion->status != SolveStatus::underdetermined) {
+    return std::nullopt;
+  }
+  std::optional<ConverterSearch> search =
+      find_converter_slip(drawn, bases.motion, request.which, [&](const Case& one) {
+        return solve_case(
+            drawn,
+            bases,
+            {.which = one, .accuracy = request.accuracy, .passes = CasePasses::magnitudes});
+      });
+  if (!search || !search->which) {
+    open.converter_search = std::move(search);
+    return std::nullopt;
+  }
+  CaseRequest closed{
+      .which = *search->which, .accuracy = request.accuracy, .passes = request.passes};
+  CaseAnalysis result = solve_case(drawn, bases, closed);
+  result.converter_search = std::move(search);
+  return result;
+}
+
 CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const CaseRequest& request) {
   CaseAnalysis result;
   result.which = request.which;
@@ -238,6 +268,9 @@ CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const CaseRe
     result.motion = *request.motion;
   } else if (which.asks_motions) {
     result.motion = solve_motion_of(drawn, bases.motion, request.accuracy, result.which);
+    if (std::optional<CaseAnalysis> closed = solve_by_converter(drawn, bases, request, result)) {
+      return *std::move(closed);
+    }
   }
   if (result.motion && request.exact_input != nullptr && result.motion->idle.empty()) {
     request.certainty->has_exact_input_motion =
@@ -261,6 +294,9 @@ CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const CaseRe
   if (has_answer(result.action)) {
     result.contacts = find_cable_contact_states(
         mechanism, *result.action, is_solved(result.motion) ? &*result.motion : nullptr);
+    if (is_solved(result.motion)) {
+      result.converters = find_converter_states(mechanism, *result.motion);
+    }
     if (!find_pushed_segments(mechanism, *result.action).empty()) {
       result.pretension = find_pretension(mechanism, flanks.basis, *result.action);
     }

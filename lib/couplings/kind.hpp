@@ -32,7 +32,9 @@ enum class CouplingKey {
   to,
   freedoms,
   constraints,
-  one_way
+  one_way,
+  stator,
+  characteristic
 };
 
 /// A key of a kind; the meaning is a sentence, empty where it is that of the key in every kind.
@@ -48,7 +50,8 @@ enum class FrictionKind {
   guide,    ///< mu, length, radius, c
   sliding,  ///< mu; of contacts and teeth
   drag,     ///< tau, c; of what engages, while it is open
-  no_law    ///< all, as it is not analysed yet
+  no_law,   ///< all, as it is not analysed yet
+  fluid     ///< nothing: of a torque converter, whose characteristic says all
 };
 
 /// Between which bodies teeth mesh.

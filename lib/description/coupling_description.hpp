@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "description/cable_description.hpp"
+#include "description/converter_description.hpp"
 #include "description/friction_description.hpp"
 #include "description/screw_description.hpp"
 #include "description/value.hpp"
@@ -38,9 +39,15 @@ enum class CouplingType {
   rack,
   clutch,
   brake,
+  torque_converter,
   cable,
   screws
 };
+
+/// Whether shafts that it joins turn about one axis and are else held apart by their bearings.
+constexpr bool joins_one_axis(CouplingType type) {
+  return type == CouplingType::clutch || type == CouplingType::torque_converter;
+}
 
 /// Where a coupling is. Usually one point; a point for each body where the drawing shows the two
 /// apart, or a single number along the axis where `gears` places the bodies. If it has none of
@@ -94,7 +101,10 @@ struct CouplingDescription {
   std::vector<ScrewDescription> freedoms;         ///< of type screws
   std::vector<ScrewDescription> constraints;      ///< of type screws
   std::optional<OneWay> one_way;                  ///< of a clutch or brake: a freewheel
-  std::optional<std::vector<Name>> passive;       ///< the constraints that it keeps
+  std::optional<Name> stator;  ///< of a torque converter: the body on which it reacts
+  std::shared_ptr<const CharacteristicDescription> characteristic;  ///< of a torque converter
+  std::string stator_of;  ///< of the second coupling of a torque converter: the name of the first
+  std::optional<std::vector<Name>> passive;             ///< the constraints that it keeps
   std::shared_ptr<const FrictionDescription> friction;  ///< may be null
   std::vector<StiffnessDescription> stiffness;
   std::shared_ptr<const CablePart> part;  ///< of a coupling that `cables` makes, otherwise null

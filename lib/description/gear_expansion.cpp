@@ -68,8 +68,7 @@ class GearExpansion {
     }
     for (CouplingDescription& coupling : description_.couplings) {
       const bool turns = coupling.type == CouplingType::revolute ||
-                         coupling.type == CouplingType::clutch ||
-                         coupling.type == CouplingType::brake;
+                         coupling.type == CouplingType::brake || joins_one_axis(coupling.type);
       if (turns && !coupling.at &&
           (on_axis.contains(coupling.tail.text) || on_axis.contains(coupling.head.text))) {
         coupling.at = CouplingPoint{
@@ -84,7 +83,7 @@ class GearExpansion {
     const std::string& tail = coupling.tail.text;
     const std::string& head = coupling.head.text;
     const std::string& ground = description_.ground.text;
-    if (coupling.type != CouplingType::clutch || tail == ground || head == ground ||
+    if (!joins_one_axis(coupling.type) || tail == ground || head == ground ||
         on_axis.contains(tail) == on_axis.contains(head)) {
       return;
     }

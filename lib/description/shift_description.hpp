@@ -39,6 +39,7 @@ struct ShiftDescription {
   std::vector<Name> inputs;    ///< actuators
   std::vector<Name> outputs;   ///< actuators
   std::vector<Name> elements;  ///< clutches and brakes
+  std::vector<Name> reacts;    ///< actuators whose torque follows from that of the others
   std::vector<InputValue> input_motion;
   std::vector<InputValue> input_action;
   std::vector<GearLabel> names;

@@ -155,7 +155,7 @@ std::string names_of(const std::vector<Named>& all) {
 }
 
 std::string kind_line(std::string_view type, std::string_view freedoms, std::string_view actions) {
-  return fmt::format("  {:<16}{:<21}{}", type, freedoms, actions);
+  return fmt::format("  {:<18}{:<21}{}", type, freedoms, actions);
 }
 
 void add_kind(const CouplingKind& kind, KeyTable& table) {

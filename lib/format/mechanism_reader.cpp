@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "description/cable_expansion.hpp"
+#include "description/converter_expansion.hpp"
 #include "description/gear_expansion.hpp"
 #include "format/sections/sections.hpp"
 
@@ -13,6 +14,7 @@ std::optional<MechanismDescription> read_mechanism(const YamlNode& root, Diagnos
   if (!file_sections().read_into(result, whole_file(root, found))) {
     return std::nullopt;
   }
+  expand_converters(result);
   expand_gears(result);
   expand_cables(result);
   return result;

@@ -80,7 +80,18 @@ class ShiftBinder {
     }
     for (int a = 0; a < static_cast<int>(topology_.actuators.size()); ++a) {
       if (!has_part(a)) {
+        const bool reacts = std::ranges::find(shift_.reacts,
+                                              topology_.actuators[static_cast<std::size_t>(a)].name,
+                                              &Name::text) != shift_.reacts.end();
+        if (reacts) {
+          plan_.reacting.push_back(static_cast<int>(plan_.others.size()));
+        }
         plan_.others.push_back(a);
+      }
+    }
+    for (ShiftInput& input : plan_.inputs) {
+      if (plan_.is_hybrid() && !shift_.input_action.empty() && !input.action) {
+        input.action = 0.0;
       }
     }
     plan_.asks_actions = !shift_.input_action.empty();
@@ -206,6 +217,8 @@ class GearDescriber {
       if (given != nullptr && !is_left_to_equilibrium(shift_.input_action, i)) {
         result.actions.push_back(
             {.target = {.text = shift_.inputs[i].text, .where = gear.where}, .value = *given});
+      } else if (plan_.is_hybrid() && plan_.asks_actions) {
+        result.actions.push_back(nothing(shift_.inputs[i].text, gear));
       }
     }
     for (const int e : gear.open) {

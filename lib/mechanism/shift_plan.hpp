@@ -66,13 +66,23 @@ struct ShiftPlan {
   std::vector<ShiftInput> inputs;
   std::vector<int> outputs;  ///< actuators
   std::vector<ShiftElement> elements;
-  std::vector<int> others;  ///< actuators without a part in it: they bear nothing
+  std::vector<int> others;    ///< actuators without a part in it: they bear nothing
+  std::vector<int> reacting;  ///< of `others` those that bear what equilibrium asks of them
   std::vector<ShiftLabel> labels;
   std::vector<ShiftLimit> limits;
   ShiftCombinations combinations = ShiftCombinations::all;
   std::optional<double> forward;  ///< the sign of the ratios of forward gears, where it is given
   bool asks_actions = false;      ///< an action of an input is given
   SourceRange where;
+
+  /// Whether gears of fewer freedoms than inputs stand in the table too.
+  bool is_hybrid() const { return !reacting.empty(); }
+
+  /// Whether the speed of an output is told by shares of those of the inputs that move, given here,
+  /// and not as a ratio: there are several, or where a machine reacts the first one does not.
+  bool has_shares(const std::vector<int>& moving) const {
+    return moving.size() > 1 || (is_hybrid() && moving.front() > 0);
+  }
 };
 
 /// Of a description that has been bound to this topology without an error; empty if it has no
@@ -87,7 +97,7 @@ struct GearCase {
   std::vector<int> moving;   ///< inputs whose speed is known, indices into ShiftPlan::inputs
   std::vector<int> engaged;  ///< elements without motion of which none follows from the others
   std::vector<int> open;     ///< elements whose action is given as none
-  std::vector<int> others;   ///< indices into ShiftPlan::others, likewise
+  std::vector<int> others;   ///< indices into ShiftPlan::others, likewise: all but what reacts
 
   friend bool operator==(const GearCase&, const GearCase&) = default;
 };

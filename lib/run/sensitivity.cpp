@@ -156,8 +156,10 @@ class SensitivityJob {
                                               const AdjointBases& drawn_bases,
                                               const MechanismDerivatives& common) {
     const CaseAnalysis& one = analysis_.cases[case_index];
-    const bool has_rates = one.motion && one.motion->status == SolveStatus::solved;
-    const bool has_actions = one.action && !one.action->magnitudes.empty() &&
+    const bool has_rates =
+        one.motion && one.motion->status == SolveStatus::solved && !has_found_slip(one);
+    const bool has_actions = one.action && !has_found_slip(one) &&
+                             !one.action->magnitudes.empty() &&
                              cable_with_friction(analysis_.description) == nullptr;
     Mechanism mechanism = analysis_.mechanism;
     MechanismDerivatives derivatives = common;
@@ -188,6 +190,11 @@ class SensitivityJob {
     return result;
   }
 
+  // Its motion follows from a search, and not from the equations of the case alone.
+  static bool has_found_slip(const CaseAnalysis& one) {
+    return one.converter_search && one.converter_search->which;
+  }
+
   static bool is_of_mesh_losses(const std::string& name) {
     return name.find("power/losses/") != std::string::npos ||
            name.find("power/efficiency/carrier") != std::string::npos ||
@@ -212,6 +219,10 @@ class SensitivityJob {
             is_of_mesh_losses(name)
                 ? "what losses of meshes make of a case has no derivatives yet; "
                   "compare two analyses with --set"
+            : std::ranges::any_of(analysis_.cases, has_found_slip)
+                ? "a speed ratio that follows from the torque of a converter has no derivatives "
+                  "yet; "
+                  "give the motion of both its sides"
             : known_names_.empty()
                 ? "no case is solved: 'kinestat analyze' says why"
                 : guess_before(name,

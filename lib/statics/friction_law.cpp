@@ -270,6 +270,21 @@ FrictionLawOf<Scalar> contact(const SlidingOf<Scalar>& s) {
   return law;
 }
 
+// The couple on the turbine, of the pump or of the stator.
+template <class Scalar>
+FrictionLawOf<Scalar> fluid(const SlidingOf<Scalar>& s) {
+  const ConverterLawOf<Scalar>& converter = *s.friction.converter;
+  const std::optional<Scalar> couple = converter.couple(s.converter.pump, s.converter.turbine);
+  const Scalar size = couple.value_or(Scalar(0.0));
+  const Scalar sense = value_of(size) < 0.0 ? -1.0 : 1.0;
+  const Scalar slip = converter.slip(s.converter.pump, s.converter.turbine);
+  FrictionLawOf<Scalar> law =
+      law_of(s, unit_couple<Scalar>(sense * s.unit.angular), Scalar(-sense * slip), true);
+  law.constant = sense * size;
+  law.has_value = couple.has_value();
+  return law;
+}
+
 // Drag that grows with the speed has no friction at rest, and so needs no direction there; what is
 // engaged has no drag, or is at rest without being held.
 bool is_nothing_at_rest(const CouplingFriction& friction, FrictionKind kind) {
@@ -307,6 +322,8 @@ FrictionLawOf<Scalar> make_friction_law(const SlidingOf<Scalar>& sliding) {
       return guide(sliding);
     case FrictionKind::drag:
       return turning(sliding);
+    case FrictionKind::fluid:
+      return fluid(sliding);
     default:
       return contact(sliding);
   }
@@ -314,6 +331,20 @@ FrictionLawOf<Scalar> make_friction_law(const SlidingOf<Scalar>& sliding) {
 
 template FrictionLaw make_friction_law(const SlidingOf<double>&);
 template FrictionLawOf<Dual> make_friction_law(const SlidingOf<Dual>&);
+
+ConverterTurnsOf<double> converter_turns(const Mechanism& mechanism,
+                                         const KinematicSolution& motion,
+                                         const CouplingFriction& friction) {
+  const ConverterLaw& converter = *friction.converter;
+  const auto e = static_cast<std::size_t>(friction.coupling.value);
+  const auto freedom = static_cast<std::size_t>(mechanism.topology.couplings[e].first_freedom);
+  const Vec3 axis = mechanism.geometry.motions[freedom].angular;
+  const BoundedTwist stator = bounded_body(motion, converter.stator);
+  const auto turning = [&](BodyId body) {
+    return (bounded_body(motion, body) - stator).angular.zeroed().dot(axis);
+  };
+  return {.pump = turning(converter.pump), .turbine = turning(converter.turbine)};
+}
 
 std::vector<std::optional<FrictionLaw>> find_friction_laws(const Mechanism& mechanism,
                                                            const Case& which,
@@ -324,13 +355,20 @@ std::vector<std::optional<FrictionLaw>> find_friction_laws(const Mechanism& mech
   for (const CouplingFriction& friction : mechanism.frictions) {
     const auto e = static_cast<std::size_t>(friction.coupling.value);
     const int freedom = mechanism.topology.couplings[e].first_freedom;
+    const bool is_fluid = friction.converter != nullptr;
     const FrictionLaw law = make_friction_law(SlidingOf<double>{
         .topology = mechanism.topology,
         .friction = friction,
         .unit = geometry.motions[static_cast<std::size_t>(freedom)],
         .twist = motion.couplings[e],
         .at = geometry.points[e],
-        .unit_action = [&](int a) { return geometry.actions[static_cast<std::size_t>(a)]; }});
+        .unit_action = [&](int a) { return geometry.actions[static_cast<std::size_t>(a)]; },
+        .converter =
+            is_fluid ? converter_turns(mechanism, motion, friction) : ConverterTurnsOf<double>{}});
+    if (is_fluid) {
+      laws.push_back(law.has_value ? std::optional(law) : std::nullopt);
+      continue;
+    }
     const auto slides = [&] {
       const BoundedTwist twist = bounded_coupling(mechanism, motion, friction.coupling);
       return !velocity_at(twist, geometry.points[e]).zeroed().isZero(0.0);

@@ -52,7 +52,7 @@ struct FrictionLawOf {
   CouplingId coupling;
   std::optional<BodyPair> between;  ///< on which it acts; empty: on the bodies of the coupling
   WrenchOf<Scalar> unit;            ///< against the relative motion, whose power on it is -speed
-  Scalar speed = 0.0;               ///< [rad/s or m/s]
+  Scalar speed = 0.0;               ///< [rad/s or m/s]; negative where a stator drives
   bool is_couple = true;
   Scalar constant = 0.0;  ///< what does not depend on the load [N·m or N]
   bool has_value = true;  ///< at this speed, for which the file may give no drag
@@ -66,6 +66,13 @@ using PressingPart = PressingPartOf<double>;
 using IgnoredPart = IgnoredPartOf<double>;
 using FrictionLaw = FrictionLawOf<double>;
 
+/// How the bodies of a torque converter turn about its axis, seen from its stator [rad/s].
+template <class Scalar>
+struct ConverterTurnsOf {
+  Scalar pump = 0.0;
+  Scalar turbine = 0.0;
+};
+
 /// A coupling with friction and its motion; points and screws from the origin of the Geometry.
 template <class Scalar>
 struct SlidingOf {
@@ -75,12 +82,18 @@ struct SlidingOf {
   TwistOf<Scalar> twist;                                  ///< head relative to tail
   Vec3Of<Scalar> at;                                      ///< of the coupling
   std::function<WrenchOf<Scalar>(int)> unit_action = {};  ///< the screw of an action
+  ConverterTurnsOf<Scalar> converter = {};                ///< of a torque converter
 };
 
 /// Of a coupling whose friction is analysed. The friction has the sense of the motion, however slow
 /// that is.
 template <class Scalar>
 FrictionLawOf<Scalar> make_friction_law(const SlidingOf<Scalar>& sliding);
+
+/// What turns in a torque converter, zero where rounding does not tell it from that.
+ConverterTurnsOf<double> converter_turns(const Mechanism& mechanism,
+                                         const KinematicSolution& motion,
+                                         const CouplingFriction& friction);
 
 /// The laws in a case with that motion, in the order of mechanism.frictions. Empty for a coupling
 /// that does not move relative to its tail, as its friction has no direction, and where the file

@@ -88,6 +88,12 @@ void emit_contacts(const StaticView& v, const Each<ContactView>& each) {
   }
 }
 
+void emit_converters(const StaticView& v, const Each<ConverterState>& each) {
+  for (const ConverterState& state : v.converters) {
+    each(v.mechanism.topology.coupling(state.coupling).name, state);
+  }
+}
+
 void add_answer(Record<StaticView>& keys) {
   keys.word("status",
             words_up_to(SolveStatus::at_rest),
@@ -163,6 +169,12 @@ void add_wrenches(Record<StaticView>& keys) {
            emit_contacts)
       .in_tables_as("contact")
       .only_if([](const StaticView& v) { return !v.contacts.empty(); });
+  keys.map("converters",
+           converter_record(),
+           "Torque converters and fluid couplings of a case with motion; no key without any.",
+           emit_converters)
+      .in_tables_as("converter")
+      .only_if([](const StaticView& v) { return !v.converters.empty(); });
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "expression/file_units.hpp"
 #include "record/record.hpp"
 #include "statics/cable_contact_state.hpp"
+#include "statics/converter_state.hpp"
 #include "statics/static_solution.hpp"
 
 namespace kinestat {
@@ -15,6 +16,7 @@ struct StaticView {
   const Case& which;
   const StaticSolution& action;
   std::span<const CableContactState> contacts;  ///< of mechanism.contacts, or none
+  std::span<const ConverterState> converters;   ///< of the case, or none
   const FileUnits& units;                       ///< self-stresses are for one of them
 };
 

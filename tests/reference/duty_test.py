@@ -177,6 +177,51 @@ class Cases(unittest.TestCase):
                 self.check(name, draw)
 
 
+# A planetary set whose three planets share the load unevenly.
+PLANETS = """kinestat: 1
+space: planar
+units: {length: mm}
+ground: housing
+bodies: [sun, carrier, planet]
+couplings:
+  s: {type: revolute, bodies: [housing, sun]}
+  c: {type: revolute, bodies: [housing, carrier]}
+  p: {type: revolute, bodies: [carrier, planet]}
+gears:
+  module: 2 mm
+  members:
+    sun: {body: sun, teeth: 30}
+    planet: {body: planet, teeth: 30, count: 3, load_sharing: SHARING}
+    ring: {body: housing, teeth: 90, internal: true}
+  meshes:
+    sp: {members: [sun, planet], carrier: carrier}
+    rp: {members: [ring, planet], carrier: carrier}
+actuators: {in: {coupling: s}, out: {coupling: c}}
+cases:
+  run: {motion: {in: 100 rad/s}, action: {in: 90 N*m}, input: in, output: out}
+duty:
+  gear_exponent: 3
+  bearing_exponent: 3
+  points: [{case: run, duration: 10 s}]
+"""
+
+
+class UnevenPlanets(unittest.TestCase):
+    def test_loads_are_those_of_the_most_loaded(self) -> None:
+        """A third of 90 N m is 30 N m at the sun, 1.2 times that for the most loaded planet."""
+        duty = program.run("duty", "-", text=PLANETS.replace("SHARING", "1.2"))["duty"]
+        even = program.run("duty", "-", text=PLANETS.replace("SHARING", "1"))["duty"]
+        for gear, torque in (("sp.sun", 36), ("sp.planet", 36), ("rp.planet", 36),
+                             ("rp.housing", 108)):
+            self.assertAlmostEqual(duty["gears"][gear]["largest"], torque)
+            self.assertAlmostEqual(duty["gears"][gear]["equivalent"], torque)
+            self.assertAlmostEqual(even["gears"][gear]["largest"], torque / 1.2)
+        # The pin of a planet bears two forces of the teeth, each 30 N m / 30 mm.
+        self.assertAlmostEqual(even["bearings"]["p"]["largest"], 2000)
+        self.assertAlmostEqual(duty["bearings"]["p"]["largest"], 2400)
+        self.assertEqual(duty["bearings"]["s"], even["bearings"]["s"])
+
+
 if __name__ == "__main__":
     program.use(sys.argv[1])
     MECHANISMS = Path(sys.argv[2])

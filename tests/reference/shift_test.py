@@ -254,7 +254,8 @@ class Library(ShiftTest):
                 with self.subTest(file=path.name, state=name):
                     if state["class"] == "gear":
                         gears += 1
-                        self.near(state["ratio"] * state["torque_ratio"], -1.0, name)
+                        if "reactions" not in state:  # a machine exchanges power too
+                            self.near(state["ratio"] * state["torque_ratio"], -1.0, name)
                         self.assertIn(name, report["cases"])
         self.assertGreaterEqual(gears, 9 + 7 + 5 + 5 + 5 + 4 + 4)
 

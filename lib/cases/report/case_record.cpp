@@ -162,6 +162,7 @@ StaticView actions_of(const CaseView& v) {
           .which = v.one.which,
           .action = *v.one.action,
           .contacts = v.one.contacts,
+          .converters = v.one.converters,
           .units = v.analysis.description.units};
 }
 

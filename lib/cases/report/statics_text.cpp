@@ -253,6 +253,35 @@ TextBlocks contacts_blocks(const Mechanism& mechanism, const CaseAnalysis& one, 
   return TextBlocks(std::move(table));
 }
 
+TextBlocks converters_blocks(const Mechanism& mechanism,
+                             const CaseAnalysis& one,
+                             const InUnits& in) {
+  if (one.converters.empty()) {
+    return {};
+  }
+  const FileUnits& units = in.units();
+  const std::string torque = fmt::format(" [{}]", units.text(QuantityKind::moment));
+  Table table({"Torque converter",
+               "speed ratio",
+               "torque ratio",
+               "pump" + torque,
+               "turbine" + torque,
+               "stator" + torque,
+               "efficiency",
+               fmt::format("loss [{}]", units.text(QuantityKind::power))});
+  for (const ConverterState& state : one.converters) {
+    table.add({mechanism.topology.coupling(state.coupling).name,
+               cell_of(state.speed_ratio),
+               format_short(state.torque_ratio),
+               format_short(in.moment(state.pump_torque)),
+               format_short(in.moment(state.turbine_torque)),
+               format_short(in.moment(state.stator_torque)),
+               cell_of(state.efficiency()),
+               format_short(in.power(state.lost))});
+  }
+  return TextBlocks(std::move(table));
+}
+
 }  // namespace
 
 TextBlocks statics_blocks(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in) {
@@ -271,7 +300,8 @@ TextBlocks statics_blocks(const Mechanism& mechanism, const CaseAnalysis& one, c
   blocks += loads_blocks(mechanism, one, in);
   blocks += friction_blocks(mechanism, one, in);
   blocks += planets_blocks(mechanism, action, in);
-  return blocks += contacts_blocks(mechanism, one, in);
+  blocks += contacts_blocks(mechanism, one, in);
+  return blocks += converters_blocks(mechanism, one, in);
 }
 
 }  // namespace kinestat

@@ -26,14 +26,17 @@ extern const CouplingKind kWorm;
 extern const CouplingKind kRack;
 extern const CouplingKind kClutch;
 extern const CouplingKind kBrake;
+extern const CouplingKind kTorqueConverter;
 extern const CouplingKind kCable;
 extern const CouplingKind kScrews;
 
 /// In the order of the enumeration.
 inline constexpr auto kKinds = std::to_array<const CouplingKind*>({
-    &kRevolute,     &kPrismatic, &kHelical,     &kCylindrical,  &kUniversal, &kSpherical, &kPlanar,
-    &kPointContact, &kCam,       &kLineContact, &kSphereInTube, &kPinInSlot, &kRigid,     &kGear,
-    &kBevelGear,    &kWorm,      &kRack,        &kClutch,       &kBrake,     &kCable,     &kScrews,
+    &kRevolute,     &kPrismatic, &kHelical,      &kCylindrical, &kUniversal,
+    &kSpherical,    &kPlanar,    &kPointContact, &kCam,         &kLineContact,
+    &kSphereInTube, &kPinInSlot, &kRigid,        &kGear,        &kBevelGear,
+    &kWorm,         &kRack,      &kClutch,       &kBrake,       &kTorqueConverter,
+    &kCable,        &kScrews,
 });
 
 }  // namespace kinestat

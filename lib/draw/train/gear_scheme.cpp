@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -226,6 +227,12 @@ class SchemeWriter {
     const double length = length_of(to - from);
     const double gap = is_engaged(drawn) ? 0.0 : 2.6;
     const PixelPoint middle = from + 0.5 * length * along;
+    if (drawn.element >= 0 && train_.elements[static_cast<std::size_t>(drawn.element)].is_fluid) {
+      for (const double side : {-1.0, 1.0}) {
+        draw_shell(side < 0 ? from : to, middle, side * along, 0.5 * (above + below));
+      }
+      return;
+    }
     for (const double side : {-1.0, 1.0}) {
       const PixelPoint inner = middle + (side * gap) * along;
       const PixelPoint outer = middle + (side * (gap + 4.0)) * along;
@@ -238,6 +245,25 @@ class SchemeWriter {
       svg_.rectangle(box, plate(is_engaged(drawn)));
       placer_.keep_off(box);
     }
+  }
+
+  // Pump or turbine of a torque converter: half a lens, its flat side towards the other.
+  void draw_shell(PixelPoint shaft, PixelPoint middle, PixelPoint out, double radius) {
+    constexpr int kCorners = 12;
+    constexpr double kDepth = 7.0;
+    const PixelPoint across = left_of(out);
+    const PixelPoint flat = middle + 1.2 * out;
+    std::vector<PixelPoint> corners;
+    PixelBox box;
+    for (int i = 0; i <= kCorners; ++i) {
+      const double angle = std::numbers::pi * i / kCorners;
+      corners.push_back(flat + (radius * std::cos(angle)) * across +
+                        (kDepth * std::sin(angle)) * out);
+      box.add(corners.back());
+    }
+    svg_.line(shaft, flat + kDepth * out, {.stroke = Ink::ink, .width = kShaft});
+    svg_.polygon(corners, plate(false));
+    placer_.keep_off(box);
   }
 
   // A plate against the hatched housing; what is fixed has none.

@@ -76,6 +76,7 @@ class TrainFinder {
     const auto [low, high] = std::ranges::minmax_element(result_.meshes, {}, &SchemeMesh::at);
     result_.has_places = high->at > low->at;
     add_elements();
+    add_converters();
     return std::move(result_);
   }
 
@@ -305,6 +306,24 @@ class TrainFinder {
           .body = coupling.tail.value == 0 ? coupling.head.value : coupling.tail.value,
           .other = has_ground ? 0 : coupling.head.value,
           .is_engaged = is_engaged(static_cast<int>(i), actuator)};
+      if (const auto axis = axis_of_body_.find(element.body); axis != axis_of_body_.end()) {
+        element.axis = axis->second;
+      }
+      result_.elements.push_back(std::move(element));
+    }
+  }
+
+  // From pump to turbine; what the stator bears is not drawn.
+  void add_converters() {
+    for (const CouplingTopology& coupling : topology_.couplings) {
+      if (coupling.type != CouplingType::torque_converter || coupling.tail.value == 0) {
+        continue;
+      }
+      SchemeElement element{.name = coupling.name,
+                            .kind = SchemeElementKind::clutch,
+                            .body = coupling.tail.value,
+                            .other = coupling.head.value,
+                            .is_fluid = true};
       if (const auto axis = axis_of_body_.find(element.body); axis != axis_of_body_.end()) {
         element.axis = axis->second;
       }

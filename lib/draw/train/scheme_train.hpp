@@ -41,6 +41,7 @@ struct SchemeElement {
   int other = 0;            ///< of a clutch: the body that it joins to `body`
   bool is_engaged = false;  ///< in the case that is shown
   int axis = 0;             ///< about which its bodies turn
+  bool is_fluid = false;    ///< a torque converter, laid out as a clutch
 };
 
 /// A bearing of two bodies that move, on one axis.

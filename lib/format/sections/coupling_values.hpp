@@ -31,6 +31,9 @@ Form<std::vector<ScrewDescription>> action_screws();
 /// A mapping or, but for a journal or thread, a coefficient alone.
 Form<FrictionDescription> friction_of(FrictionKind kind);
 
+/// Of a torque converter.
+Form<CharacteristicDescription> characteristic();
+
 /// A mapping of actions to values.
 Form<std::vector<StiffnessDescription>> stiffness_of_actions();
 

@@ -188,6 +188,23 @@ constexpr auto kRows = std::to_array<KeyRow>({
                                             {"-", "engages while its torque is negative"}});
        key.may(&Coupling::one_way, called(sign, "the bearing direction of {0}"), "+");
      }},
+    {CouplingKey::stator,
+     "stator",
+     "The body on which the stator of a torque converter reacts, through its freewheel: usually "
+     "the housing. It becomes a coupling of its own, NAME_stator. Without one it is a fluid "
+     "coupling.",
+     [](Key key) {
+       key.may(
+           &Coupling::stator, [] { return called(body_name(), "the stator of {0}"); }, "housing");
+     }},
+    {CouplingKey::characteristic,
+     "characteristic",
+     "What the torque converter does over its speed ratio.",
+     [](Key key) {
+       key.needed(&Coupling::characteristic,
+                  called(characteristic(), "the characteristic of {0}"),
+                  "{pump_speed: 2000 rpm, pump_torque: 150 N*m, torque_ratio: 2 - speed_ratio}");
+     }},
 });
 
 SharedList<Word> type_words() {
@@ -234,9 +251,11 @@ void declare_common_keys(Mapping<Coupling>& m, const CouplingKind& kind) {
             return one_or_more(called(name_of("one of its actions"), "the constraint of {0}"));
           },
           "[Rx, Ry, Rz]");
-  m.key("friction", "").may(&Coupling::friction, [friction = kind.friction] {
-    return called(friction_of(friction), "the friction of {0}");
-  });
+  if (kind.friction != FrictionKind::fluid) {
+    m.key("friction", "").may(&Coupling::friction, [friction = kind.friction] {
+      return called(friction_of(friction), "the friction of {0}");
+    });
+  }
   m.key("stiffness",
         "Stiffness of the actions that the coupling transmits, used by 'statics: {indeterminate: "
         "stiffness}'. Actions that are not named are rigid.")
@@ -284,7 +303,7 @@ Form<Coupling> coupling() {
 std::vector<Coupling> without_what_others_make(const std::vector<Coupling>& all) {
   std::vector<Coupling> own;
   for (const Coupling& one : all) {
-    if (one.part == nullptr && !one.is_mesh()) {
+    if (one.part == nullptr && !one.is_mesh() && one.stator_of.empty()) {
       own.push_back(one);
       const bool is_placed_by_gears = one.at && one.at->is_on_gear_axis() && !one.at->along_axis;
       own.back().at = is_placed_by_gears ? std::nullopt : one.at;

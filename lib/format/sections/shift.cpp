@@ -72,6 +72,12 @@ const Mapping<ShiftDescription>& shift_section() {
                     one_or_more(name_of("a clutch or brake"), 1),
                     "[C1, C2, B1, B2]")
             .add_hint("'elements: [C1, C2, B1]', the clutches and brakes");
+        m.key(
+             "reacts",
+             "Machines that bear what equilibrium asks of them, as the generator of a power split. "
+             "Then every input has its torque, 0 where 'input_action' gives none, and gears in "
+             "which the speeds of inputs follow from each other stand in the same table.")
+            .may(&ShiftDescription::reacts, one_or_more(name_of("an actuator"), 1), "MG1");
         m.key("input_motion", "Speed of the input, for every input or by name; default unit rad/s.")
             .may(&ShiftDescription::input_motion, input_values(input_speed()), "1 rad/s")
             .example("{in: 1 rad/s}");

@@ -15,6 +15,7 @@
 #include "mechanism/bind/rounding_slopes.hpp"
 #include "mechanism/check/expect.hpp"
 #include "mechanism/couplings/internal/compliance_binder.hpp"
+#include "mechanism/couplings/internal/converter_binder.hpp"
 #include "mechanism/couplings/internal/coupling_binder.hpp"
 #include "mechanism/couplings/internal/friction_binder.hpp"
 #include "mechanism/couplings/reciprocity.hpp"
@@ -93,7 +94,8 @@ class DerivativeBinder {
       }
     }
     for (const CouplingFriction& friction : mechanism_.frictions) {
-      result.frictions.push_back(friction_of(friction.coupling));
+      result.frictions.push_back(friction.converter ? converter_of(friction)
+                                                    : friction_of(friction.coupling));
     }
   }
 
@@ -105,6 +107,18 @@ class DerivativeBinder {
   }
 
  private:
+  CouplingFrictionOf<Dual> converter_of(const CouplingFriction& bound) {
+    const auto e = static_cast<std::size_t>(bound.coupling.value);
+    auto law = expect(bind_converter<Dual>(description_.couplings[e], evaluator_, found_));
+    law.pump = bound.converter->pump;
+    law.turbine = bound.converter->turbine;
+    law.stator = bound.converter->stator;
+    CouplingFrictionOf<Dual> result;
+    result.coupling = bound.coupling;
+    result.converter = std::make_shared<const ConverterLawOf<Dual>>(std::move(law));
+    return result;
+  }
+
   // Without the cables, which are not differentiated.
   CouplingFrictionOf<Dual> friction_of(CouplingId id) {
     const CouplingDescription& coupling =

@@ -47,8 +47,8 @@ bool has_losses_by_teeth(const MechanismDescription& description) {
 bool clutches_two_axes(const MechanismDescription& description, const GearTrain& train) {
   const std::string& ground = description.ground.text;
   return std::ranges::any_of(description.couplings, [&](const CouplingDescription& coupling) {
-    return kind_of(coupling.type).engages && coupling.tail.text != ground &&
-           coupling.head.text != ground &&
+    return (kind_of(coupling.type).engages || joins_one_axis(coupling.type)) &&
+           coupling.tail.text != ground && coupling.head.text != ground &&
            train.axis_on(coupling.tail.text) != train.axis_on(coupling.head.text);
   });
 }

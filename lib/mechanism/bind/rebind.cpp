@@ -29,7 +29,9 @@ bool is_always_right(const CouplingDescription& coupling) {
 
 bool has_more_than_couplings(const MechanismDescription& description, const Mechanism& mechanism) {
   const auto has_loads = [](const CaseDescription& one) { return !one.loads.empty(); };
-  const auto may_rub = [](const CouplingDescription& one) { return one.friction != nullptr; };
+  const auto may_rub = [](const CouplingDescription& one) {
+    return one.friction != nullptr || one.characteristic != nullptr;
+  };
   return !description.cables.empty() || !description.loads.empty() || description.gravity ||
          !mechanism.contacts.empty() || std::ranges::any_of(description.cases, has_loads) ||
          std::ranges::any_of(description.couplings, may_rub);

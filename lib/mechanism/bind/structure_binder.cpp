@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -12,6 +14,7 @@
 #include "mechanism/cases/actuator_binder.hpp"
 #include "mechanism/check/expect.hpp"
 #include "mechanism/check/geometry_check.hpp"
+#include "mechanism/couplings/internal/converter_binder.hpp"
 #include "mechanism/couplings/internal/coupling_binder.hpp"
 #include "mechanism/couplings/internal/friction_binder.hpp"
 #include "mechanism/couplings/internal/screw_binder.hpp"
@@ -218,10 +221,42 @@ class StructureBinder {
         {.action = topology_.action_count() - 1, .screw = screws.constraints.front().screw});
   }
 
+  // Both couplings of a torque converter have its law, each its own couple of it; what is wrong
+  // with it is said once.
+  void add_converter(CouplingId id, const CouplingDescription& coupling) {
+    const bool is_of_stator = !coupling.stator_of.empty();
+    Diagnostics said_before;
+    Evaluator silent = evaluator_.complaining_to(said_before);
+    auto law = is_of_stator ? bind_converter<double>(coupling, silent, said_before)
+                            : bind_converter<double>(coupling, evaluator_, found_);
+    const auto first =
+        std::ranges::find(topology_.couplings, coupling.stator_of, &CouplingTopology::name);
+    const auto stator =
+        body_ids_.find(coupling.stator ? coupling.stator->text : description_.ground.text);
+    const bool is_whole =
+        is_of_stator ? first != topology_.couplings.end() : stator != body_ids_.end();
+    if (!law || !is_whole) {
+      return;
+    }
+    const CouplingTopology& own = topology_.coupling(id);
+    law->pump = is_of_stator ? first->tail : own.tail;
+    law->stator = is_of_stator ? own.tail : stator->second;
+    law->turbine = own.head;
+    CouplingFriction friction;
+    friction.coupling = id;
+    friction.where = coupling.characteristic->where;
+    friction.converter = std::make_shared<const ConverterLaw>(*std::move(law));
+    frictions_.push_back(std::move(friction));
+  }
+
   // Friction that no force presses is left out.
   void add_friction(CouplingId id,
                     const CouplingDescription& coupling,
                     const CouplingScrews& screws) {
+    if (coupling.characteristic) {
+      add_converter(id, coupling);
+      return;
+    }
     const auto friction =
         coupling.friction
             ? bind_friction(coupling, id, screws, description_.units, evaluator_, found_)

@@ -44,6 +44,7 @@ class ShiftCheck {
     check_actuators(shift_.inputs, "'input' of 'shift'");
     check_actuators(shift_.outputs, "'output' of 'shift'");
     check_actuators(shift_.elements, "'elements' of 'shift'");
+    check_actuators(shift_.reacts, "'reacts' of 'shift'");
     check_roles();
     check_elements();
     check_values(shift_.input_motion, kMotion, "'input_motion'");
@@ -78,6 +79,15 @@ class ShiftCheck {
     for (const Name& output : shift_.outputs) {
       if (holds(shift_.inputs, output.text)) {
         refuse_role(output, "both input and output");
+      }
+    }
+    for (const Name& machine : shift_.reacts) {
+      if (holds(shift_.inputs, machine.text)) {
+        refuse_role(machine, "both input and what reacts");
+      } else if (holds(shift_.outputs, machine.text)) {
+        refuse_role(machine, "both output and what reacts");
+      } else if (holds(shift_.elements, machine.text)) {
+        refuse_role(machine, "both shift element and what reacts");
       }
     }
     for (const Name& element : shift_.elements) {

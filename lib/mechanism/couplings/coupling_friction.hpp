@@ -1,6 +1,7 @@
 // Friction of a coupling, bound to numbers.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "core/source.hpp"
 #include "core/types.hpp"
 #include "expression/number_law.hpp"
+#include "mechanism/couplings/torque_converter.hpp"
 
 namespace kinestat {
 
@@ -34,7 +36,8 @@ inline constexpr std::string_view kSpeedOfFriction = "speed";
 /// of
 ///   the cable (Eytelwein); of a drum that winds up, |r| (k - 1) T;
 /// - contacts of surfaces or teeth: force μ N against the sliding;
-/// - clutches and brakes that are open: couple tau + c |ω|.
+/// - clutches and brakes that are open: couple tau + c |ω|;
+/// - torque converters: what `converter` says, against nobody's motion.
 /// `Scalar` is double or Dual.
 template <class Scalar>
 struct CouplingFrictionOf {
@@ -47,7 +50,8 @@ struct CouplingFrictionOf {
   Scalar tau = 0.0;                               ///< [N·m] at rest, where it depends on the speed
   std::optional<NumberLaw<Scalar>> tau_of_speed;  ///< [N·m], where the file names kSpeedOfFriction
   Scalar viscous = 0.0;                           ///< c [N·m·s/rad or N·s/m]
-  std::vector<CableFriction> cables;              ///< over the pulley that turns on the coupling
+  std::shared_ptr<const ConverterLawOf<Scalar>> converter;  ///< of a torque converter; may be null
+  std::vector<CableFriction> cables;  ///< over the pulley that turns on the coupling
   SourceRange where;
 };
 

@@ -190,4 +190,42 @@ const Record<ContactView>& contact_record() {
   return record;
 }
 
+const Record<ConverterState>& converter_record() {
+  using View = ConverterState;
+  static const Record<View> record(
+      "One torque converter, its couples in the sense in which its coupling counts.",
+      [](Record<View>& keys) {
+        const auto couple = [&](const char* key, const char* meaning, double View::*member) {
+          keys.quantity(key, QuantityKind::moment, meaning, [member](const View& v) {
+            return std::optional(v.*member);
+          });
+        };
+        keys.number("speed_ratio",
+                    Bare::ratio,
+                    "Speed of the turbine over that of the pump, both seen from the stator; null "
+                    "where the pump rests.",
+                    [](const View& v) { return v.speed_ratio; });
+        keys.number("torque_ratio",
+                    Bare::ratio,
+                    "Torque of the turbine over that of the pump.",
+                    [](const View& v) { return std::optional(v.torque_ratio); });
+        couple("pump_torque", "What the pump takes.", &View::pump_torque);
+        couple("turbine_torque", "What the turbine gives.", &View::turbine_torque);
+        couple("stator_torque",
+               "What the stator adds: the difference, which its body bears.",
+               &View::stator_torque);
+        keys.number("efficiency",
+                    Bare::efficiency,
+                    "Power given over power taken: speed ratio times torque ratio while the pump "
+                    "drives; null where nothing flows.",
+                    [](const View& v) { return v.efficiency(); });
+        keys.quantity("loss",
+                      QuantityKind::power,
+                      "Power that heats the fluid.",
+                      [](const View& v) { return std::optional(v.lost); })
+            .at_least(0);
+      });
+  return record;
+}
+
 }  // namespace kinestat

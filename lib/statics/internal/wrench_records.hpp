@@ -4,6 +4,7 @@
 #include "mechanism/cables/cable_contact.hpp"
 #include "record/record.hpp"
 #include "statics/cable_contact_state.hpp"
+#include "statics/converter_state.hpp"
 #include "statics/coupling_wrenches.hpp"
 
 namespace kinestat {
@@ -46,5 +47,7 @@ struct ContactView {
 };
 
 const Record<ContactView>& contact_record();
+
+const Record<ConverterState>& converter_record();
 
 }  // namespace kinestat

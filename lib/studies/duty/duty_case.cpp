@@ -17,7 +17,7 @@ namespace {
 
 bool has_one_freedom(FrictionKind kind) {
   return kind == FrictionKind::journal || kind == FrictionKind::thread ||
-         kind == FrictionKind::guide || kind == FrictionKind::drag;
+         kind == FrictionKind::guide || kind == FrictionKind::drag || kind == FrictionKind::fluid;
 }
 
 double power_of(const std::vector<int>& actuators, const std::vector<double>& powers) {
@@ -175,24 +175,21 @@ struct GearSense {
 struct FrictionSense {
   std::size_t friction = 0;  ///< index into mechanism.frictions
   int freedom = 0;
-  double sense = 0.0;  ///< 0 where it did not move
+  double sense = 0.0;        ///< 0 where it did not move; of a torque converter that of its couple
+  Vec3 axis = Vec3::Zero();  ///< of a torque converter
 };
 
 struct DutyCase::Prepared {
-  // Gives a system what acts and moves there; false where a drag has no value.
+  // Gives a system what acts and moves there; false where a friction has no value.
   bool set(LossySystem& to,
-           const std::vector<CouplingFriction>& all,
-           std::span<const double> speeds,
+           std::span<const std::optional<FrictionPoint>> points,
            std::span<const double> actions) const {
     to.set_primaries(actions);
-    for (std::size_t i = 0; i < frictions.size(); ++i) {
-      const CouplingFriction& one = all[frictions[i].friction];
-      const double speed = speeds[i];
-      const std::optional<double> tau = speed > 0.0 ? tau_at(one, speed) : 0.0;
-      if (!tau) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (!points[i]) {
         return false;
       }
-      to.set_friction(i, speed, *tau + one.viscous * speed);
+      to.set_friction(i, points[i]->speed, points[i]->constant);
     }
     return true;
   }
@@ -230,11 +227,14 @@ DutyCase::DutyCase(const Mechanism& drawn,
     const int freedom = mechanism_.topology.coupling(coupling).first_freedom;
     const double rate = motion.rates[static_cast<std::size_t>(freedom)];
     const bool moves = laws[i]->speed > 0.0;
+    const Vec3 axis = mechanism_.geometry.motions[static_cast<std::size_t>(freedom)].angular;
+    const bool is_fluid = mechanism_.frictions[i].converter != nullptr;
+    const double couple = laws[i]->constant * laws[i]->unit.moment.dot(axis);
+    const double way = is_fluid ? couple : moves ? rate : 0.0;
     prepared->frictions.push_back({.friction = i,
                                    .freedom = freedom,
-                                   .sense = !moves       ? 0.0
-                                            : rate > 0.0 ? 1.0
-                                                         : -1.0});
+                                   .sense = way == 0.0 ? 0.0 : std::copysign(1.0, way),
+                                   .axis = is_fluid ? axis : Vec3::Zero()});
     frictions.push_back(*laws[i]);
   }
   const auto sense_of = [&](BodyId gear, BodyId carrier) {
@@ -276,6 +276,10 @@ DutyCase::DutyCase(const Mechanism& drawn,
 bool DutyCase::moves_alike(std::span<const double> known) const {
   KINESTAT_EXPECTS(is_prepared());
   const bool frictions = std::ranges::all_of(prepared_->frictions, [&](const FrictionSense& one) {
+    if (const ConverterLaw* law = mechanism_.frictions[one.friction].converter.get()) {
+      const std::optional<double> couple = couple_of(*law, one, known);
+      return !couple || (one.sense == 0.0 ? *couple == 0.0 : *couple * one.sense > 0.0);
+    }
     const double rate = motions_.rate(one.freedom, known);
     return one.sense == 0.0 ? rate == 0.0 : rate * one.sense > 0.0;
   });
@@ -288,12 +292,34 @@ bool DutyCase::moves_alike(std::span<const double> known) const {
          });
 }
 
-std::vector<double> DutyCase::friction_speeds(std::span<const double> known) const {
-  std::vector<double> speeds;
-  for (const FrictionSense& one : prepared_->frictions) {
-    speeds.push_back(one.sense == 0.0 ? 0.0 : one.sense * motions_.rate(one.freedom, known));
+// Of a torque converter, on its turbine.
+std::optional<double> DutyCase::couple_of(const ConverterLaw& law,
+                                          const FrictionSense& friction,
+                                          std::span<const double> known) const {
+  return law.couple(motions_.turning(law.pump, law.stator, known).dot(friction.axis),
+                    motions_.turning(law.turbine, law.stator, known).dot(friction.axis));
+}
+
+std::vector<std::optional<FrictionPoint>> DutyCase::friction_points(
+    std::span<const double> known) const {
+  std::vector<std::optional<FrictionPoint>> points;
+  for (const FrictionSense& sense : prepared_->frictions) {
+    const CouplingFriction& one = mechanism_.frictions[sense.friction];
+    const double rate = motions_.rate(sense.freedom, known);
+    if (one.converter) {
+      const std::optional<double> couple = couple_of(*one.converter, sense, known);
+      points.push_back(couple ? std::optional(FrictionPoint{.speed = -sense.sense * rate,
+                                                            .constant = std::abs(*couple)})
+                              : std::nullopt);
+      continue;
+    }
+    const double speed = sense.sense * rate;
+    const std::optional<double> tau = speed > 0.0 ? tau_at(one, speed) : 0.0;
+    points.push_back(
+        tau ? std::optional(FrictionPoint{.speed = speed, .constant = *tau + one.viscous * speed})
+            : std::nullopt);
   }
-  return speeds;
+  return points;
 }
 
 bool DutyCase::presses_alike(std::span<const double> motions, std::span<const double> actions) {
@@ -302,7 +328,7 @@ bool DutyCase::presses_alike(std::span<const double> motions, std::span<const do
     return true;
   }
   LossySystem& system = *prepared_->without_mesh_losses;
-  if (!prepared_->set(system, mechanism_.frictions, friction_speeds(motions), actions)) {
+  if (!prepared_->set(system, friction_points(motions), actions)) {
     return true;
   }
   const auto found = system.solve([](const VecX&) { return true; });
@@ -325,8 +351,8 @@ std::optional<DutyState> DutyCase::state_at(std::span<const double> motions,
                                             std::span<const double> actions) {
   KINESTAT_EXPECTS(is_prepared());
   LossySystem& system = *prepared_->system;
-  const std::vector<double> speeds = friction_speeds(motions);
-  if (!prepared_->set(system, mechanism_.frictions, speeds, actions)) {
+  const std::vector<std::optional<FrictionPoint>> points = friction_points(motions);
+  if (!prepared_->set(system, points, actions)) {
     return std::nullopt;
   }
   const auto turning = [&](const GearSense& one) {
@@ -368,8 +394,8 @@ std::optional<DutyState> DutyCase::state_at(std::span<const double> motions,
     result.loads.push_back(power(load.acts.wrench, motions_.body(load.acts.body, motions)));
   }
   result.friction.assign(mechanism_.frictions.size(), 0.0);
-  for (std::size_t i = 0; i < speeds.size(); ++i) {
-    result.friction[prepared_->frictions[i].friction] = -found->frictions[i] * speeds[i];
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    result.friction[prepared_->frictions[i].friction] = -found->frictions[i] * points[i]->speed;
   }
   result.meshes.assign(mechanism_.lossy_meshes.size(), 0.0);
   for (std::size_t m = 0; m < rolling.size(); ++m) {

@@ -23,6 +23,14 @@ std::optional<DutyState> state_of(const Mechanism& mechanism,
                                   const CaseAnalysis& one,
                                   std::span<const Mesh> meshes);
 
+struct FrictionSense;
+
+/// A friction of a coupling at a point, as LossySystem takes it.
+struct FrictionPoint {
+  double speed = 0.0;
+  double constant = 0.0;
+};
+
 /// Of a mechanism with plain statics. Everything given must outlive it.
 class DutyCase {
  public:
@@ -54,7 +62,10 @@ class DutyCase {
  private:
   struct Prepared;
 
-  std::vector<double> friction_speeds(std::span<const double> known) const;
+  std::optional<double> couple_of(const ConverterLaw& law,
+                                  const FrictionSense& friction,
+                                  std::span<const double> known) const;
+  std::vector<std::optional<FrictionPoint>> friction_points(std::span<const double> known) const;
 
   Mechanism mechanism_;  ///< with the flanks on which the teeth press
   Case which_;

@@ -125,12 +125,14 @@ struct GearSum {
   GearDuty duty;
   bool is_head = true;
   std::size_t mesh = 0;
+  double share = 1.0;  ///< of the most loaded of equal planets
   WearSum wear;
 };
 
 struct BearingSum {
   BearingDuty duty;
   int freedom = 0;
+  double share = 1.0;  ///< likewise
   WearSum wear;
 };
 
@@ -144,9 +146,7 @@ class DutySum {
     for (const LossyMesh& mesh : mechanism.lossy_meshes) {
       result_.meshes.push_back({.coupling = mesh.coupling});
     }
-    for (const CouplingFriction& friction : mechanism.frictions) {
-      result_.frictions.push_back({.coupling = friction.coupling});
-    }
+    list_frictions();
     list_gears(meshes);
     list_bearings();
     for (std::size_t a = 0; a < slips_.size(); ++a) {
@@ -201,7 +201,7 @@ class DutySum {
     }
     for (std::size_t f = 0; f < state.friction.size(); ++f) {
       lose(state.friction[f]);
-      result_.frictions[f].energy -= t * state.friction[f];
+      result_.frictions[loser_of_[f]].energy -= t * state.friction[f];
     }
     one.balance_residual = largest == 0.0 ? 0.0 : std::abs(sum) / largest;
     add_wear(state, t);
@@ -252,6 +252,30 @@ class DutySum {
     return count;
   }
 
+  // How much more than the mean the most loaded of equal planets bears.
+  double sharing_of(const CouplingTopology& coupling) const {
+    double sharing = 1.0;
+    for (int a = coupling.first_action; a < coupling.first_action + coupling.action_count; ++a) {
+      sharing = std::max(sharing, mechanism_.load_sharing[static_cast<std::size_t>(a)]);
+    }
+    return sharing;
+  }
+
+  // What the stator of a torque converter gives counts with what its pump loses to the turbine.
+  void list_frictions() {
+    for (const CouplingFriction& friction : mechanism_.frictions) {
+      const auto first = std::ranges::find_if(result_.frictions, [&](const CouplingLoss& one) {
+        const CouplingTopology& other = mechanism_.topology.coupling(one.coupling);
+        return friction.converter && friction.converter->is_of_stator &&
+               other.tail == friction.converter->pump && other.head == friction.converter->turbine;
+      });
+      loser_of_.push_back(static_cast<std::size_t>(first - result_.frictions.begin()));
+      if (first == result_.frictions.end()) {
+        result_.frictions.push_back({.coupling = friction.coupling});
+      }
+    }
+  }
+
   void list_gears(std::span<const Mesh> meshes) {
     for (std::size_t m = 0; m < meshes.size(); ++m) {
       const CouplingTopology& coupling = mechanism_.topology.coupling(meshes[m].coupling);
@@ -264,6 +288,7 @@ class DutySum {
                                      .wear = {}},
                             .is_head = is_head,
                             .mesh = m,
+                            .share = sharing_of(coupling) / planets_of(coupling),
                             .wear = WearSum(plan_.gear_exponent)});
         }
       }
@@ -281,6 +306,7 @@ class DutySum {
       bearings_.push_back(
           {.duty = {.bearing = CouplingId{e}, .planets = planets_of(coupling), .wear = {}},
            .freedom = coupling.first_freedom,
+           .share = sharing_of(coupling) / planets_of(coupling),
            .wear = WearSum(plan_.bearing_exponent)});
     }
   }
@@ -299,12 +325,12 @@ class DutySum {
     for (GearSum& gear : gears_) {
       const MeshState& mesh = state.teeth[gear.mesh];
       const GearState& one = gear.is_head ? mesh.head : mesh.tail;
-      gear.wear.add(one.speed * t / kTurn, one.torque / gear.duty.planets);
+      gear.wear.add(one.speed * t / kTurn, one.torque * gear.share);
     }
     for (BearingSum& bearing : bearings_) {
       const double rate = state.rates[static_cast<std::size_t>(bearing.freedom)];
       const double force = state.forces[static_cast<std::size_t>(bearing.duty.bearing.value)];
-      bearing.wear.add(std::abs(rate) * t / kTurn, force / bearing.duty.planets);
+      bearing.wear.add(std::abs(rate) * t / kTurn, force * bearing.share);
     }
   }
 
@@ -325,6 +351,7 @@ class DutySum {
   const Mechanism& mechanism_;
   const DutyPlan& plan_;
   std::vector<bool> slips_;
+  std::vector<std::size_t> loser_of_;  ///< of each friction: index into result_.frictions
   std::vector<DutyEnergy> energy_of_case_;
   std::vector<GearSum> gears_;
   std::vector<BearingSum> bearings_;

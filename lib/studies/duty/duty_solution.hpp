@@ -42,7 +42,7 @@ struct DutyWear {
   std::optional<double> equivalent;
 };
 
-/// Teeth of one gear in one mesh. Of several equal planets, of one of them.
+/// Teeth of one gear in one mesh. Of several equal planets, of the most loaded one.
 struct GearDuty {
   CouplingId mesh;
   BodyId gear;
@@ -50,7 +50,7 @@ struct GearDuty {
   DutyWear wear;  ///< torque [N·m] and revolutions in the carrier
 };
 
-/// A bearing about which bodies turn; of several equal planets, that of one.
+/// A bearing about which bodies turn; of several equal planets, that of the most loaded one.
 struct BearingDuty {
   CouplingId bearing;
   int planets = 1;
@@ -89,7 +89,7 @@ struct DutySolution {
   DutyEnergy whole;
   std::vector<DutyCaseEnergy> cases;    ///< those of the points, in the order of the mechanism
   std::vector<CouplingLoss> meshes;     ///< as mechanism.lossy_meshes
-  std::vector<CouplingLoss> frictions;  ///< as mechanism.frictions
+  std::vector<CouplingLoss> frictions;  ///< as mechanism.frictions, a torque converter as one
   std::vector<GearDuty> gears;
   std::vector<BearingDuty> bearings;
   std::vector<ElementDuty> elements;

@@ -123,6 +123,25 @@ FrictionLawOf<Dual> DualCase::law_of(CouplingId id) const {
       parameter.second.value = placed(parameter.second.value);
     }
   }
+  ConverterTurnsOf<Dual> turns;
+  const Vec3Of<Dual> axis =
+      unit_motion(static_cast<std::size_t>(topology().couplings[e].first_freedom)).angular;
+  if (friction.converter) {
+    ConverterLawOf<Dual> converter = *friction.converter;
+    const auto place = [&](const Dual& number) { return placed(number); };
+    converter.scale = placed(converter.scale);
+    converter.capacity.change_numbers(place);
+    if (converter.torque_ratio) {
+      converter.torque_ratio->change_numbers(place);
+    }
+    const auto turning = [&](BodyId body) {
+      const TwistOf<Dual> twist = body_twist(static_cast<std::size_t>(body.value)) -
+                                  body_twist(static_cast<std::size_t>(converter.stator.value));
+      return Dual(twist.angular.dot(axis));
+    };
+    turns = {.pump = turning(converter.pump), .turbine = turning(converter.turbine)};
+    friction.converter = std::make_shared<const ConverterLawOf<Dual>>(std::move(converter));
+  }
   const int freedom = topology().couplings[e].first_freedom;
   return make_friction_law(SlidingOf<Dual>{
       .topology = topology(),
@@ -130,7 +149,8 @@ FrictionLawOf<Dual> DualCase::law_of(CouplingId id) const {
       .unit = unit_motion(static_cast<std::size_t>(freedom)),
       .twist = coupling_twist(e),
       .at = point(e),
-      .unit_action = [&](int a) { return unit_action(static_cast<std::size_t>(a)); }});
+      .unit_action = [&](int a) { return unit_action(static_cast<std::size_t>(a)); },
+      .converter = turns});
 }
 
 TwistOf<Dual> DualCase::coupling_twist(std::size_t coupling) const {

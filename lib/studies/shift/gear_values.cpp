@@ -5,6 +5,8 @@
 
 #include "core/tolerance.hpp"
 #include "couplings/kinds.hpp"
+#include "power/rate_ratio.hpp"
+#include "studies/shift/shift_solution.hpp"
 
 namespace kinestat {
 
@@ -46,12 +48,17 @@ class GearReader {
     const ShiftState& state = gear_.state;
     Case which = gear_.which;
     which.outputs = {plan_.outputs[o]};
+    if (plan_.is_hybrid()) {
+      which.inputs = {plan_.inputs.front().actuator};
+    }
     const StaticSolution* action = has_actions() ? gear_.action : nullptr;
     Ratios ratios;
-    if (is_solved()) {
+    if (plan_.is_hybrid() && plan_.has_shares(state.moving)) {
+      ratios.reason = "other inputs than the first one move";
+    } else if (is_solved()) {
       ratios = find_ratios(gear_.mechanism, which, *gear_.motion, action);
     } else if (const double slow = state.outputs[o].value_or(0.0); slow != 0.0) {
-      ratios.ratio = state.inputs.front() / slow;
+      ratios.ratio = share_of(reference_rate(plan_, state), slow);
       if (action != nullptr) {
         add_torque_ratio(gear_.mechanism, which, *action, ratios);
       }

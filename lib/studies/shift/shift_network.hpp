@@ -32,6 +32,11 @@ struct ShiftNetwork {
   /// How many elements a gear engages: what the inputs leave of the mobility; none if they leave
   /// nothing.
   int needed() const { return std::max(0, motions - static_cast<int>(inputs.size())); }
+
+  /// How many more it may engage: so many inputs then follow from the others.
+  int following(const ShiftPlan& plan) const {
+    return plan.is_hybrid() ? std::min(motions, static_cast<int>(inputs.size())) - 1 : 0;
+  }
 };
 
 /// From one elimination of the velocity system without primaries (Davies; Cazangi 2008, section

@@ -1,5 +1,7 @@
 #include "studies/shift/shift_reason.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "core/text.hpp"
@@ -23,7 +25,8 @@ class ReasonWriter {
   std::string run() const {
     const std::string cause = cause_text();
     const int count = static_cast<int>(engaged_.size());
-    if (count == network_.needed()) {
+    const int more = count - network_.needed();
+    if (more >= 0 && more <= network_.following(plan_)) {
       return cause;
     }
     const std::string number = fmt::format("engages {} element{} where a gear needs {}",
@@ -54,7 +57,8 @@ class ReasonWriter {
                            actuator_name(plan_.outputs[static_cast<std::size_t>(state_.which)]),
                            plan_.inputs.size() == 1 ? "the input" : "the inputs",
                            freedoms_text(state_.idle, true),
-                           held_text());
+                           held_text()) +
+               converter_text();
       case ShiftCause::outputs_held:
         return fmt::format(
             "{} held: {}; {}", outputs_text(), held_text(), freedoms_text(state_.freedom, false));
@@ -68,10 +72,40 @@ class ReasonWriter {
     return "";
   }
 
+  // What moves is driven by a fluid if that has a pump which turns with the inputs.
+  std::string converter_text() const {
+    const Names moving = bodies(motions(true), true);
+    for (const CouplingTopology& coupling : topology_.couplings) {
+      const bool is_fluid = coupling.type == CouplingType::torque_converter;
+      if (is_fluid && std::ranges::count(moving, topology_.body(coupling.head).name) > 0) {
+        return fmt::format(
+            "; torque converter '{}' drives '{}' without a ratio of speeds: give it as a case with "
+            "the speeds of both, and here the gear with its lock-up engaged",
+            coupling.name,
+            topology_.body(coupling.head).name);
+      }
+    }
+    return {};
+  }
+
   // What a gear leaves free and open.
   std::string beside_text() const {
     std::string text =
         state_.idle == 0 ? "" : fmt::format("beside it {}", freedoms_text(state_.idle, true));
+    const auto inputs = static_cast<int>(plan_.inputs.size());
+    Names following;
+    for (int i = 0; i < inputs && plan_.is_hybrid(); ++i) {
+      if (std::ranges::count(state_.moving, i) == 0) {
+        following.push_back(actuator_name(plan_.inputs[static_cast<std::size_t>(i)].actuator));
+      }
+    }
+    if (!following.empty()) {
+      text += fmt::format(
+          "{}the speed of {} follows from that of '{}'",
+          text.empty() ? "" : "; ",
+          plain_list(following),
+          actuator_name(plan_.inputs[static_cast<std::size_t>(state_.moving.front())].actuator));
+    }
     if (!state_.surplus.empty()) {
       text += (text.empty() ? "" : "; ") + redundancy_text();
     }

@@ -52,7 +52,10 @@ class ShiftSolver {
   ShiftSolution run() {
     solution_.net_freedom = network_.net_freedom();
     solution_.needed = network_.needed();
-    solution_.possibilities = combination_count(count(), network_.needed());
+    solution_.following = network_.following(plan_);
+    for (int more = 0; more <= solution_.following; ++more) {
+      solution_.possibilities += combination_count(count(), network_.needed() + more);
+    }
     for (const int size : sizes()) {
       solution_.asked += combination_count(count(), size);
     }
@@ -73,13 +76,15 @@ class ShiftSolver {
   std::vector<int> sizes() const {
     std::vector<int> sizes;
     if (plan_.combinations == ShiftCombinations::all) {
-      sizes.push_back(network_.needed());
+      for (int more = 0; more <= network_.following(plan_); ++more) {
+        sizes.push_back(network_.needed() + more);
+      }
     }
     if (options_.one_fewer && network_.needed() > 0) {
       sizes.push_back(network_.needed() - 1);
     }
     if (options_.one_more) {
-      sizes.push_back(network_.needed() + 1);
+      sizes.push_back(network_.needed() + network_.following(plan_) + 1);
     }
     return sizes;
   }
@@ -126,7 +131,7 @@ class ShiftSolver {
         continue;
       }
       const std::optional<double> ratio =
-          share_of(common_rate(one.state.inputs), one.state.outputs.front());
+          share_of(reference_rate(plan_, one.state), one.state.outputs.front());
       gears.push_back({.state = static_cast<int>(s),
                        .ratio = ratio == 0.0 ? std::nullopt : ratio,
                        .engaged = one.engaged,
@@ -152,6 +157,13 @@ class ShiftSolver {
 };
 
 }  // namespace
+
+std::optional<double> reference_rate(const ShiftPlan& plan, const ShiftState& state) {
+  if (!plan.is_hybrid()) {
+    return common_rate(state.inputs);
+  }
+  return plan.has_shares(state.moving) ? std::nullopt : std::optional(state.inputs.front());
+}
 
 double combination_count(int n, int k) {
   if (k > n || k < 0) {

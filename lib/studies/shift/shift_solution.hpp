@@ -29,18 +29,24 @@ struct NamedShiftState {
 struct ShiftSolution {
   int net_freedom = 0;         ///< F_N of the open train
   int needed = 0;              ///< elements that a gear engages
-  double possibilities = 0.0;  ///< C(N, needed) (Cazangi 2008, eq. 5.4)
+  int following = 0;           ///< elements that it may engage more, as inputs follow from others
+  double possibilities = 0.0;  ///< C(N, needed) (Cazangi 2008, eq. 5.4), of all such numbers
   bool is_too_long = false;    ///< more than kMostCombinations were asked for: there are no states
   double asked = 0.0;          ///< how many were asked for
   std::vector<NamedShiftState> states;  ///< in the order of the table
   ShiftTable table;
 };
 
+/// The rate that ratios refer to: that of all inputs, or of the first one where a machine reacts
+/// and those of the others follow from it. Empty where they differ, or may.
+std::optional<double> reference_rate(const ShiftPlan& plan, const ShiftState& state);
+
 /// Combinations of k out of n; infinite if there are too many for a number.
 double combination_count(int n, int k);
 
 /// Every combination of the size that the mobility asks for, unless the plan asks for those with a
-/// label alone, those of one more and one fewer if asked for, and whatever has a label; gears by
+/// label alone, where a machine reacts also those in which inputs follow from each other; those of
+/// one more and one fewer if asked for, and whatever has a label; gears by
 /// falling ratio, then those in reverse, then what is no gear, in the order of the elements.
 [[nodiscard]] ShiftSolution find_shift_solution(const Mechanism& mechanism,
                                                 const CoordinateBasis& basis,

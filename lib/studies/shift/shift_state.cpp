@@ -61,6 +61,12 @@ class StateSolver {
     for (std::size_t i = 0; i < network_.inputs.size(); ++i) {
       const RateRow& row = network_.inputs[i];
       const double speed = plan_.inputs[i].speed;
+      if (plan_.is_hybrid()) {
+        if (left_.prescribe(row, speed)) {
+          state_.moving.push_back(static_cast<int>(i));
+        }
+        continue;
+      }
       if (speed != 0.0 && !left_.changes(row) && state_.moving.empty()) {
         return refuse(ShiftClass::locked_by_elements, ShiftCause::input_held, i);
       }
@@ -74,7 +80,8 @@ class StateSolver {
       }
     }
     state_.idle = left_.count();
-    return true;
+    return !plan_.is_hybrid() || !state_.moving.empty() ||
+           refuse(ShiftClass::locked_by_elements, ShiftCause::input_held, 0);
   }
 
   bool outputs_follow() {
@@ -102,8 +109,9 @@ class StateSolver {
   }
 
   void fill_rates() {
-    for (const ShiftInput& input : plan_.inputs) {
-      state_.inputs.push_back(input.speed);
+    for (std::size_t i = 0; i < plan_.inputs.size(); ++i) {
+      state_.inputs.push_back(plan_.is_hybrid() ? left_.rate(network_.inputs[i]).zeroed()
+                                                : plan_.inputs[i].speed);
     }
     for (const RateRow& row : network_.outputs) {
       state_.outputs.push_back(left_.rate(row).value);
@@ -118,7 +126,8 @@ class StateSolver {
   }
 
   void fill_shares() {
-    if (state_.moving.size() < 2) {
+    find_reactions();
+    if (!plan_.has_shares(state_.moving)) {
       return;
     }
     state_.shares.assign(network_.outputs.size(), std::vector<double>(network_.inputs.size(), 0.0));
@@ -130,6 +139,26 @@ class StateSolver {
       for (std::size_t o = 0; o < network_.outputs.size(); ++o) {
         state_.shares[o][at(one)] = motion.rate(network_.outputs[o]).zeroed();
       }
+    }
+  }
+
+  // The speeds of what reacts.
+  void find_reactions() {
+    for (const int other : plan_.reacting) {
+      const RateRow& row = network_.others[at(other)];
+      ShiftReaction one{.other = other};
+      if (!left_.changes(row)) {
+        one.rate = left_.rate(row).zeroed();
+        one.speed_shares.assign(network_.inputs.size(), 0.0);
+        for (const int input : state_.moving) {
+          RemainingMotion motion = engaged_motion_;
+          for (const int i : state_.moving) {
+            motion.prescribe(network_.inputs[at(i)], i == input ? 1.0 : 0.0);
+          }
+          one.speed_shares[at(input)] = motion.rate(row).zeroed();
+        }
+      }
+      state_.reactions.push_back(std::move(one));
     }
   }
 
@@ -165,25 +194,85 @@ class StateSolver {
     return rows;
   }
 
+  // A machine reacts with what the others leave for it to hold: those whose torque is unknown at
+  // rest, it may still move.
+  void add_reacting(std::vector<const RateRow*>& rows) {
+    RemainingMotion motion(network_.net_freedom());
+    for (const RateRow* row : rows) {
+      motion.prescribe(*row, 0.0);
+    }
+    for (ShiftReaction& one : state_.reactions) {
+      const RateRow& row = network_.others[at(one.other)];
+      if (motion.prescribe(row, 0.0)) {
+        rows.push_back(&row);
+        one.torque_shares.assign(network_.inputs.size(), 0.0);
+      } else {
+        one.torque = 0.0;
+      }
+    }
+  }
+
   // Virtual power: in the motion that moves one unknown torque alone, it gives what the known ones
   // take. Empty where the motion of one follows from the others, so that the torque is open.
   void find_torques() {
-    const std::vector<const RateRow*> rows = unknown_rows();
+    std::vector<const RateRow*> rows = unknown_rows();
+    const std::size_t first_reacting = rows.size();
+    const std::size_t first_output = rows.size() - network_.outputs.size();
+    add_reacting(rows);
     std::vector<double> torques;
+    std::vector<std::vector<double>> shares;
     for (std::size_t u = 0; u < rows.size(); ++u) {
       RemainingMotion motion(network_.net_freedom());
       for (std::size_t other = 0; other < rows.size(); ++other) {
         if (other != u && !motion.prescribe(*rows[other], 0.0)) {
-          return;
+          return leave_reactions_open();
         }
       }
       if (!motion.prescribe(*rows[u], 1.0) || works_on_rest(motion)) {
-        return;
+        return leave_reactions_open();
       }
       torques.push_back(-power_of_known(motion));
+      if (plan_.is_hybrid() && u >= first_output) {
+        shares.push_back(shares_in(motion));
+      }
     }
     if (!rows.empty()) {
       fill_torques(torques);
+    }
+    fill_reactions(std::span(torques).subspan(std::min(first_reacting, torques.size())), shares);
+  }
+
+  void leave_reactions_open() {
+    for (ShiftReaction& one : state_.reactions) {
+      one.torque.reset();
+      one.torque_shares.clear();
+    }
+  }
+
+  // What a torque is of those of the inputs, if the motion moves it alone, at unit rate.
+  std::vector<double> shares_in(const RemainingMotion& motion) const {
+    std::vector<double> shares;
+    for (const RateRow& row : network_.inputs) {
+      const double rate = motion.rate(row).zeroed();
+      shares.push_back(rate == 0.0 ? 0.0 : -rate);
+    }
+    return shares;
+  }
+
+  // Outputs first.
+  void fill_reactions(std::span<const double> torques,
+                      const std::vector<std::vector<double>>& shares) {
+    if (shares.empty()) {
+      return;
+    }
+    const auto outputs = static_cast<std::ptrdiff_t>(network_.outputs.size());
+    state_.torque_shares.assign(shares.begin(), shares.begin() + outputs);
+    std::size_t next = 0;
+    for (ShiftReaction& one : state_.reactions) {
+      if (!one.torque_shares.empty()) {
+        one.torque_shares = shares[network_.outputs.size() + next];
+        one.torque = torques[next++];
+      }
     }
   }
 
@@ -229,14 +318,19 @@ class StateSolver {
     const auto driver = std::ranges::find_if(
         plan_.inputs, [](const ShiftInput& each) { return each.speed != 0.0; });
     const bool drives = driver == plan_.inputs.begin() + static_cast<std::ptrdiff_t>(input);
-    return plan_.asks_actions || !drives ? one.action
-                                         : std::optional(std::copysign(1.0, one.speed));
+    if (plan_.asks_actions || !drives) {
+      return plan_.is_hybrid() && !one.action ? std::optional(0.0) : one.action;
+    }
+    return std::copysign(1.0, one.speed);
   }
 
   void forget_torques() {
     state_.torques.clear();
     state_.input_torques.clear();
     state_.output_torques.clear();
+    for (ShiftReaction& one : state_.reactions) {
+      one.torque.reset();
+    }
   }
 
   void check_freewheels() {

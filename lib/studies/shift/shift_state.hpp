@@ -40,6 +40,16 @@ enum class ShiftCause {
   freewheel_locks      ///< the element `which` would have to slip in the sense in which it holds
 };
 
+/// What a machine does that reacts. The shares are those of inputs: its speed is the sum of theirs
+/// times `speed_shares`, its torque that of their torques times `torque_shares`.
+struct ShiftReaction {
+  int other = 0;  ///< index into ShiftPlan::others
+  std::optional<double> rate = {};
+  std::optional<double> torque = {};  ///< tail on head; 0 where other elements hold what it held
+  std::vector<double> speed_shares = {};   ///< empty where its speed is not determined
+  std::vector<double> torque_shares = {};  ///< empty where it bears nothing
+};
+
 /// Numbers in SI, in the order of the plan. A rate is empty where it is not determined; of a state
 /// that is no gear there are none, but where a freewheel decides that, those it would have. Torques
 /// are those of frictionless equilibrium without loads: the powers of inputs, outputs and engaged
@@ -67,13 +77,17 @@ struct ShiftState {
   std::vector<double> input_torques;         ///< of each input, tail on head
   std::vector<double> output_torques;        ///< of each output
   std::vector<double> torques;               ///< of each element; 0 of an open one
+  std::vector<ShiftReaction> reactions;      ///< of each of ShiftPlan::reacting
+  /// Of each output of a plan with reactions its torque by those of the inputs; else empty.
+  std::vector<std::vector<double>> torque_shares;
 };
 
 /// The state in which exactly `engaged` (indices of elements, ascending) are engaged. The classes
 /// are decided in this order: an input cannot move (locked); an output is not determined by the
 /// inputs (neutral); no output moves (locked); more elements are engaged than the mobility asks
 /// for, and one of them follows from the others (tie-up); a freewheel is on the wrong side (neutral
-/// where it overruns, tie-up where it locks); gear. Costs a few small dense products: names are
+/// where it overruns, tie-up where it locks); gear. Where a machine reacts, inputs may follow from
+/// those before them and rest, as long as one moves. Costs a few small dense products: names are
 /// nowhere, so that sweeps may ask for millions of states.
 [[nodiscard]] ShiftState solve_shift_state(const ShiftNetwork& network,
                                            const ShiftPlan& plan,

@@ -40,6 +40,11 @@ const std::vector<std::string> kFullest = {
     "{type: rack, bodies: [f, g], at: [0, 0, 0], axis: z, line_of_action: x}",
     "{type: clutch, bodies: [f, g], at: [0, 0, 0], axis: z, one_way: +}",
     "{type: brake, bodies: [f, g], at: [0, 0, 0], axis: z, one_way: '-'}",
+    "{type: torque_converter, bodies: [f, g], at: [0, 0, 0], axis: z, stator: h, characteristic: "
+    "{speed_ratio: [0, 1], torque_ratio: 2 - speed_ratio, pump_torque: [100, 0], "
+    "pump_speed: 2000 rpm}}",
+    "{type: torque_converter, bodies: [f, g], at: [0, 0, 0], axis: z, characteristic: "
+    "{lambda: 3e-3*(1 - speed_ratio), density: 860 kg/m^3, diameter: 260 mm}}",
     "{type: cable, bodies: [f, g], from: [0, 0, 0], to: [1, 0, 0]}",
     "{type: screws, bodies: [f, g], freedoms: [{rotation: z, at: [0, 0, 0]}, {translation: x}], "
     "constraints: [{force: y, at: [0, 0, 0]}, {couple: [1, 0, 0]}]}",

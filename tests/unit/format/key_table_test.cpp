@@ -49,15 +49,15 @@ TEST(CouplingTable, SaysOfEveryTypeWhatItFreesBearsAndMeans) {
     EXPECT_NE(("\n" + table).find("\n  " + std::string(kind->word) + " "), std::string::npos)
         << kind->word;
   }
-  EXPECT_TRUE(has_line(table, "  revolute        wz                   Rx Ry Rz Tx Ty")) << table;
-  EXPECT_TRUE(has_line(table, "  prismatic       vx                   Ry Rz Tx Ty Tz"));
-  EXPECT_TRUE(has_line(table, "  universal       wx wz                Rx Ry Rz Ty"));
-  EXPECT_TRUE(has_line(table, "  planar          wz vx vy             Rz Tx Ty"));
-  EXPECT_TRUE(has_line(table, "  line_contact    wx wz vx vy          Rz Ty"));
-  EXPECT_TRUE(has_line(table, "  pin_in_slot     wz vx                Ry"));
-  EXPECT_TRUE(has_line(table, "  rigid           none                 Rx Ry Rz Tx Ty Tz"));
-  EXPECT_TRUE(has_line(table, "  clutch          wz                   of its own name"));
-  EXPECT_TRUE(has_line(table, "  screws          as listed            as listed"));
+  EXPECT_TRUE(has_line(table, "  revolute          wz                   Rx Ry Rz Tx Ty")) << table;
+  EXPECT_TRUE(has_line(table, "  prismatic         vx                   Ry Rz Tx Ty Tz"));
+  EXPECT_TRUE(has_line(table, "  universal         wx wz                Rx Ry Rz Ty"));
+  EXPECT_TRUE(has_line(table, "  planar            wz vx vy             Rz Tx Ty"));
+  EXPECT_TRUE(has_line(table, "  line_contact      wx wz vx vy          Rz Ty"));
+  EXPECT_TRUE(has_line(table, "  pin_in_slot       wz vx                Ry"));
+  EXPECT_TRUE(has_line(table, "  rigid             none                 Rx Ry Rz Tx Ty Tz"));
+  EXPECT_TRUE(has_line(table, "  clutch            wz                   of its own name"));
+  EXPECT_TRUE(has_line(table, "  screws            as listed            as listed"));
   EXPECT_TRUE(has_line(table, "                  slides along an axis: 1 freedom; needs axis"));
 }
 

@@ -120,6 +120,7 @@ TEST_P(RowOfCatalogue, FreedomsAndConstraintsFillTheOrderOfTheSpace) {
       break;
     case CouplingType::clutch:  // bears only the couple of its actuator
     case CouplingType::brake:
+    case CouplingType::torque_converter:  // bears what its characteristic tells
       EXPECT_EQ(sum, 1U);
       break;
     default:
@@ -164,6 +165,7 @@ std::vector<Row> planar_rows() {
           {"TeethInThePlane", CouplingType::gear, Space::planar, keyword('z'), {}, true},
           {"RackInThePlane", CouplingType::rack, Space::planar, keyword('z')},
           {"BrakeInThePlane", CouplingType::brake, Space::planar, keyword('z')},
+          {"ConverterInThePlane", CouplingType::torque_converter, Space::planar, keyword('z')},
           {"CableInThePlane", CouplingType::cable, Space::planar, keyword('z')},
           {"RigidInThePlane", CouplingType::rigid, Space::planar, keyword('z')}};
 }
@@ -201,6 +203,7 @@ std::vector<Row> spatial_rows() {
           {"Worm", CouplingType::worm, Space::spatial, oblique()},
           {"Cable", CouplingType::cable, Space::spatial, keyword('z')},
           {"Clutch", CouplingType::clutch, Space::spatial, keyword('z')},
+          {"Converter", CouplingType::torque_converter, Space::spatial, keyword('x')},
           {"RigidInSpace", CouplingType::rigid, Space::spatial, keyword('z')}};
 }
 

@@ -225,7 +225,7 @@ class GearTrainCheck {
   // What a clutch joins turns about one axis, unless one of the two bears the other.
   void check_clutch(const GearLayout& layout, const CouplingDescription& coupling) {
     const std::string& ground = context_.description.ground.text;
-    if (coupling.type != CouplingType::clutch || coupling.tail.text == ground ||
+    if (!joins_one_axis(coupling.type) || coupling.tail.text == ground ||
         coupling.head.text == ground || bears(coupling.tail, coupling.head)) {
       return;
     }

@@ -244,7 +244,7 @@ class ShaftGrouper {
         for (const CouplingDescription& coupling : description_.couplings) {
           const int a = result_.shaft_named(coupling.tail.text);
           const int b = result_.shaft_named(coupling.head.text);
-          const bool counts = coupling.type == CouplingType::clutch && a >= 0 && b >= 0 &&
+          const bool counts = joins_one_axis(coupling.type) && a >= 0 && b >= 0 &&
                               (joins_plain || !is_plain_[at(root(a))] || !is_plain_[at(root(b))]);
           goes_on = (counts && join(a, b)) || goes_on;
         }

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "studies/shift/report/gear_report.hpp"
+#include "studies/shift/report/reaction_record.hpp"
 #include "studies/shift/report/shift_parts.hpp"
 
 namespace kinestat {
@@ -220,15 +221,50 @@ void write_speed_shares(const StateView& v, Archive& to) {
     if (!to.begin(output)) {
       continue;
     }
-    to.begin_map();
-    for (std::size_t i = 0; i < shares.size(); ++i) {
-      to.element(name_of_actuator(v.analysis, plan.inputs[i].actuator), {});
-      to.number(shares[i].value, shares[i].unit);
-    }
-    to.end_map();
+    write_shares(v.analysis, shares, to);
     to.end(output);
   }
   to.end_map();
+}
+
+void write_torque_shares(const StateView& v, Archive& to) {
+  const std::vector<int>& outputs = v.analysis.shift->plan.outputs;
+  to.begin_map();
+  for (std::size_t o = 0; o < outputs.size(); ++o) {
+    Property output;
+    output.key = name_of_actuator(v.analysis, outputs[o]);
+    if (to.begin(output)) {
+      write_shares(
+          v.analysis, torque_shares_of(v.analysis, outputs[o], v.state.state.torque_shares[o]), to);
+      to.end(output);
+    }
+  }
+  to.end_map();
+}
+
+void emit_reactions(const StateView& v, const Each<ReactionView>& each) {
+  for (const ShiftReaction& reaction : v.state.state.reactions) {
+    each(name_of_actuator(v.analysis, actuator_of(v.analysis, reaction)),
+         {.analysis = v.analysis, .reaction = reaction});
+  }
+}
+
+void add_reactions(Record<StateView>& keys) {
+  keys.map("reactions",
+           reaction_record(),
+           "Machines of 'reacts', whose speed and torque follow from those of the others; no key "
+           "without any.",
+           emit_reactions)
+      .in_tables_as("reaction")
+      .only_if([](const StateView& v) { return is_gear(v) && !v.state.state.reactions.empty(); });
+  keys.custom("torque_shares",
+              map_shape(map_shape(number_shape(ByContext::action_ratio, true))),
+              "With 'reacts': the torque of each output is the sum of the torques of the inputs "
+              "times these, without losses.",
+              write_torque_shares)
+      .not_in_tables()
+      .only_if(
+          [](const StateView& v) { return is_gear(v) && !v.state.state.torque_shares.empty(); });
 }
 
 void add_gear(Record<StateView>& keys) {
@@ -240,6 +276,7 @@ void add_gear(Record<StateView>& keys) {
               write_speed_shares)
       .not_in_tables()
       .only_if([](const StateView& v) { return is_gear(v) && !v.state.state.shares.empty(); });
+  add_reactions(keys);
   keys.number("step",
               Bare::number,
               "Ratio of the next lower forward gear over its own; null for the first gear and for "
@@ -418,7 +455,7 @@ const Record<Analysis>& shift_record() {
                    [](const Analysis& v) { return v.shift->solution.net_freedom; });
         keys.count("engaged",
                    "Number of elements that a gear engages: the net degree of freedom less the "
-                   "inputs.",
+                   "inputs. With 'reacts' more, as inputs follow from each other.",
                    [](const Analysis& v) { return v.shift->solution.needed; });
         keys.custom("ratio_unit",
                     by_output(word_shape({}, false)),

@@ -11,6 +11,7 @@
 #include "report/in_units.hpp"
 #include "report/number_format.hpp"
 #include "studies/shift/report/gear_report.hpp"
+#include "studies/shift/report/shift_sums.hpp"
 
 namespace kinestat {
 
@@ -57,6 +58,7 @@ class ShiftTables {
     TextBlocks blocks(head_text());
     blocks += gears_blocks();
     blocks += remarks_text();
+    blocks += reactions_blocks();
     blocks += others_blocks();
     blocks += elements_blocks();
     return blocks += changes_blocks();
@@ -78,9 +80,11 @@ class ShiftTables {
   std::string head_text() const {
     const std::size_t inputs = plan_.inputs.size();
     std::string text = fmt::format(
-        "Shift table: a gear engages {} of {} elements (net degree of freedom {}, {} input{}), "
+        "Shift table: a gear engages {}{} of {} elements (net degree of freedom {}, {} input{}), "
         "{:.0f} possibilit{}{}, {} gear{}\n\n",
         solution_.needed,
+        solution_.following == 0 ? ""
+                                 : fmt::format(" to {}", solution_.needed + solution_.following),
         plan_.elements.size(),
         solution_.net_freedom,
         inputs,
@@ -191,23 +195,48 @@ class ShiftTables {
 
   // "out = 0.333333 engine + 0.666667 motor", in speeds.
   std::string speed_sum(std::size_t state, std::size_t output) const {
-    const std::vector<RatioInUnits> shares =
-        speed_shares(analysis_, solution_.states[state].state, output);
-    std::string sum;
-    for (std::size_t i = 0; i < shares.size(); ++i) {
-      const double share = shares[i].value.value_or(0.0);
-      if (share == 0.0) {
-        continue;
-      }
-      const std::string size = format_short(std::abs(share));
-      const char* sign = share < 0.0 ? (sum.empty() ? "-" : " - ") : (sum.empty() ? "" : " + ");
-      sum += fmt::format("{}{}{}{}",
-                         sign,
-                         size == "1" ? "" : size + " ",
-                         actuator_name(plan_.inputs[i].actuator),
-                         shares[i].unit.empty() ? "" : fmt::format(" ({})", shares[i].unit));
+    return sum_text(analysis_,
+                    plan_.outputs[output],
+                    speed_shares(analysis_, solution_.states[state].state, output));
+  }
+
+  // Speed and torque of what reacts, and what the torques are by those of the inputs.
+  TextBlocks reactions_blocks() const {
+    if (plan_.reacting.empty() || gears_.empty()) {
+      return {};
     }
-    return fmt::format("{} = {}", actuator_name(plan_.outputs[output]), sum);
+    std::vector<TextColumn> columns = {names("Reacting", 0, gears_.size())};
+    std::string sums;
+    for (std::size_t r = 0; r < plan_.reacting.size(); ++r) {
+      const int actuator = plan_.others[static_cast<std::size_t>(plan_.reacting[r])];
+      const ActuatorTopology& one = topology_.actuators[static_cast<std::size_t>(actuator)];
+      const bool turns = topology_.freedoms[static_cast<std::size_t>(one.freedom)].is_rotation;
+      TextColumn speed{.head = fmt::format("{} [{}]", one.name, in_.units().text(rate_kind(turns))),
+                       .cells = {}};
+      TextColumn torque{
+          .head = fmt::format("{} [{}]", one.name, in_.units().text(action_kind(turns))),
+          .cells = {}};
+      for (std::size_t s = 0; s < gears_.size(); ++s) {
+        const ShiftReaction& reaction = solution_.states[s].state.reactions[r];
+        const auto in_unit = [](const std::optional<double>& si, auto unit) {
+          return number_or_dash(si ? std::optional(unit(*si)) : std::nullopt);
+        };
+        speed.cells.push_back(in_unit(reaction.rate, [&](double v) { return in_.rate(v, turns); }));
+        torque.cells.push_back(
+            in_unit(reaction.torque, [&](double v) { return in_.action(v, turns); }));
+      }
+      columns.push_back(std::move(speed));
+      if (plan_.asks_actions) {
+        columns.push_back(std::move(torque));
+      }
+    }
+    TextBlocks blocks(std::move(columns));
+    for (std::size_t s = 0; s < gears_.size(); ++s) {
+      const std::string sum = torque_sums(analysis_, solution_.states[s].state);
+      sums +=
+          sum.empty() ? "" : fmt::format("  {}, torques: {}\n", name_of(static_cast<int>(s)), sum);
+    }
+    return blocks += sums.empty() ? "" : sums + "\n";
   }
 
   std::string remarks_text() const {

@@ -79,7 +79,12 @@ GearCase gear_case(const NamedShiftState& state, const ShiftPlan& plan) {
                 .open = {},
                 .others = {}};
   for (int o = 0; o < static_cast<int>(plan.others.size()); ++o) {
-    add_unless(state.state.unloaded_others, o, gear.others);
+    const bool reacts = std::ranges::any_of(state.state.reactions, [&](const ShiftReaction& one) {
+      return one.other == o && !one.torque_shares.empty();
+    });
+    if (!reacts) {
+      add_unless(state.state.unloaded_others, o, gear.others);
+    }
   }
   for (int e = 0; e < static_cast<int>(plan.elements.size()); ++e) {
     if (!std::ranges::binary_search(state.engaged, e)) {

@@ -1,0 +1,349 @@
+#!/usr/bin/env python3
+"""Torque converters against their characteristic, by closed forms.
+
+Usage: converter_test.py PROGRAM [unittest arguments]
+"""
+
+from __future__ import annotations
+
+import csv
+import math
+import random
+import sys
+import unittest
+
+import program
+
+# Pump and turbine on one axis, with a lock-up; torques at 2000 rpm.
+RATIOS = [0, 0.3, 0.5, 0.85, 0.95, 1]
+MU = [2.1, 1.75, 1.5, 1, 1, 1]
+PUMP = [150, 146, 140, 90, 45, 0]
+
+CHARACTERISTIC = f"""
+      stator: housing
+      characteristic:
+        speed_ratio:  {RATIOS}
+        torque_ratio: {MU}
+        pump_torque:  {PUMP}
+        pump_speed: 2000 rpm"""
+
+FLUID_COUPLING = """
+      characteristic: {pump_torque: 150 N*m*(1 - speed_ratio), pump_speed: 2000 rpm}"""
+
+
+def model(cases: str, characteristic: str = CHARACTERISTIC, more: str = "") -> str:
+    return f"""kinestat: 1
+space: planar
+units: {{length: mm, angular_velocity: rpm, power: W}}
+ground: housing
+bodies: [pump, turbine]
+couplings:
+  E: {{type: revolute, bodies: [housing, pump], at: [0, 0]}}
+  T: {{type: revolute, bodies: [housing, turbine], at: [0, 0]}}
+  L: {{type: clutch, bodies: [pump, turbine], at: [0, 0]}}
+  TC: {{type: torque_converter, bodies: [pump, turbine], at: [0, 0]{flow(characteristic)}}}
+actuators: {{engine: {{coupling: E}}, out: {{coupling: T}}}}
+{more}cases:
+{cases}"""
+
+
+# The lines of a mapping as one in braces.
+def flow(block: str) -> str:
+    text = ""
+    for line in block.strip().splitlines():
+        key, _, value = line.strip().partition(":")
+        text += ", " + (f"{key}: {{" if not value else f"{key}: {value.strip()}")
+    text = text.replace("{, ", "{")
+    return text + ("}" if text.count("{") > text.count("}") else "")
+
+
+def case(name: str, engine: float | None, out: float | None, action: str = "L: 0") -> str:
+    motion = ", ".join(f"{key}: {value!r}" for key, value in (("engine", engine), ("out", out))
+                       if value is not None)
+    return f"  {name}: {{motion: {{{motion}}}, action: {{{action}}}, input: engine, output: out}}\n"
+
+
+def analyze(text: str) -> dict:
+    return program.run("analyze", "-", text=text)["cases"]
+
+
+# Fritsch and Butland 1984, written down anew: slopes are weighted harmonic means of the chords.
+def interpolated(xs: list[float], ys: list[float], x: float) -> float:
+    count = len(xs)
+    widths = [xs[i + 1] - xs[i] for i in range(count - 1)]
+    chords = [(ys[i + 1] - ys[i]) / widths[i] for i in range(count - 1)]
+
+    def end(h0: float, h1: float, c0: float, c1: float) -> float:
+        slope = ((2 * h0 + h1) * c0 - h0 * c1) / (h0 + h1)
+        if slope * c0 <= 0:
+            return 0.0
+        return 3 * c0 if c0 * c1 <= 0 and abs(slope) > 3 * abs(c0) else slope
+
+    slopes = [end(widths[0], widths[1], chords[0], chords[1])]
+    for i in range(1, count - 1):
+        a, b = chords[i - 1], chords[i]
+        w1 = 2 * widths[i] + widths[i - 1]
+        w2 = widths[i] + 2 * widths[i - 1]
+        slopes.append(0.0 if a * b <= 0 else (w1 + w2) / (w1 / a + w2 / b))
+    slopes.append(end(widths[-1], widths[-2], chords[-1], chords[-2]))
+    i = max(k for k in range(count - 1) if xs[k] <= x)
+    h = widths[i]
+    t = (x - xs[i]) / h
+    return (ys[i] * (1 + 2 * t) * (1 - t) ** 2 + h * slopes[i] * t * (1 - t) ** 2
+            + ys[i + 1] * t * t * (3 - 2 * t) + h * slopes[i + 1] * t * t * (t - 1))
+
+
+class Characteristic(unittest.TestCase):
+    def check(self, one: dict, engine: float, nu: float, mu: float, pump: float) -> None:
+        """All that a case says, of the pump's torque at 2000 rpm."""
+        torque = pump * (engine / 2000) ** 2 * math.copysign(1, engine)
+        actions = one["statics"]["actions"]
+        near = lambda a, b: self.assertAlmostEqual(a, b, delta=1e-9 * (1 + abs(b)))
+        near(actions["engine"], torque)
+        near(actions["out"], -mu * torque)
+        converter = one["statics"]["converters"]["TC"]
+        near(converter["speed_ratio"], nu)
+        near(converter["torque_ratio"], mu)
+        near(converter["pump_torque"], torque)
+        near(converter["turbine_torque"], mu * torque)
+        near(converter["stator_torque"], (mu - 1) * torque)
+        near(converter["efficiency"], mu * nu)
+        loss = torque * engine * math.pi / 30 * (1 - mu * nu)
+        near(converter["loss"], loss)
+        # What the housing bears beside the engine and the output.
+        near(one["statics"]["couplings"]["TC_stator"]["moment"][2], (mu - 1) * torque)
+        near(one["statics"]["couplings"]["TC"]["moment"][2], torque)
+        power = one["power"]
+        near(power["actuators"]["engine"] + power["actuators"]["out"], loss)
+        near(-sum(power["friction"].values()), loss)
+        near(power["efficiency"]["friction"], mu * nu)
+        self.assertLess(power["balance_residual"], 1e-12)
+
+    def test_points_of_the_table(self) -> None:
+        text = "".join(case(f"p{i}", 1700, 1700 * nu) for i, nu in enumerate(RATIOS[:-1]))
+        cases = analyze(model(text))
+        for i, nu in enumerate(RATIOS[:-1]):
+            self.check(cases[f"p{i}"], 1700, nu, MU[i], PUMP[i])
+
+    def test_between_them(self) -> None:
+        rng = random.Random(24)
+        points = [(rng.uniform(300, 3000) * rng.choice((-1, 1)), rng.uniform(0.001, 0.999))
+                  for _ in range(40)]
+        cases = analyze(model("".join(case(f"p{i}", n, n * nu)
+                                      for i, (n, nu) in enumerate(points))))
+        for i, (n, nu) in enumerate(points):
+            self.check(cases[f"p{i}"], n, nu, interpolated(RATIOS, MU, nu),
+                       interpolated(RATIOS, PUMP, nu))
+
+    def test_lock_up_carries_all(self) -> None:
+        one = analyze(model(
+            "  c: {motion: {engine: 2000, L: 0}, action: {engine: 100}, input: engine, output: out}\n"
+        ))["c"]
+        self.assertAlmostEqual(one["statics"]["actions"]["L"], 100)
+        self.assertAlmostEqual(one["statics"]["actions"]["out"], -100)
+        self.assertEqual(one["statics"]["converters"]["TC"]["pump_torque"], 0)
+        self.assertIsNone(one["statics"]["converters"]["TC"]["efficiency"])
+        self.assertEqual(one["ratio"], 1)
+
+    def test_all_at_rest(self) -> None:
+        one = analyze(model(case("c", 0, 0)))["c"]
+        self.assertEqual(one["statics"]["actions"]["out"], 0)
+
+    def test_forms_agree(self) -> None:
+        """MP2000, lambda and a K factor of one converter."""
+        rho, size, w = 860, 0.26, 2000 * math.pi / 30
+        lambdas = [pump / (rho * size ** 5 * w * w) for pump in PUMP]
+        stator = "stator: housing, characteristic: "
+        table = f"speed_ratio: {RATIOS}, torque_ratio: {MU}"
+        forms = [
+            f"{table}, lambda: {lambdas}, density: 860 kg/m^3, diameter: 260 mm",
+            f"{table}, lambda: {lambdas}, density: 860, diameter: 260 mm",
+            f"{table}, pump_speed: 1000 rpm, pump_torque: {[pump / 4 for pump in PUMP]}",
+            f"{table}, pump_speed: 2000 rpm, pump_torque: "
+            f"[{', '.join(f'(2000/{2000 / math.sqrt(p)!r})^2' if p else '0' for p in PUMP)}]",
+        ]
+        for form in forms:
+            text = model(case("c", 1500, 600)).replace(flow(CHARACTERISTIC),
+                                                       f", {stator}{{{form}}}")
+            self.check(analyze(text)["c"], 1500, 0.4, interpolated(RATIOS, MU, 0.4),
+                       interpolated(RATIOS, PUMP, 0.4))
+
+    def test_expressions(self) -> None:
+        form = (", stator: housing, characteristic: {torque_ratio: 'max(1, 2 - 1.25*speed_ratio)', "
+                "pump_torque: 'top*(1 - speed_ratio^4)', pump_speed: 2000 rpm}")
+        text = model(case("c", 1500, 600) + case("d", 1500, 1350),
+                     more="parameters: {top: 160 N*m}\n").replace(flow(CHARACTERISTIC), form)
+        cases = analyze(text)
+        self.check(cases["c"], 1500, 0.4, 1.5, 160 * (1 - 0.4 ** 4))
+        self.check(cases["d"], 1500, 0.9, 1, 160 * (1 - 0.9 ** 4))
+
+    def test_fluid_coupling(self) -> None:
+        one = analyze(model(case("c", 1000, 800), FLUID_COUPLING))["c"]
+        self.assertAlmostEqual(one["statics"]["actions"]["engine"], 150 * 0.2 / 4)
+        self.assertAlmostEqual(one["statics"]["actions"]["out"], -150 * 0.2 / 4)
+        self.assertAlmostEqual(one["power"]["efficiency"]["friction"], 0.8)
+        self.assertNotIn("TC_stator", one["statics"]["couplings"])
+
+    def test_overrun(self) -> None:
+        """Beyond 1 the turbine drives: a negative torque of the pump."""
+        form = (", stator: housing, characteristic: {speed_ratio: [0, 1, 1.25], torque_ratio: "
+                "[2, 1, 1], pump_torque: [150, 0, -30], pump_speed: 2000 rpm}")
+        one = analyze(model(case("c", 2000, 2500)).replace(flow(CHARACTERISTIC), form))["c"]
+        self.assertAlmostEqual(one["statics"]["actions"]["engine"], -30)
+        self.assertAlmostEqual(one["statics"]["actions"]["out"], 30)
+        converter = one["statics"]["converters"]["TC"]
+        self.assertAlmostEqual(converter["efficiency"], 0.8)
+        self.assertAlmostEqual(converter["loss"], 30 * 500 * math.pi / 30)
+
+    def test_no_value(self) -> None:
+        for engine, out in ((1000, 1100), (1000, -100), (0, 100)):
+            done = program.call("analyze", "-", text=model(case("c", engine, out)))
+            self.assertNotEqual(done.returncode, 0)
+            self.assertIn("E0604", done.stderr)
+            self.assertIn("torque converter 'TC'", done.stderr)
+
+
+class FoundSlip(unittest.TestCase):
+    """Engine speed and engine torque, and no speed of the output."""
+
+    def test_speed_ratio(self) -> None:
+        rng = random.Random(7)
+        points = []
+        text = ""
+        for i in range(12):
+            nu = rng.uniform(0.31, 0.99)
+            n = rng.uniform(500, 3000) * rng.choice((-1, 1))
+            torque = math.copysign(1, n) * interpolated(RATIOS, PUMP, nu) * (n / 2000) ** 2
+            points.append((n, nu))
+            text += case(f"p{i}", n, None, f"engine: {torque!r}, L: 0")
+        cases = analyze(model(text))
+        for i, (n, nu) in enumerate(points):
+            Characteristic.check(self, cases[f"p{i}"], n, nu, interpolated(RATIOS, MU, nu),
+                                 interpolated(RATIOS, PUMP, nu))
+            self.assertAlmostEqual(cases[f"p{i}"]["kinematics"]["freedoms"]["T.wz"], n * nu,
+                                   delta=1e-8 * abs(n))
+
+    def test_engine_speed_from_the_output(self) -> None:
+        """The output's speed and the engine's torque: K(nu) / nu^2 falls."""
+        nu, out = 0.6, 900
+        torque = interpolated(RATIOS, PUMP, nu) * (out / nu / 2000) ** 2
+        one = analyze(model(case("c", None, out, f"engine: {torque!r}, L: 0")))["c"]
+        Characteristic.check(self, one, out / nu, nu, interpolated(RATIOS, MU, nu),
+                             interpolated(RATIOS, PUMP, nu))
+
+    def test_load_of_the_output(self) -> None:
+        """The torque that the output takes instead of the engine's."""
+        nu, n = 0.5, 1800
+        torque = -1.5 * 140 * (n / 2000) ** 2
+        one = analyze(model(case("c", n, None, f"out: {torque!r}, L: 0")))["c"]
+        Characteristic.check(self, one, n, nu, 1.5, 140)
+
+    def test_none(self) -> None:
+        done = program.call("analyze", "-", text=model(case("c", 2000, None, "engine: 500, L: 0")))
+        self.assertIn("E0501", done.stderr)
+        self.assertIn("at no speed ratio, as it may be from 0 N*m to 150 N*m there", done.stderr)
+
+    def test_several(self) -> None:
+        form = (", stator: housing, characteristic: {speed_ratio: [0, 0.4, 1], torque_ratio: "
+                "[2, 1.6, 1], pump_torque: [100, 140, 0], pump_speed: 2000 rpm}")
+        done = program.call("analyze", "-", text=model(
+            case("c", 2000, None, "engine: 120, L: 0")).replace(flow(CHARACTERISTIC), form))
+        self.assertIn("E0501", done.stderr)
+        self.assertIn("at speed ratios of", done.stderr)
+
+
+class Studies(unittest.TestCase):
+    POINTS = [(1500, 0, 10), (1800, 900, 20), (1800, 1700, 60), (2000, 1000, 5)]
+
+    def test_duty(self) -> None:
+        """Energies are sums of powers in closed form; the stator's is part of the converter's."""
+        more = ("duty:\n  case: c\n  points:\n" + "".join(
+            f"    - {{input_motion: {{engine: {n}, out: {m}}}, duration: {t}}}\n"
+            for n, m, t in self.POINTS))
+        one = "  c: {motion: {engine: 1000, out: 500}, action: {L: 0}, input: [engine, out]}\n"
+        self.check_duty(model(one).replace("cases:\n", more + "cases:\n"))
+
+    def test_duty_of_an_engine(self) -> None:
+        """Speed and torque of the engine in each point: the speed of the output follows."""
+        more = "duty:\n  case: c\n  points:\n"
+        for n, m, t in self.POINTS:
+            torque = interpolated(RATIOS, PUMP, m / n) * (n / 2000) ** 2
+            more += (f"    - {{input_motion: {n}, input_action: {torque!r}, duration: {t}}}\n")
+        text = model(case("c", 1000, None, "engine: 30, L: 0"))
+        self.check_duty(text.replace("cases:\n", more + "cases:\n"))
+
+    def check_duty(self, text: str) -> None:
+        points = self.POINTS
+        duty = program.run("duty", "-", text=text)["duty"]
+        given = lost = 0.0
+        for n, m, t in points:
+            nu = m / n
+            torque = interpolated(RATIOS, PUMP, nu) * (n / 2000) ** 2
+            power = torque * n * math.pi / 30
+            given += power * t
+            lost += power * (1 - interpolated(RATIOS, MU, nu) * nu) * t
+        self.assertAlmostEqual(duty["given"], given, delta=1e-9 * given)
+        self.assertAlmostEqual(duty["lost"], lost, delta=1e-9 * lost)
+        self.assertAlmostEqual(duty["efficiency"], 1 - lost / given, delta=1e-12)
+        self.assertEqual(list(duty["friction"]), ["TC"])
+        self.assertAlmostEqual(duty["friction"]["TC"]["lost"], lost, delta=1e-9 * lost)
+        self.assertLess(duty["balance_residual"], 1e-12)
+
+    def test_sensitivity(self) -> None:
+        """Towards the speed of the engine: T = K(nu) n^2 at a given output speed."""
+        text = model(case("c", None, 900).replace("motion: {", "motion: {engine: n, "),
+                     more="parameters: {n: 1500 rpm}\n")
+        value = "cases/c/statics/actions/out"
+        found = program.run("sensitivity", "-", "--of", value, text=text)
+        self.maxDiff = None
+
+        def torque(n: float) -> float:
+            nu = 900 / n
+            return (-interpolated(RATIOS, MU, nu) * interpolated(RATIOS, PUMP, nu)
+                    * (n / 2000) ** 2)
+
+        slope = (torque(1500 + 1e-3) - torque(1500 - 1e-3)) / 2e-3
+        text = str(found)
+        self.assertIn("n", text)
+        derivative = first_number(found, "derivative")
+        self.assertAlmostEqual(derivative, slope, delta=1e-5 * abs(slope))
+
+    def test_sweep(self) -> None:
+        """Every state is analysed whole, and equals its closed form."""
+        more = ("parameters: {rate: 0 rpm}\n")
+        text = model(case("c", 1500, None).replace("{engine: 1500", "{engine: 1500, out: rate"),
+                     more=more).replace("cases:\n", "sweep: {vary: {rate: {from: 0 rpm, to: 1400 rpm, "
+                                        "step: 200 rpm}}, report: [out]}\ncases:\n")
+        done = program.plain("sweep", "-", text=text)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        rows = list(csv.DictReader(line for line in done.stdout.splitlines()
+                                   if not line.startswith("#")))
+        self.assertEqual(len(rows), 8)
+        for i, row in enumerate(rows):
+            nu = 200 * i / 1500
+            expected = (-interpolated(RATIOS, MU, nu) * interpolated(RATIOS, PUMP, nu)
+                        * 0.75 ** 2)
+            value = next(float(v) for k, v in row.items() if k.startswith("out"))
+            self.assertAlmostEqual(value, expected, delta=1e-9 * abs(expected))
+
+
+def first_number(node: object, key: str) -> float:
+    if isinstance(node, dict):
+        for name, value in node.items():
+            if name == key and isinstance(value, (int, float)):
+                return value
+        for value in node.values():
+            found = first_number(value, key)
+            if found is not None:
+                return found
+    if isinstance(node, list):
+        for value in node:
+            found = first_number(value, key)
+            if found is not None:
+                return found
+    return None
+
+
+if __name__ == "__main__":
+    program.use(sys.argv[1])
+    unittest.main(argv=[sys.argv[0], *sys.argv[2:]])
