@@ -48,8 +48,9 @@ std::string ratio_text(const CaseAnalysis& one,
   const auto shown = [](const RatioInUnits& r) {
     return format_short(*r.value) + (r.unit.empty() ? "" : " " + r.unit);
   };
-  std::string text = ratio.value ? fmt::format("  ratio {}", shown(ratio))
-                                 : fmt::format("  no ratio: {}", one.ratios->reason);
+  std::string text = ratio.value
+                         ? fmt::format("  ratio {}{}", shown(ratio), fraction_behind(one.ratios))
+                         : fmt::format("  no ratio: {}", one.ratios->reason);
   if (torque.value) {
     text += fmt::format(", {} ratio {}", torque.unit.empty() ? "torque" : "action", shown(torque));
   }

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "cases/report/case_text.hpp"
+#include "cases/report/planet_fit_record.hpp"
 #include "core/utf8.hpp"
 #include "report/file/file_report.hpp"
 #include "report/report_parts.hpp"
@@ -72,6 +73,9 @@ std::string mobility_text(const MobilityCounts& counts) {
 
 std::string analysis_text(const Analysis& analysis) {
   std::string text = head_text(analysis) + mobility_text(analysis.mobility);
+  const std::string planets =
+      planet_fit_text(find_planet_fits(analysis.description), InUnits(analysis.description.units));
+  text += planets.empty() ? "" : planets + "\n";
   if (analysis.shift) {
     text += shift_blocks(analysis).text();
   }
