@@ -7,8 +7,9 @@ namespace kinestat::app {
 
 namespace {
 
-constexpr std::array<Command, 21> kCommands = {{
+constexpr std::array<Command, 22> kCommands = {{
     {"new", "Write a commented mechanism file to begin with.", add_new},
+    {"examples", "List the published mechanisms of the library, or write one.", add_examples},
     {"check", "Read and validate the files; say 'ok' for each that is well-formed.", add_check},
     {"analyze", "Run every pass that the cases of the files ask for.", add_analyze},
     {"graph", "Show the coupling graph: tree, circuits, cut-sets, matrices.", add_graph},

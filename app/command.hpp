@@ -34,6 +34,7 @@ void add_compare(CLI::App& command, Job& job);
 void add_bench(CLI::App& command, Job& job);
 void add_plot(CLI::App& command, Job& job);
 void add_new(CLI::App& command, Job& job);
+void add_examples(CLI::App& command, Job& job);
 void add_schema(CLI::App& command, Job& job);
 void add_explain(CLI::App& command, Job& job);
 void add_completion(CLI::App& command, Job& job);

@@ -11,6 +11,7 @@
 #include "run/embedded.hpp"
 #include "run/plot.hpp"
 #include "run/texts/help_topic.hpp"
+#include "run/texts/library_file.hpp"
 #include "run/texts/schema_text.hpp"
 #include "run/texts/starter.hpp"
 #include "run/written_reports.hpp"
@@ -75,6 +76,14 @@ std::vector<Candidate> code_candidates() {
   return candidates;
 }
 
+std::vector<Candidate> example_candidates() {
+  std::vector<Candidate> candidates;
+  for (const LibraryFile& one : library_files()) {
+    candidates.push_back({.word = std::string(one.name), .meaning = std::string(one.title)});
+  }
+  return candidates;
+}
+
 // What a value is called in the help says what it may be.
 CompletionCandidates values_of(const std::string& called, const CLI::App& app, Words words) {
   if (called.find('|') != std::string::npos) {
@@ -98,6 +107,7 @@ CompletionCandidates values_of(const std::string& called, const CLI::App& app, W
       {"CODE", code_candidates},
       {"PART", [] { return without_meaning(report_pages()); }},
       {"KIND", [] { return without_meaning(starter_kinds()); }},
+      {"EXAMPLE", example_candidates},
       {"SCHEMA", [] { return without_meaning(schema_names()); }},
       {"SHELL",
        [] {

@@ -75,11 +75,17 @@ void add_help(CLI::App& command, Job& job) {
       "  kinestat help\n"
       "  kinestat help signs\n"
       "  kinestat help reports power\n"
+      "  kinestat help revolute\n"
+      "  kinestat help line_of_action\n"
+      "  kinestat help E0312\n"
       "  kinestat help analyze\n"
       "  kinestat help --man analyze | man -l -\n");
   auto choice = std::make_shared<HelpChoice>();
-  add_argument(
-      command, "TOPIC", choice->word, "a topic, or the name of a command; without it, the list");
+  add_argument(command,
+               "TOPIC",
+               choice->word,
+               "a topic, a command, a type of coupling, a key of\n"
+               "mechanism files or a code; without it, the list");
   add_argument(
       command, "PART", choice->part, "of 'reports': the keys of which report, or of what in it");
   add_flag(

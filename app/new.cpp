@@ -1,4 +1,5 @@
 #include "command.hpp"
+#include "core/page_text.hpp"
 #include "core/text.hpp"
 #include "run/texts/starter.hpp"
 
@@ -12,6 +13,15 @@ struct NewOptions {
   Overwrite overwrite = Overwrite::own_only;
 };
 
+// Beside the names of arguments.
+std::string kinds_in_lines() {
+  constexpr std::size_t kWidth = 54;
+  const std::vector<std::string> kinds = starter_kinds();
+  std::string text = page_lines("", plain_list(kinds, kinds.size()), 0, kWidth);
+  text.pop_back();
+  return text;
+}
+
 }  // namespace
 
 void add_new(CLI::App& command, Job& job) {
@@ -19,7 +29,7 @@ void add_new(CLI::App& command, Job& job) {
       "  kinestat new four-bar crank.yaml\n"
       "  kinestat new shift | less\n");
   auto options = std::make_shared<NewOptions>();
-  add_argument(command, "KIND", options->kind, plain_list(starter_kinds())).option_text("KIND");
+  add_argument(command, "KIND", options->kind, kinds_in_lines()).option_text("KIND");
   add_argument(command, "FILE", options->path, "the file to write; default standard output");
   add_flag(
       command,

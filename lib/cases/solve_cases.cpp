@@ -13,6 +13,7 @@
 #include "kinematics/velocity.hpp"
 #include "mechanism/bind/bind.hpp"
 #include "network/bases.hpp"
+#include "power/tooth_ratio.hpp"
 #include "statics/action.hpp"
 #include "statics/coupling_wrenches.hpp"
 #include "statics/friction_solve.hpp"
@@ -325,6 +326,16 @@ CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const CaseRe
   return result;
 }
 
+void add_fraction(const MechanismDescription& description,
+                  const Mechanism& mechanism,
+                  CaseAnalysis& one) {
+  if (one.ratios && one.ratios->ratio) {
+    const std::optional<Rational> exact =
+        tooth_ratio(description, mechanism, one.which, *one.ratios->ratio);
+    one.ratios->fraction = exact ? exact->str() : "";
+  }
+}
+
 Bases bases_of(const Mechanism& mechanism) {
   return {.motion = motion_basis(mechanism.geometry, mechanism.kinematic_order),
           .action = action_basis(mechanism.geometry, mechanism.static_order)};
@@ -409,6 +420,7 @@ CertifiedAnalysis solve_certified_cases(std::string file,
                                          .exact_input = &exact_input,
                                          .index = c,
                                          .certainty = &result.certainty.cases[c]}));
+    add_fraction(analysis.description, mechanism, analysis.cases.back());
   }
   if (request.accuracy != Accuracy::fast) {
     exact_input.find_ranks(analysis.mobility.minimal.actions.has_value(), result.certainty);

@@ -11,7 +11,7 @@ namespace kinestat {
 
 /// One file, byte for byte; kinestat_embed of lib/CMakeLists.txt writes the tables.
 struct EmbeddedText {
-  std::string_view name;  ///< the file's name up to its first dot
+  std::string_view name;  ///< the file's name up to its first dot, perhaps with its folder
   std::string_view text;
 };
 

@@ -134,13 +134,18 @@ class KeyTable {
   std::set<std::pair<std::string, std::string>> told_;  // keys with their meaning
 };
 
-// Axes of turning and normals along z, what slides along x; of two axes the first along x.
-CouplingGeometry usual_geometry(const CouplingKind& kind) {
+// Axes of turning and normals along z, what slides along x; of two axes the first along x. In the
+// plane normals are along y.
+CouplingGeometry usual_geometry(const CouplingKind& kind, Space space) {
   const Axis z = {.direction = Vec3::UnitZ(), .keyword = 'z'};
+  const Axis y = {.direction = Vec3::UnitY(), .keyword = 'y'};
   const Axis x = {.direction = Vec3::UnitX(), .keyword = 'x'};
-  const bool turns = takes(kind, CouplingKey::turning_axis) || takes(kind, CouplingKey::normal);
+  const bool has_normal = takes(kind, CouplingKey::normal);
   CouplingGeometry geometry;
-  geometry.axis = turns ? z : x;
+  geometry.axis = takes(kind, CouplingKey::turning_axis) ? z
+                  : !has_normal                          ? x
+                  : space == Space::planar               ? y
+                                                         : z;
   geometry.second = takes(kind, CouplingKey::axes) ? z : x;
   return geometry;
 }
@@ -158,26 +163,134 @@ std::string kind_line(std::string_view type, std::string_view freedoms, std::str
   return fmt::format("  {:<18}{:<21}{}", type, freedoms, actions);
 }
 
-void add_kind(const CouplingKind& kind, KeyTable& table) {
-  const CouplingScrews screws = coupling_screws(
-      kind.type, kind.is_in_space ? Space::spatial : Space::planar, usual_geometry(kind));
+std::string line_of_kind(std::string_view head, const CouplingKind& kind, Space space) {
+  const CouplingScrews screws = coupling_screws(kind.type, space, usual_geometry(kind, space));
   const bool is_listed = takes(kind, CouplingKey::freedoms);
-  table.add_line(kind_line(kind.word,
-                           is_listed ? "as listed" : names_of(screws.freedoms),
-                           is_listed      ? "as listed"
-                           : kind.engages ? "of its own name"
-                                          : names_of(screws.constraints)));
+  return kind_line(head,
+                   is_listed ? "as listed" : names_of(screws.freedoms),
+                   is_listed      ? "as listed"
+                   : kind.engages ? "of its own name"
+                                  : names_of(screws.constraints));
+}
+
+void add_kind(const CouplingKind& kind, KeyTable& table) {
+  const Space space = kind.is_in_space ? Space::spatial : Space::planar;
+  table.add_line(line_of_kind(kind.word, kind, space));
   table.add_lines(kind.meaning, 18);
+}
+
+const FormShape& shape_of_section(std::string_view section) {
+  const FormShape& file = file_sections().shape();
+  const auto at = std::ranges::find(file.keys, section, &FormKey::key);
+  KINESTAT_EXPECTS(at != file.keys.end());
+  return at->shape;
+}
+
+// Where a key stands: "gears, members", and of couplings in which types.
+struct KeyPlace {
+  std::string path;
+  std::vector<std::string> types;
+};
+
+// Pages of couplings tell the types themselves.
+std::vector<FormKey> keys_beside_type(const FormShape& shape) {
+  std::vector<FormKey> keys = keys_of(shape);
+  std::erase_if(keys, [](const FormKey& one) { return one.key == "type"; });
+  return keys;
+}
+
+// A key with one meaning.
+struct KeyPlaces {
+  FormKey key;
+  std::vector<std::string> sections;
+  std::vector<KeyPlace> places;
+};
+
+std::string place_text(const KeyPlace& place) {
+  const bool has_all = place.types.empty() || place.types.size() == coupling_kinds().size();
+  return has_all ? place.path
+                 : fmt::format("{} of type {}", place.path, fmt::join(place.types, ", "));
+}
+
+class KeySearch {
+ public:
+  explicit KeySearch(std::string_view key) : key_(key) {}
+
+  std::vector<KeyPlaces> run() {
+    for (const FormKey& section : file_sections().shape().keys) {
+      section_ = section.key;
+      if (section.key == key_) {
+        note(section, "sections of a file", "");
+      }
+      look_into(section.shape, std::string(section.key), "");
+    }
+    return std::move(found_);
+  }
+
+ private:
+  void look_into(const FormShape& shape, const std::string& path, std::string_view type) {
+    for (const FormKey& key : shape.keys) {
+      if (key.key == key_) {
+        note(key, path, type);
+      }
+      look_into(key.shape, fmt::format("{}, {}", path, key.key), type);
+    }
+    for (std::size_t i = 0; i < shape.items.size(); ++i) {
+      const bool is_type = shape.kind == FormKind::by_word;
+      look_into(shape.items[i], path, is_type ? shape.words[i].text : type);
+    }
+  }
+
+  void note(const FormKey& key, const std::string& path, std::string_view type) {
+    const auto is_same = [&](const KeyPlaces& one) {
+      return one.key.meaning == key.meaning && form_text(one.key.shape) == form_text(key.shape);
+    };
+    KeyPlaces& same = found_or_new(found_, is_same);
+    same.key = key;
+    add_new(same.sections, std::string(section_));
+    KeyPlace& place =
+        found_or_new(same.places, [&](const KeyPlace& one) { return one.path == path; });
+    place.path = path;
+    if (!type.empty()) {
+      add_new(place.types, std::string(type));
+    }
+  }
+
+  template <class Item, class Is>
+  static Item& found_or_new(std::vector<Item>& items, const Is& is) {
+    const auto at = std::ranges::find_if(items, is);
+    return at == items.end() ? items.emplace_back() : *at;
+  }
+
+  static void add_new(std::vector<std::string>& names, std::string name) {
+    if (std::ranges::find(names, name) == names.end()) {
+      names.push_back(std::move(name));
+    }
+  }
+
+  std::string_view key_;
+  std::string_view section_;
+  std::vector<KeyPlaces> found_;
+};
+
+void collect_names(const FormShape& shape, std::vector<std::string>& names) {
+  for (const FormKey& key : shape.keys) {
+    if (std::ranges::find(names, key.key) == names.end()) {
+      names.emplace_back(key.key);
+    }
+    collect_names(key.shape, names);
+  }
+  for (const FormShape& item : shape.items) {
+    collect_names(item, names);
+  }
 }
 
 }  // namespace
 
 std::string key_table(std::string_view section) {
-  const FormShape& file = file_sections().shape();
-  const auto at = std::ranges::find(file.keys, section, &FormKey::key);
-  KINESTAT_EXPECTS(at != file.keys.end());
   KeyTable table;
-  table.add(keys_of(at->shape), 2);
+  const FormShape& shape = shape_of_section(section);
+  table.add(section == "couplings" ? keys_beside_type(shape) : keys_of(shape), 2);
   return table.text();
 }
 
@@ -190,7 +303,71 @@ std::string coupling_table() {
   return table.text();
 }
 
-std::string section_table(const std::function<std::string(std::string_view section)>& page_of) {
+std::string coupling_page(const CouplingKind& kind, std::string_view example) {
+  KeyTable table;
+  table.add_lines(fmt::format("{}: {}", kind.word, kind.meaning), 0);
+  table.add_line("");
+  if (!kind.others.empty()) {
+    table.add_lines(fmt::format("Elsewhere also {}.", fmt::join(kind.others, ", ")), 0);
+    table.add_line("");
+  }
+  table.add_line(kind_line("", "freedoms", "actions"));
+  if (kind.is_in_space) {
+    table.add_line(line_of_kind("in space", kind, Space::spatial));
+  }
+  if (kind.is_in_plane) {
+    table.add_line(line_of_kind("in the plane", kind, Space::planar));
+  }
+  table.add_line("");
+  for (std::string_view rest = example; !rest.empty();) {
+    const std::string_view line = rest.substr(0, rest.find('\n'));
+    table.add_line(fmt::format("    {}", line));
+    rest.remove_prefix(std::min(rest.size(), line.size() + 1));
+  }
+  table.add_line("");
+  const FormShape& of_types = shape_of_section("couplings").items.front();
+  table.add(keys_beside_type(of_types.items[static_cast<std::size_t>(kind.type)]), 2);
+  table.add_line("\nNames and geometry of all types: help couplings. Signs: help signs.");
+  return table.text();
+}
+
+std::vector<std::string> format_keys() {
+  std::vector<std::string> names;
+  collect_names(file_sections().shape(), names);
+  return names;
+}
+
+std::string key_page(std::string_view key, const PageOf& page_of) {
+  const std::vector<KeyPlaces> found = KeySearch(key).run();
+  if (found.empty()) {
+    return {};
+  }
+  KeyTable table;
+  table.add_line(fmt::format("{}: a key of mechanism files", key));
+  for (const KeyPlaces& one : found) {
+    std::vector<std::string> places(one.places.size());
+    std::ranges::transform(one.places, places.begin(), place_text);
+    table.add_line("");
+    table.add_lines(fmt::format("In {}:", fmt::join(places, "; in ")), 0);
+    table.add({one.key}, 2);
+  }
+  std::vector<std::string> pages;
+  for (const KeyPlaces& one : found) {
+    for (const std::string& section : one.sections) {
+      const std::string page = page_of(section);
+      if (!page.empty() && std::ranges::find(pages, page) == pages.end()) {
+        pages.push_back(page);
+      }
+    }
+  }
+  if (!pages.empty()) {
+    table.add_line("");
+    table.add_lines(fmt::format("See also: help {}.", fmt::join(pages, ", help ")), 0);
+  }
+  return table.text();
+}
+
+std::string section_table(const PageOf& page_of) {
   const FormShape& file = file_sections().shape();
   KeyTable table;
   std::size_t longest = 0;

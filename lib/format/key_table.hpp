@@ -4,6 +4,9 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "couplings/kind.hpp"
 
 namespace kinestat {
 
@@ -15,7 +18,19 @@ std::string key_table(std::string_view section);
 /// meaning under it.
 std::string coupling_table();
 
-/// The sections themselves; `page_of` names the page of help of a section, if it has one.
-std::string section_table(const std::function<std::string(std::string_view section)>& page_of);
+/// What one of them frees and bears, what else it is called, the example, and its keys.
+std::string coupling_page(const CouplingKind& kind, std::string_view example);
+
+/// The page of help of a section; empty if it has none.
+using PageOf = std::function<std::string(std::string_view section)>;
+
+/// The sections themselves.
+std::string section_table(const PageOf& page_of);
+
+/// Every key of the format once, in the order of a file.
+std::vector<std::string> format_keys();
+
+/// Where a key stands, and what it means there; empty if there is none of that name.
+std::string key_page(std::string_view key, const PageOf& page_of);
 
 }  // namespace kinestat

@@ -16,6 +16,8 @@ struct Ratios {
   std::optional<double> torque_ratio;  ///< Γ = action of the input / of the output (eq. 5.2)
   std::optional<double> advantage;     ///< |action of the output / of the input|
   std::string reason;                  ///< why `ratio` is empty
+  std::string fraction;                ///< the ratio without rounding, "52/17", where numbers of
+                                       ///< teeth make it one and were asked for (tooth_ratio)
 
   /// Relative errors that they may have at most, 1 where not one digit is sure; empty where rates
   /// or actions have no bounds, or the ratio has no value.

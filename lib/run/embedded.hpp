@@ -8,6 +8,12 @@ namespace kinestat {
 /// Commented mechanism files to begin with, named by their kind.
 std::span<const EmbeddedText> embedded_starters();
 
+/// The mechanism files of mechanisms/, as "planar/four_bar".
+std::span<const EmbeddedText> embedded_library();
+
+/// A small mechanism file for each type of coupling, named by its word.
+std::span<const EmbeddedText> embedded_couplings();
+
 /// Pages of help; the first line of each is its title. A line "{{keys SECTION}}" stands for the
 /// keys of a section of the format, "{{sections}}" for the sections, "{{types}}" for the types of
 /// couplings, "{{units}}" for the units.

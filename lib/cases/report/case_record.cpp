@@ -79,6 +79,13 @@ void add_ratios(Record<CaseView>& keys) {
                  read_ratio(&RatiosInUnits::ratio))
       .not_in_tables()
       .only_if(has_ratios);
+  keys.text("ratio_fraction",
+            "The ratio as a fraction of whole numbers, without rounding; no key where it is not "
+            "made by the teeth of 'gears' alone.",
+            [](const CaseView& v) { return v.one.ratios->fraction; })
+      .not_in_tables()
+      .not_compared()
+      .only_if([](const CaseView& v) { return v.one.ratios && !v.one.ratios->fraction.empty(); });
   keys.converted("torque_ratio",
                  ByContext::action_ratio,
                  "Action of the input over action of the output; null where it does not exist. "

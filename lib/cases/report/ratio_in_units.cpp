@@ -1,5 +1,9 @@
 #include "cases/report/ratio_in_units.hpp"
 
+#include <string_view>
+
+#include <fmt/format.h>
+
 #include "mechanism/label_kind.hpp"
 
 namespace kinestat {
@@ -45,6 +49,14 @@ RatiosInUnits ratios_in_units(const CaseAnalysis& one,
                          {.input = one.which.inputs.front(), .output = one.which.outputs.front()},
                          mechanism,
                          units);
+}
+
+std::string fraction_behind(const std::optional<Ratios>& ratios) {
+  constexpr std::size_t kReadable = 12;
+  const std::string_view fraction = ratios ? std::string_view(ratios->fraction) : "";
+  const bool is_shown =
+      fraction.find('/') != std::string_view::npos && fraction.size() <= kReadable;
+  return is_shown ? fmt::format(" = {}", fraction) : "";
 }
 
 }  // namespace kinestat

@@ -30,6 +30,10 @@ RatiosInUnits ratios_in_units(const Ratios& ratios,
                               const Mechanism& mechanism,
                               const FileUnits& units);
 
+/// The fraction that the ratio of a case is, " = 52/17"; empty where it is none, whole, or longer
+/// than people read.
+std::string fraction_behind(const std::optional<Ratios>& ratios);
+
 /// Of the first input and the first output of the case, which must have ratios.
 RatiosInUnits ratios_in_units(const CaseAnalysis& one,
                               const Mechanism& mechanism,

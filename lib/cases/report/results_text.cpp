@@ -23,8 +23,9 @@ std::string ratio_text(const CaseAnalysis& one,
                        const Mechanism& mechanism,
                        const FileUnits& units) {
   const auto [ratio, torque] = ratios_in_units(one, mechanism, units);
-  std::string text = ratio.value ? fmt::format("  ratio {}", shown_ratio(ratio))
-                                 : fmt::format("  no ratio: {}", one.ratios->reason);
+  std::string text =
+      ratio.value ? fmt::format("  ratio {}{}", shown_ratio(ratio), fraction_behind(one.ratios))
+                  : fmt::format("  no ratio: {}", one.ratios->reason);
   if (torque.value) {
     text += fmt::format(
         ", {} ratio {}", torque.unit.empty() ? "torque" : "action", shown_ratio(torque));

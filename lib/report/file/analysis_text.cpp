@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "cases/report/case_text.hpp"
+#include "cases/report/planet_fit_record.hpp"
 #include "core/utf8.hpp"
 #include "report/column_table.hpp"
 #include "report/file/file_report.hpp"
@@ -99,6 +100,9 @@ TextBlocks counts_blocks(const Mechanism& mechanism, const MobilityCounts& count
 TextBlocks analysis_text(const Analysis& analysis, const MotionTable* motion) {
   TextBlocks text(title_text(analysis.file, analysis.description) + "\n");
   text += overview_blocks(analysis);
+  const std::string planets =
+      planet_fit_text(find_planet_fits(analysis.description), InUnits(analysis.description.units));
+  text += planets.empty() ? "" : planets + "\n";
   if (analysis.shift) {
     text += shift_blocks(analysis);
   }

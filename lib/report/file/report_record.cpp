@@ -1,6 +1,7 @@
 #include "report/file/report_record.hpp"
 
 #include "cases/report/case_record.hpp"
+#include "cases/report/planet_fit_record.hpp"
 #include "network/evidence_record.hpp"
 #include "report/report_keys.hpp"
 #include "studies/mobility/mobility_counts_record.hpp"
@@ -109,6 +110,20 @@ void add_analysis(Record<ReportView>& keys) {
             })
       .in_tables_is(TableRole::table)
       .only_if(has_analysis);
+  keys.map("planets",
+           planet_fit_record(),
+           "Several equal planets of 'gears' by the member that has their count; no key without "
+           "any.",
+           [](const ReportView& v, const Each<PlanetFit>& each) {
+             for (const PlanetFit& one : find_planet_fits(v.analysis->description)) {
+               each(one.planet, one);
+             }
+           })
+      .not_in_tables()
+      .not_compared()
+      .only_if([](const ReportView& v) {
+        return v.analysis != nullptr && has_planets(v.analysis->mechanism);
+      });
   keys.map("cases",
            case_record(),
            "Cases by label; a pass that a case does not ask for has no key.",

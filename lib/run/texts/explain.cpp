@@ -43,6 +43,14 @@ std::string page_of(const Code& row) {
 
 }  // namespace
 
+bool is_code(std::string_view word) {
+  constexpr std::size_t kDigits = 4;
+  const bool has_letter =
+      !word.empty() && std::string_view("EWew").find(word.front()) != std::string_view::npos;
+  return has_letter && word.size() == kDigits + 1 &&
+         word.find_first_not_of("0123456789", 1) == std::string_view::npos;
+}
+
 Outcome explain(const std::string& code) {
   Outcome outcome;
   if (code.empty()) {

@@ -8,9 +8,12 @@
 #include "core/page_text.hpp"
 #include "core/text.hpp"
 #include "core/utf8.hpp"
+#include "couplings/kinds.hpp"
 #include "expression/units.hpp"
 #include "format/key_table.hpp"
+#include "io/synonyms.hpp"
 #include "run/embedded.hpp"
+#include "run/texts/explain.hpp"
 #include "run/written_reports.hpp"
 #include "studies/compare/compare_values.hpp"
 
@@ -87,7 +90,52 @@ std::string list_of_topics() {
   }
   return text +
          "\n'kinestat help TOPIC' shows a topic, 'kinestat help COMMAND' the use of a command and\n"
-         "'kinestat help commands' lists the commands.\n";
+         "'kinestat help commands' lists the commands. It also explains a type of coupling, a key\n"
+         "of mechanism files, and a code: 'kinestat help revolute', 'kinestat help\n"
+         "line_of_action', 'kinestat help E0312'.\n";
+}
+
+template <class Is>
+const CouplingKind* find_kind(const Is& is) {
+  const auto kinds = coupling_kinds();
+  const auto at = std::ranges::find_if(kinds, [&](const CouplingKind* kind) { return is(*kind); });
+  return at == kinds.end() ? nullptr : *at;
+}
+
+std::string page_of_kind(const CouplingKind* kind) {
+  if (kind == nullptr) {
+    return {};
+  }
+  const EmbeddedText* example = find_text(embedded_couplings(), kind->word);
+  return coupling_page(*kind, example != nullptr ? example->text : std::string_view());
+}
+
+// Of what is no topic: a type of coupling, a key, what a type is called elsewhere, or a code.
+Outcome word_page(const std::string& word) {
+  const auto is_it = [&](const CouplingKind& kind) { return kind.word == word; };
+  const auto is_also_it = [&](const CouplingKind& kind) {
+    return std::ranges::find(kind.others, word) != kind.others.end();
+  };
+  Outcome outcome;
+  outcome.out = page_of_kind(find_kind(is_it));
+  if (outcome.out.empty()) {
+    outcome.out = key_page(word, [](std::string_view section) { return page_of(section); });
+  }
+  if (outcome.out.empty()) {
+    outcome.out = page_of_kind(find_kind(is_also_it));
+  }
+  return outcome.out.empty() && is_code(word) ? explain(word) : outcome;
+}
+
+std::vector<std::string> all_words(std::span<const std::string> commands) {
+  std::vector<std::string> words = help_topics();
+  words.insert(words.end(), commands.begin(), commands.end());
+  for (const CouplingKind* kind : coupling_kinds()) {
+    words.emplace_back(kind->word);
+  }
+  const std::vector<std::string> keys = format_keys();
+  words.insert(words.end(), keys.begin(), keys.end());
+  return words;
 }
 
 }  // namespace
@@ -106,9 +154,10 @@ Outcome help_topic(const std::string& word, std::span<const std::string> command
     outcome.out = filled(*page);
     return outcome;
   }
-  std::vector<std::string> words = help_topics();
-  words.insert(words.end(), commands.begin(), commands.end());
-  const std::string guess = did_you_mean(word, words);
+  if (Outcome page = word_page(word); !page.out.empty() || !page.err.empty()) {
+    return page;
+  }
+  const std::string guess = did_you_mean_word(word, all_words(commands));
   add_message("E0101",
               fmt::format("there is no help on '{}'", printable(word)),
               guess.empty()

@@ -12,8 +12,8 @@ namespace kinestat {
 /// "format", "signs" and so on.
 std::vector<std::string> help_topics();
 
-/// The page of a topic; without a word, the list of topics. `commands` are the other words that
-/// could be meant.
+/// The page of a topic, of a type of coupling, of a key of the format or of a code; without a word,
+/// the list of topics. `commands` are the other words that could be meant.
 Outcome help_topic(const std::string& word, std::span<const std::string> commands);
 
 /// The page of a part of a topic, of which "reports" alone has some.

@@ -14,12 +14,12 @@ long long tooth_count(int member, const GearNumbers& numbers) {
   return std::llround(numbers.teeth[static_cast<std::size_t>(member)]);
 }
 
-class TouchSearch {
+class NeighbourSearch {
  public:
-  TouchSearch(const PlanetSet& set, const GearLayout& layout, const GearNumbers& numbers)
+  NeighbourSearch(const PlanetSet& set, const GearLayout& layout, const GearNumbers& numbers)
       : set_(set), layout_(layout), train_(layout.train), numbers_(numbers) {}
 
-  std::vector<TouchingPlanets> run() {
+  std::vector<NeighbourPlanets> run() {
     for (const int p : set_.planets) {
       for (const int m : train_.axes[static_cast<std::size_t>(p)].members) {
         try_pair(m, m);
@@ -33,7 +33,7 @@ class TouchSearch {
         try_pair(a, b);
       }
     }
-    return std::move(touching_);
+    return std::move(found_);
   }
 
  private:
@@ -64,17 +64,15 @@ class TouchSearch {
       const Vec3 next = Eigen::AngleAxisd(turn, Vec3::UnitZ()) * centre_of(b);
       distance = std::min(distance, (next - centre_of(a)).norm());
     }
-    const double needed = tip_radius(a) + tip_radius(b);
-    if (!(distance > needed)) {
-      touching_.push_back({.first = a, .second = b, .distance = distance, .needed = needed});
-    }
+    found_.push_back(
+        {.first = a, .second = b, .distance = distance, .needed = tip_radius(a) + tip_radius(b)});
   }
 
   const PlanetSet& set_;
   const GearLayout& layout_;
   const GearTrain& train_;
   const GearNumbers& numbers_;
-  std::vector<TouchingPlanets> touching_;
+  std::vector<NeighbourPlanets> found_;
 };
 
 }  // namespace
@@ -119,10 +117,18 @@ long long blocking_sum(const PlanetSet& set, const std::vector<long long>& sums)
   return blocking == sums.end() ? 0 : *blocking;
 }
 
-std::vector<TouchingPlanets> find_touching(const PlanetSet& set,
-                                           const GearLayout& layout,
-                                           const GearNumbers& numbers) {
-  return TouchSearch(set, layout, numbers).run();
+std::vector<NeighbourPlanets> find_neighbours(const PlanetSet& set,
+                                              const GearLayout& layout,
+                                              const GearNumbers& numbers) {
+  return NeighbourSearch(set, layout, numbers).run();
+}
+
+std::vector<NeighbourPlanets> find_touching(const PlanetSet& set,
+                                            const GearLayout& layout,
+                                            const GearNumbers& numbers) {
+  std::vector<NeighbourPlanets> pairs = find_neighbours(set, layout, numbers);
+  std::erase_if(pairs, [](const NeighbourPlanets& pair) { return pair.distance > pair.needed; });
+  return pairs;
 }
 
 }  // namespace kinestat

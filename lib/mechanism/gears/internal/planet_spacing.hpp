@@ -25,18 +25,25 @@ std::vector<long long> assembly_sums(const PlanetSet& set,
 /// The first of them that the count does not divide; 0: all are divided.
 long long blocking_sum(const PlanetSet& set, const std::vector<long long>& sums);
 
-/// A planet and one of the next set on either side, whose tip circles meet.
-struct TouchingPlanets {
+/// A planet and one of the next set on either side.
+struct NeighbourPlanets {
   int first = 0;  ///< members; the same one: a planet and its like
   int second = 0;
   double distance = 0.0;  ///< of their centres [m]
   double needed = 0.0;    ///< at which they would touch [m]
+
+  double clearance() const { return distance - needed; }
 };
 
 /// Of one planet, and of planets that mesh with each other. Tips are one module outside the pitch
 /// circle.
-std::vector<TouchingPlanets> find_touching(const PlanetSet& set,
-                                           const GearLayout& layout,
-                                           const GearNumbers& numbers);
+std::vector<NeighbourPlanets> find_neighbours(const PlanetSet& set,
+                                              const GearLayout& layout,
+                                              const GearNumbers& numbers);
+
+/// Those of them whose tip circles meet.
+std::vector<NeighbourPlanets> find_touching(const PlanetSet& set,
+                                            const GearLayout& layout,
+                                            const GearNumbers& numbers);
 
 }  // namespace kinestat

@@ -126,12 +126,12 @@ class PlanetSpacingCheck {
   }
 
   void check_neighbours(const PlanetSet& set) {
-    for (const TouchingPlanets& pair : find_touching(set, layout_, numbers_)) {
+    for (const NeighbourPlanets& pair : find_touching(set, layout_, numbers_)) {
       warn_of(pair, set);
     }
   }
 
-  void warn_of(const TouchingPlanets& pair, const PlanetSet& set) {
+  void warn_of(const NeighbourPlanets& pair, const PlanetSet& set) {
     const std::string& first = member(pair.first).name.text;
     const std::string& second = member(pair.second).name.text;
     const FileUnits& units = context_.description.units;

@@ -283,6 +283,15 @@ void add_gear(Record<StateView>& keys) {
               "reverse gears.",
               [](const StateView& v) { return v.step; })
       .only_if(is_gear);
+  keys.text("ratio_fraction",
+            "The ratio as a fraction of whole numbers, without rounding; no key where it is not "
+            "made by the teeth of 'gears' alone, or of several outputs.",
+            [](const StateView& v) { return v.one->ratios->fraction; })
+      .not_in_tables()
+      .not_compared()
+      .only_if([](const StateView& v) {
+        return is_gear(v) && v.one->ratios && !v.one->ratios->fraction.empty();
+      });
   keys.custom("torque_ratio",
               by_output(number_shape(ByContext::action_ratio, true)),
               "Action of the input over that of the output without losses, of several outputs by "

@@ -153,6 +153,19 @@ class ShiftTables {
     }
   }
 
+  // Beside the ratios, where numbers of teeth make them.
+  void add_fractions(std::vector<TextColumn>& columns) const {
+    TextColumn fractions{.head = "", .cells = {}};
+    for (const ShownGear& gear : gears_) {
+      const std::string behind = fraction_behind(gear.one.ratios);
+      fractions.cells.push_back(behind.empty() ? behind : behind.substr(1));
+    }
+    const auto is_empty = [](const std::string& cell) { return cell.empty(); };
+    if (!std::ranges::all_of(fractions.cells, is_empty)) {
+      columns.push_back(std::move(fractions));
+    }
+  }
+
   TextBlocks gears_blocks() const {
     if (gears_.empty()) {
       return {};
@@ -170,6 +183,7 @@ class ShiftTables {
           [o](const ShownGear& gear) { return number_or_dash(gear.ratios[o].ratio.value); },
           columns);
     }
+    add_fractions(columns);
     add_column(
         "step",
         [](const ShownGear& gear) { return gear.step ? number_or_dash(gear.step) : ""; },

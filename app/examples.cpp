@@ -1,0 +1,39 @@
+#include "command.hpp"
+#include "run/texts/library_file.hpp"
+
+namespace kinestat::app {
+
+namespace {
+
+struct ExamplesOptions {
+  std::string name;
+  std::string path;
+  Overwrite overwrite = Overwrite::own_only;
+};
+
+}  // namespace
+
+void add_examples(CLI::App& command, Job& job) {
+  command.footer(
+      "  kinestat examples\n"
+      "  kinestat examples planar\n"
+      "  kinestat examples rssr | less\n"
+      "  kinestat examples transmissions/zf_8hp70 gearbox.yaml\n");
+  auto options = std::make_shared<ExamplesOptions>();
+  add_argument(command,
+               "EXAMPLE",
+               options->name,
+               "a mechanism of the library, or a folder of it;\n"
+               "without it, the list of all");
+  add_argument(command, "FILE", options->path, "the file to write; default standard output");
+  add_flag(
+      command,
+      "--force",
+      [options] { options->overwrite = Overwrite::force; },
+      "replace the file if it exists");
+  run_when_chosen(command, job, [options] {
+    return library_file(options->name, options->path, options->overwrite);
+  });
+}
+
+}  // namespace kinestat::app

@@ -1,0 +1,43 @@
+#include "cases/report/planet_fit_record.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/utf8.hpp"
+#include "report/number_format.hpp"
+
+namespace kinestat {
+
+const Record<PlanetFit>& planet_fit_record() {
+  using View = PlanetFit;
+  static const Record<View> record("Several equal planets of 'gears'.", [](Record<View>& keys) {
+    keys.count("count", "How many there are.", [](const View& v) { return v.count; });
+    keys.flag("assembles",
+              "Whether they can stand at equal angles; W0306 says why not.",
+              [](const View& v) { return v.assembles; });
+    keys.quantity("clearance",
+                  QuantityKind::length,
+                  "Least distance of the tips of neighbours, one module outside the pitch circles; "
+                  "negative where they overlap (W0307).",
+                  [](const View& v) { return std::optional(v.clearance); });
+  });
+  return record;
+}
+
+std::string planet_fit_text(const std::vector<PlanetFit>& fits, const InUnits& in) {
+  std::string text;
+  for (const PlanetFit& one : fits) {
+    const bool is_free = one.clearance > 0.0;
+    text += fmt::format("  {} planets '{}' {} stand at equal angles; {} {} {}\n",
+                        one.count,
+                        printable(one.planet),
+                        one.assembles ? "can" : "cannot",
+                        is_free ? "clearance" : "neighbours overlap by",
+                        format_short(std::abs(in.length(one.clearance))),
+                        in.units().text(QuantityKind::length));
+  }
+  return text;
+}
+
+}  // namespace kinestat
