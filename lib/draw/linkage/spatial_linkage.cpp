@@ -84,6 +84,7 @@ class SpatialDrawing : private LinkageDrawer {
     for (const BodyId body : bodies_from_behind()) {
       canvas_.open_body(body);
       draw_body(body);
+      draw_traced(body);
       svg_.close_group();
     }
     draw_cables();
