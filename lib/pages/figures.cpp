@@ -54,14 +54,19 @@ PicturePlace place_of(const PictureKind& kind) {
   return kind.scope == PictureScope::one_case ? PicturePlace::one_case : PicturePlace::structure;
 }
 
-// "Shift matrix", without the name of the mechanism under which the picture stands.
-std::string caption_of(const Picture& picture, const std::string& name) {
+}  // namespace
+
+std::string caption_of(const std::string& title, const std::string& name) {
   const std::string end = ": " + name;
-  return picture.title.ends_with(end) ? picture.title.substr(0, picture.title.size() - end.size())
-                                      : picture.title;
+  return title.ends_with(end) ? title.substr(0, title.size() - end.size()) : title;
 }
 
-}  // namespace
+void add_caption(int number, const std::string& caption, Html& html) {
+  html.open("figcaption");
+  html.element("b", fmt::format("Figure {}. ", number));
+  html.text(caption);
+  html.close();
+}
 
 std::vector<Picture> pictures_at(PicturePlace place, const PictureSource& source) {
   std::vector<Picture> pictures;
@@ -103,10 +108,7 @@ void add_figures(const std::vector<Picture>& pictures,
       html.open("figure", {{"data-picture", one.name}});
     }
     add_picture(one, fmt::format("{}-figure-{}", id, figures), html);
-    html.open("figcaption");
-    html.element("b", fmt::format("Figure {}. ", figures));
-    html.text(caption_of(one, name));
-    html.close();
+    add_caption(figures, caption_of(one.title, name), html);
     html.close();
   }
 }

@@ -146,11 +146,15 @@ std::string page_style() {
       light_variables(),
       dark_variables(),
       ink_rules(),
-      find_text(embedded_page(), "style")->text);
+      embedded_style().front().text);
 }
 
-std::string_view page_script() {
-  return find_text(embedded_page(), "script")->text;
+std::string page_script() {
+  std::string script;
+  for (const EmbeddedText& part : embedded_scripts()) {
+    script += part.text;
+  }
+  return script;
 }
 
 std::string content_policy(std::string_view style, std::string_view script) {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "pages/chart_figure.hpp"
 #include "pages/figures.hpp"
 #include "pages/tables.hpp"
 
@@ -12,8 +13,9 @@ namespace kinestat {
 
 namespace {
 
-// Of the frames of two charts that stand beside each other [px].
-constexpr double kChartWidth = 480.0;
+// Of the frame of a chart [px]: with the words at its axes it fits a telephone, so that one drawing
+// serves every screen, and three stand beside each other on a wide one.
+constexpr double kChartWidth = 300.0;
 
 }  // namespace
 
@@ -69,18 +71,27 @@ void SectionWriter::add_pair(const TextBlocks& blocks,
   add_pictures({below, pictures.end()});
 }
 
-void SectionWriter::add_charts(const Figure& figure, const std::string& what) {
-  std::vector<Picture> pictures;
+void SectionWriter::add_charts(const Figure& figure, const std::string& what, ChartRows rows) {
+  if (figure.charts.empty()) {
+    return;
+  }
+  html_.open("div", {{"class", "charts"}});
   for (Chart chart : figure.charts) {
     chart.width = kChartWidth;
     const std::string& shown = chart.title.empty() ? chart.y.label : chart.title;
-    pictures.push_back(
-        draw_figure({.name = figure.name,
-                     .title = fmt::format("{}, {}: {}", what, shown, page_title(page_)),
-                     .description = figure.description,
-                     .charts = {chart}}));
+    const std::string caption = fmt::format("{}, {}", what, shown);
+    ++figures_;
+    add_chart_figure({.name = figure.name,
+                      .title = fmt::format("{}: {}", caption, page_title(page_)),
+                      .description = figure.description,
+                      .charts = {chart}},
+                     {.id = fmt::format("{}-figure-{}", id_, figures_),
+                      .number = figures_,
+                      .caption = caption,
+                      .follows = rows == ChartRows::of_motion ? id_ : ""},
+                     html_);
   }
-  add_pictures(pictures);
+  html_.close();
 }
 
 void SectionWriter::add_folded(const std::string& line, const std::vector<Picture>& pictures) {

@@ -21,6 +21,9 @@ struct PageHeading {
   std::string title;
 };
 
+/// What the points of a chart are: its own, or the rows of the motion of the file in their order.
+enum class ChartRows { own, of_motion };
+
 /// Whether the title of the page is that of its only file.
 enum class PageForm { one_file, many_files };
 
@@ -54,7 +57,7 @@ class SectionWriter {
   void add_pictures(const std::vector<Picture>& pictures);
 
   /// Each a figure of its own, so that they stand beside each other.
-  void add_charts(const Figure& figure, const std::string& what);
+  void add_charts(const Figure& figure, const std::string& what, ChartRows rows = ChartRows::own);
 
   /// Tables, and pictures of the same beside them where there is room, else below.
   void add_pair(const TextBlocks& blocks, const std::string& name, std::vector<Picture> pictures);

@@ -113,8 +113,7 @@ def solve(rows: list[list[float]], right: list[float]) -> list[float]:
 class MotionTest(PageCase):
     def report(self) -> dict:
         return json.loads(self.ask(
-            "return document.querySelector('script[type=\"application/json\"]"
-            ":not([id$=-poses])').textContent;"))
+            "return document.querySelector('script[data-kind=json]').textContent;"))
 
     def last_step(self) -> int:
         return int(self.ask(
