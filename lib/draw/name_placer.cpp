@@ -42,6 +42,11 @@ void clip(double start, double step, double bound, double& from, double& to) {
 }
 
 double length_within(const PixelBox& box, PixelPoint a, PixelPoint b) {
+  // Most lines are far away.
+  if (std::max(a.x, b.x) < box.left || std::min(a.x, b.x) > box.right ||
+      std::max(a.y, b.y) < box.top || std::min(a.y, b.y) > box.bottom) {
+    return 0.0;
+  }
   double from = 0.0;
   double to = 1.0;
   clip(a.x, b.x - a.x, box.right, from, to);
@@ -83,7 +88,7 @@ void NamePlacer::keep_off_circle(PixelPoint centre, double radius) {
   }
 }
 
-double NamePlacer::cost(const PixelBox& box) const {
+double NamePlacer::cost(const PixelBox& box, double price, double limit) const {
   double sum = 0.0;
   for (const PixelBox& label : labels_) {
     sum += kLabelCost * overlap(box, label);
@@ -93,10 +98,13 @@ double NamePlacer::cost(const PixelBox& box) const {
     sum += kBoxCost * overlap(box, other);
   }
   for (const Segment& segment : segments_) {
+    if (sum + price >= limit) {
+      break;
+    }
     sum += kLineCost * length_within(box, segment.from, segment.to) +
            kNearCost * length_within(around, segment.from, segment.to);
   }
-  return sum;
+  return sum + price;
 }
 
 PlacedName NamePlacer::take(const PixelBox& box, const TextStyle& style) {
@@ -125,7 +133,7 @@ PlacedName NamePlacer::place(PixelPoint anchor,
       const double angle = std::numbers::pi / 4 + 2 * std::numbers::pi * i / kDirections;
       const PixelPoint middle = middle_at(anchor, angle, distance + more, half);
       const PixelBox box = box_around(middle, width, style.size);
-      const double total = cost(box) + kCostOfPixel * more;
+      const double total = cost(box, kCostOfPixel * more, least);
       if (total < least) {
         least = total;
         best = box;
@@ -148,7 +156,7 @@ PlacedName NamePlacer::place_at(const std::vector<PixelPoint>& middles,
   PixelBox best;
   for (std::size_t i = 0; i < middles.size(); ++i) {
     const PixelBox box = box_around(middles[i], width, style.size);
-    const double total = cost(box) + static_cast<double>(i);
+    const double total = cost(box, static_cast<double>(i), least);
     if (total < least) {
       least = total;
       best = box;

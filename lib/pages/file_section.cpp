@@ -26,7 +26,8 @@ class FileSection {
       LinkageOptions plain;
       plain.shows_forces = false;
       linkage_ = draw_linkage(*page.analysis, plain);
-      scheme_ = draw_gear_scheme(*page.analysis);
+      scheme_ =
+          draw_gear_scheme(*page.analysis, {.which = {}, .sections = section_.source().sections});
     }
   }
 

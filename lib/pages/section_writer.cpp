@@ -34,13 +34,14 @@ std::string SectionWriter::level(int below) const {
   return fmt::format("h{}", (form_ == PageForm::one_file ? 2 : 3) + below);
 }
 
-PictureSource SectionWriter::source(std::optional<std::size_t> which) const {
+PictureSource SectionWriter::source(std::optional<std::size_t> which) {
   return {.analysis = page_.analysis ? &*page_.analysis : nullptr,
           .motion = page_.motion ? &page_.motion->table : nullptr,
           .synthesis = page_.synthesis ? &*page_.synthesis : nullptr,
           .maps = page_.duty ? &page_.duty->maps : nullptr,
           .which = which,
-          .name = page_title(page_)};
+          .name = page_title(page_),
+          .sections = &sections_};
 }
 
 void SectionWriter::add_pictures(const std::vector<Picture>& pictures) {

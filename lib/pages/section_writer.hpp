@@ -9,6 +9,7 @@
 
 #include "draw/catalogue/catalogue.hpp"
 #include "draw/chart.hpp"
+#include "draw/train/gear_sections.hpp"
 #include "pages/file_page.hpp"
 #include "pages/html.hpp"
 #include "report/text_blocks.hpp"
@@ -52,7 +53,7 @@ class SectionWriter {
   std::string level(int below) const;
 
   /// What pictures of the file or, with its index, of a case are made of.
-  PictureSource source(std::optional<std::size_t> which = {}) const;
+  PictureSource source(std::optional<std::size_t> which = {});
 
   void add_pictures(const std::vector<Picture>& pictures);
 
@@ -74,6 +75,7 @@ class SectionWriter {
   PageForm form_;
   int& figures_;
   Html& html_;
+  GearSections sections_;
   std::vector<PageHeading> headings_;
 };
 
