@@ -5,6 +5,7 @@
 #include "core/sha256.hpp"
 #include "core/version.hpp"
 #include "draw/palette.hpp"
+#include "draw/picture.hpp"
 #include "pages/embedded.hpp"
 #include "pages/page_parts.hpp"
 
@@ -142,10 +143,11 @@ std::string page_style() {
   return fmt::format(
       ":root{{{0}}}\n"
       "@media screen and (prefers-color-scheme:dark){{:root:not([data-theme=light]){{{1}}}}}\n"
-      "@media screen{{:root[data-theme=dark]{{{1}}}}}\n{2}\n{3}",
+      "@media screen{{:root[data-theme=dark]{{{1}}}}}\n{2}{3}\n{4}",
       light_variables(),
       dark_variables(),
       ink_rules(),
+      kPictureRules,
       embedded_style().front().text);
 }
 

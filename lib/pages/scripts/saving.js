@@ -14,13 +14,25 @@ for (const figure of all("figure")) {
     copy.setAttribute("width", width);
     copy.setAttribute("height", height);
     copy.removeAttribute("data-whole");
+    if (svg.classList.contains("turned")) {
+      all("[data-scale] > :not([data-layer=turned])", copy).forEach((one) => one.remove());
+    }
     for (const one of all("[data-legend]", copy)) {
       one.removeAttribute("style");
     }
-    // What a script has painted by a class alone; the rest has its colours beside its classes.
-    for (const one of all("[data-cursor] *, [data-layer=acting] *, [data-layer=turned] *", copy)) {
-      for (const [, part, ink] of (one.getAttribute("class") || "").matchAll(/ks-([fs])-(\w+)/g)) {
+    // What the style of the page says by classes.
+    for (const one of all("*", copy)) {
+      const classes = one.getAttribute("class") || "";
+      for (const [, part, ink] of classes.matchAll(/ks-([fs])-(\w+)/g)) {
         one.setAttribute(part === "f" ? "fill" : "stroke", light(ink));
+      }
+      if (!classes.includes("ks-f")) {
+        one.setAttribute("fill", one.tagName === "text" ? light("ink") : "none");
+      }
+      if (one.tagName === "text" && classes.includes("ks-s-paper")) {
+        one.setAttribute("stroke-width", 3);
+        one.setAttribute("stroke-linejoin", "round");
+        one.setAttribute("paint-order", "stroke");
       }
     }
     const paper = make("rect", {x, y, width, height, fill: "#ffffff"}, copy);
