@@ -15,6 +15,9 @@ constexpr double kLabelCost = 1e6;
 constexpr double kBoxCost = 3.0;
 constexpr double kLineCost = 14.0;
 
+// Likewise of a line to a label that goes through another.
+constexpr double kCrossedLabelCost = 40.0;
+
 // What is nearer to a label than this seems to touch it, which costs less than to cover it.
 constexpr double kAir = 2.0;
 constexpr double kNearCost = 1.0;
@@ -70,6 +73,10 @@ PixelPoint middle_at(PixelPoint anchor, double angle, double distance, PixelPoin
   return {.x = anchor.x + c * (distance + half.x), .y = anchor.y - s * (distance + half.y)};
 }
 
+PixelPoint nearest_point(const PixelBox& box, PixelPoint to) {
+  return {.x = std::clamp(to.x, box.left, box.right), .y = std::clamp(to.y, box.top, box.bottom)};
+}
+
 }  // namespace
 
 void NamePlacer::keep_off(PixelPoint from, PixelPoint to) {
@@ -107,6 +114,14 @@ double NamePlacer::cost(const PixelBox& box, double price, double limit) const {
   return sum + price;
 }
 
+double NamePlacer::line_cost(PixelPoint from, PixelPoint to) const {
+  double sum = 0.0;
+  for (const PixelBox& label : labels_) {
+    sum += kCrossedLabelCost * length_within(label, from, to);
+  }
+  return sum;
+}
+
 PlacedName NamePlacer::take(const PixelBox& box, const TextStyle& style) {
   labels_.push_back(box.grown(1.0));
   const double base = box.top + kAscentShare * box.height();
@@ -121,6 +136,7 @@ PlacedName NamePlacer::place(PixelPoint anchor,
                              const TextStyle& style,
                              double distance) {
   constexpr double kFarther[] = {0.0, 6.0, 14.0, 26.0, 42.0, 64.0, 92.0, 126.0, 168.0};
+  constexpr double kNearEnough = kFarther[2];  // from there on a line leads to the label
   constexpr double kCostOfPixel = 4.0;
   const double width = text_width(text, style.size, style.weight);
   const PixelPoint half = {.x = width / 2, .y = style.size / 2};
@@ -133,7 +149,10 @@ PlacedName NamePlacer::place(PixelPoint anchor,
       const double angle = std::numbers::pi / 4 + 2 * std::numbers::pi * i / kDirections;
       const PixelPoint middle = middle_at(anchor, angle, distance + more, half);
       const PixelBox box = box_around(middle, width, style.size);
-      const double total = cost(box, kCostOfPixel * more, least);
+      double total = cost(box, kCostOfPixel * more, least);
+      if (total < least && more > kNearEnough) {
+        total += line_cost(anchor, nearest_point(box, anchor));
+      }
       if (total < least) {
         least = total;
         best = box;
@@ -142,9 +161,11 @@ PlacedName NamePlacer::place(PixelPoint anchor,
     }
   }
   PlacedName result = take(best, style);
-  result.needs_line = best_more > kFarther[2];
-  result.line_end = {.x = std::clamp(anchor.x, best.left, best.right),
-                     .y = std::clamp(anchor.y, best.top, best.bottom)};
+  result.needs_line = best_more > kNearEnough;
+  result.line_end = nearest_point(best, anchor);
+  if (result.needs_line) {
+    keep_off(anchor, result.line_end);
+  }
   return result;
 }
 

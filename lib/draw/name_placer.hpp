@@ -51,6 +51,7 @@ class NamePlacer {
 
   // What it costs to stand there, beside a price of its own; at `limit` it is not added up further.
   double cost(const PixelBox& box, double price, double limit) const;
+  double line_cost(PixelPoint from, PixelPoint to) const;
   PlacedName take(const PixelBox& box, const TextStyle& style);
 
   std::vector<PixelBox> boxes_;

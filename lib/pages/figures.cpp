@@ -10,10 +10,10 @@ namespace kinestat {
 
 namespace {
 
-using PlacedName = std::pair<std::string_view, PicturePlace>;
+using NamedPlace = std::pair<std::string_view, PicturePlace>;
 
 // Those whose place what they need does not tell.
-constexpr auto kPlaces = std::to_array<PlacedName>({
+constexpr auto kPlaces = std::to_array<NamedPlace>({
     {"motion-graph", PicturePlace::graphs},
     {"action-graph", PicturePlace::graphs},
     {"circuits", PicturePlace::graphs},
@@ -33,7 +33,7 @@ bool compares(PicturePlace place) {
 }
 
 PicturePlace place_of(const PictureKind& kind) {
-  const auto at = std::ranges::find(kPlaces, kind.name, &PlacedName::first);
+  const auto at = std::ranges::find(kPlaces, kind.name, &NamedPlace::first);
   if (at != kPlaces.end()) {
     return at->second;
   }

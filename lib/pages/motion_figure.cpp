@@ -10,6 +10,7 @@
 #include "draw/linkage/linkage_drawing.hpp"
 #include "pages/figures.hpp"
 #include "pages/moving_figure.hpp"
+#include "pages/spatial_scene.hpp"
 #include "report/number_format.hpp"
 
 namespace kinestat {
@@ -44,7 +45,11 @@ class MotionFigure {
     for (std::size_t b = 0; is_planar() && b < mechanism_.topology.bodies.size(); ++b) {
       figure.bodies.push_back(fmt::format("{}-{}", mechanism_.topology.bodies[b].name, b));
     }
-    add_moving_figure(drawing(), figure, html);
+    open_moving_figure(drawing(), figure, html);
+    if (!is_planar()) {
+      add_spatial_scene(analysis_, positions(), motion_.drawn.paths, id_ + "-motion-scene", html);
+    }
+    html.close();
   }
 
  private:

@@ -85,7 +85,7 @@ void add_controls(const MovingFigure& figure, Html& html) {
 
 }  // namespace
 
-void add_moving_figure(const Picture& picture, const MovingFigure& figure, Html& html) {
+void open_moving_figure(const Picture& picture, const MovingFigure& figure, Html& html) {
   const bool moves = figure.labels.size() > 1;
   const std::string poses = figure.section + "-poses";
   if (moves) {
@@ -108,7 +108,6 @@ void add_moving_figure(const Picture& picture, const MovingFigure& figure, Html&
     html.markup(script_json(motion_json(figure)));
     html.close();
   }
-  html.close();
 }
 
 }  // namespace kinestat

@@ -30,7 +30,7 @@ struct MovingFigure {
   std::vector<std::vector<DrawnPose>> steps;  ///< of each body
 };
 
-/// Adds the figure. With a single step it stands still.
-void add_moving_figure(const Picture& picture, const MovingFigure& figure, Html& html);
+/// Adds the figure and leaves it open. With a single step it stands still.
+void open_moving_figure(const Picture& picture, const MovingFigure& figure, Html& html);
 
 }  // namespace kinestat

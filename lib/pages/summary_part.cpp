@@ -1,8 +1,11 @@
 // The first screen of a page: the mechanism, moving if it does, and what was found.
+#include <fmt/format.h>
+
 #include "pages/figures.hpp"
 #include "pages/motion_figure.hpp"
 #include "pages/moving_figure.hpp"
 #include "pages/page_parts.hpp"
+#include "pages/spatial_scene.hpp"
 #include "pages/tables.hpp"
 #include "studies/motion/report/motion_text.hpp"
 #include "studies/synthesis/picture/moving_linkage.hpp"
@@ -37,7 +40,8 @@ void add_moving_linkage(SectionWriter& section) {
     }
   }
   section.html().open("div");
-  add_moving_figure(moving->picture, figure, section.html());
+  open_moving_figure(moving->picture, figure, section.html());
+  section.html().close();
   section.html().close();
 }
 
@@ -45,6 +49,17 @@ void add_sentences(const std::vector<std::string>& sentences, Html& html) {
   for (const std::string& one : sentences) {
     html.element("p", one);
   }
+}
+
+void add_turning_figure(const Picture& picture, SectionWriter& section) {
+  Html& html = section.html();
+  const int number = ++section.figures();
+  const std::string id = fmt::format("{}-figure-{}", section.id(), number);
+  html.open("figure", {{"data-picture", picture.name}});
+  add_picture(picture, id, html);
+  add_caption(number, caption_of(picture.title, page_title(section.page())), html);
+  add_spatial_scene(*section.page().analysis, {}, {}, id + "-scene", html);
+  html.close();
 }
 
 void add_main_figure(const std::optional<Picture>& picture, SectionWriter& section) {
@@ -56,7 +71,11 @@ void add_main_figure(const std::optional<Picture>& picture, SectionWriter& secti
     html.close();
   } else if (picture) {
     html.open("div");
-    add_figures({*picture}, page_title(page), section.id(), section.figures(), html);
+    if (page.analysis->mechanism.space == Space::spatial && picture->name == "linkage") {
+      add_turning_figure(*picture, section);
+    } else {
+      add_figures({*picture}, page_title(page), section.id(), section.figures(), html);
+    }
     html.close();
   } else if (page.synthesis) {
     add_moving_linkage(section);

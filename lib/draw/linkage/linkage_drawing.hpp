@@ -17,6 +17,9 @@
 // every position of LinkageOptions::frames, in a group `<g data-frame="K" display="none">`; shown,
 // it stands for the `"still"` layers of a spatial mechanism, or for all cables.
 //
+// That group of a spatial mechanism has the unit vectors to the right and upwards, `data-right="X Y
+// Z"` and `data-up`: the world point p is drawn at (X + k right·p, Y - k up·p).
+//
 // With LinkageOptions::cycle no script is needed: the same groups move, and the frames take turns,
 // by themselves.
 #pragma once

@@ -101,7 +101,7 @@ for (const motion of all(".motion[data-poses]")) {
     slider.setAttribute("aria-valuetext", words);
     output.textContent = words;
     link.setAttribute("href", "#" + id + "-step-" + to);
-    document.dispatchEvent(new CustomEvent("step", {detail: {id, row: data.rows[to]}}));
+    document.dispatchEvent(new CustomEvent("step", {detail: {id, step: to, row: data.rows[to]}}));
   };
 
   let timer = 0;

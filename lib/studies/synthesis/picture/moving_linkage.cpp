@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -135,6 +136,14 @@ class LinkageMover {
     return rounds;
   }
 
+  // The rim of a link.
+  void keep_off(std::span<const Round> rounds) {
+    const std::vector<PixelPoint> rim = rounded_hull(rounds);
+    for (std::size_t i = 0; i < rim.size(); ++i) {
+      placer_.keep_off(rim[i], rim[(i + 1) % rim.size()]);
+    }
+  }
+
   Picture draw() {
     const std::array<Attribute, 3> marks = {{{"data-scale", fmt::format("{}", scale_)},
                                              {"data-x0", fmt::format("{}", x0_)},
@@ -174,6 +183,7 @@ class LinkageMover {
       svg_.circle(from, 3.2, {.stroke = Ink::ink, .fill = Ink::ink});
       svg_.close_group();
       placer_.keep_off(from, to);
+      keep_off(plane_rounds(pose));
       names_.emplace_back(fmt::format("{}", i + 1), from);
     }
   }
@@ -244,6 +254,7 @@ class LinkageMover {
       const std::array<Round, 2> ends = {
           {{.centre = at(one.dyad.centre_point), .radius = 5.0}, {.centre = joint, .radius = 5.0}}};
       svg_.polygon(rounded_hull(ends), paint);
+      keep_off(ends);
       draw_pin(svg_, at(one.dyad.centre_point), 3.2);
     } else {
       draw_block(svg_,
