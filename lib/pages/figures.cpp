@@ -88,9 +88,13 @@ bool is_broad(const Picture& picture) {
 }
 
 void add_picture(const Picture& picture, const std::string& prefix, Html& html) {
-  constexpr double kNarrow = 420.0;  // a telephone [px]
-  const bool is_wide = picture.view.width() > kNarrow;
-  html.open("div", {{"class", is_wide ? "picture wide" : "picture"}, {"tabindex", "0"}});
+  constexpr double kNarrow = 420.0;     // a telephone [px]
+  constexpr double kShrinking = 520.0;  // down to that with letters that can be read [px]
+  const double width = picture.view.width();
+  const char* const size = width <= kNarrow      ? "picture"
+                           : width <= kShrinking ? "picture wide shrinks"
+                                                 : "picture wide";
+  html.open("div", {{"class", size}, {"tabindex", "0"}});
   html.markup(svg_element(picture, prefix));
   html.close();
 }

@@ -14,7 +14,7 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from page_case import ROOT, PageCase, program, run_tests  # noqa: E402
+from page_case import ROOT, PageCase, program, run_tests, write_page  # noqa: E402
 
 PRESS = "sweeps/press_stroke.yaml"
 
@@ -156,6 +156,34 @@ class ChartTest(PageCase):
             steps.append(self.step_of_motion())
         self.assertLess(steps[0], 8)
         self.assertGreater(steps[1], 2 * steps[0])
+
+    def test_the_force_of_a_bearing_is_an_arrow_while_it_moves(self) -> None:
+        # The rod is pushed at its ends alone: the force is along it, 8 kN upwards at the ram.
+        text = (ROOT / "mechanisms" / PRESS).read_text(encoding="utf-8")
+        text = text[:text.index("published:")].replace("steps: 72, case: pressing}",
+                                                       "steps: 72, case: pressing, report: action}")
+        file = self.folder / "forces.yaml"
+        file.write_text(text, encoding="utf-8")
+        page = self.folder / "forces.html"
+        self.assertEqual(write_page(page, file).returncode, 0)
+        self.open(page, prefers_reduced_motion="reduce")
+        self.ask("const choice = document.querySelector('[data-force]');"
+                 "choice.value = [...choice.options].find((one) => one.textContent === 'in b').value;"
+                 "choice.dispatchEvent(new Event('change'));")
+        for step in (0, 7, 40):
+            words, line = self.ask(
+                "const slider = document.querySelector('figure.motion input[type=range]');"
+                "slider.value = arguments[0]; slider.dispatchEvent(new Event('input'));"
+                "const line = document.querySelector('[data-layer=acting] line');"
+                "return [document.querySelector('figure.motion output').textContent,"
+                " ['x1', 'y1', 'x2', 'y2'].map((name) => Number(line.getAttribute(name)))];", step)
+            angle = math.radians(5 * step)
+            across = CRANK * math.cos(angle) - OFFSET
+            up = math.sqrt(ROD**2 - across**2)
+            self.assertTrue(words.startswith(f"shaft {5 * step} deg, b "), words)
+            self.assertAlmostEqual(float(words.split()[-2]), 8000 * ROD / up, delta=0.6)
+            x1, y1, x2, y2 = line
+            self.assertAlmostEqual(abs((x2 - x1) / (y2 - y1)), abs(across / up), delta=1e-3)
 
     def test_an_address_leads_to_a_step(self) -> None:
         path = self.page(PRESS)

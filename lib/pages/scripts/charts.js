@@ -19,6 +19,18 @@ for (const figure of all("figure[data-chart]")) {
   const across = scale(plot.dataset.x, left, right);
   const up = scale(plot.dataset.y, bottom, top);
   const values = (one) => one.x || data.at;
+  // Of a line, a disc or a polygon, by its attributes: boxes would be laid out anew for each.
+  const middle = (shape) => {
+    const number = (name) => Number(shape.getAttribute(name));
+    if (shape.tagName === "line") {
+      return [(number("x1") + number("x2")) / 2, number("y1")];
+    }
+    if (shape.tagName === "circle") {
+      return [number("cx"), number("cy")];
+    }
+    const corners = shape.getAttribute("points").split(" ").map((one) => one.split(",").map(Number));
+    return [0, 1].map((k) => corners.reduce((sum, one) => sum + one[k], 0) / corners.length);
+  };
   const isSeen = (x, y) => x >= left - 1 && x <= right + 1 && y >= top - 1 && y <= bottom + 1;
 
   const cursor = make("g", {"data-cursor": ""}, svg);
@@ -47,11 +59,8 @@ for (const figure of all("figure[data-chart]")) {
       const sample = make("svg", {width: 26, height: 10, "aria-hidden": "true"}, label);
       const mark = legend.querySelector('[data-sample="' + i + '"]').cloneNode(true);
       sample.append(mark);
-      const line = mark.querySelector("line");
-      const shape = mark.getBBox();
-      sample.setAttribute("viewBox", line ? shape.x + " " + (shape.y - 5) + " 26 10"
-                                          : (shape.x + shape.width / 2 - 13) + " " +
-                                            (shape.y + shape.height / 2 - 5) + " 26 10");
+      sample.setAttribute("viewBox", middle(mark.firstElementChild).map((x, k) => x - [13, 5][k])
+        .join(" ") + " 26 10");
     }
     label.append(make("span", {}), " ");
     label.querySelector("span").textContent = one.name || data.y.label;
