@@ -1,6 +1,7 @@
 #include "draw/chart.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -52,8 +53,13 @@ Paint line_paint(int index) {
   return {.stroke = series_ink(index), .width = 2.0, .dash = std::string(series_dash(index))};
 }
 
-void draw_series(const Series& series, int index, const std::vector<PixelPoint>& points, Svg& svg) {
-  svg.open_group(series.name);
+void draw_series(const Series& series,
+                 std::size_t place,
+                 int index,
+                 const std::vector<PixelPoint>& points,
+                 Svg& svg) {
+  const std::array<Attribute, 1> mark = {{{"data-series", fmt::format("{}", place)}}};
+  svg.open_group(series.name, mark);
   if (series.style == SeriesStyle::line) {
     svg.polyline(points, line_paint(index));
   } else {
@@ -82,6 +88,7 @@ double draw_legend(const Chart& chart, double top, double width, Svg& svg) {
   }
   double x = 0.0;
   double y = top;
+  Svg entries;
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
     const std::string name = fitting_text(chart.series[i].name, kChartText, width - kSample - 8.0);
     const double size = kSample + 6.0 + text_width(name, kChartText) + 18.0;
@@ -89,11 +96,19 @@ double draw_legend(const Chart& chart, double top, double width, Svg& svg) {
       x = 0.0;
       y += kLineHeight;
     }
-    draw_sample(chart.series[i], look_of(chart, i), {.x = x, .y = y + 8.0}, svg);
-    svg.text({.x = x + kSample + 6.0, .y = y + 12.0}, name, {.size = kChartText});
+    const std::array<Attribute, 1> mark = {{{"data-sample", fmt::format("{}", i)}}};
+    entries.open_group({}, mark);
+    draw_sample(chart.series[i], look_of(chart, i), {.x = x, .y = y + 8.0}, entries);
+    entries.close_group();
+    entries.text({.x = x + kSample + 6.0, .y = y + 12.0}, name, {.size = kChartText});
     x += size;
   }
-  return y + kLineHeight;
+  y += kLineHeight;
+  const std::array<Attribute, 1> mark = {{{"data-legend", fmt::format("{}", y - top)}}};
+  svg.open_group({}, mark);
+  svg.add(entries);
+  svg.close_group();
+  return y;
 }
 
 // The rows into which labels go that stand over an axis, so that none covers another.
@@ -195,14 +210,29 @@ void draw_marks(const Chart& chart, const ChartFrame& frame, PointLabels& placer
   }
 }
 
+std::string range_text(const AxisRange& range) {
+  const bool is_even = range.kind == ScaleKind::linear;
+  return fmt::format("{} {}{}", range.low, range.high, is_even ? "" : " log");
+}
+
+// Where the values stand, for scripts: the frame on the picture, and what its axes have.
+std::array<Attribute, 3> plot_marks(const ChartFrame& frame) {
+  const PixelBox& box = frame.box;
+  return {{{"data-plot", fmt::format("{} {} {} {}", box.left, box.top, box.right, box.bottom)},
+           {"data-x", range_text(frame.x)},
+           {"data-y", range_text(frame.y)}}};
+}
+
 void draw_data(const Chart& chart, const ChartFrame& frame, Svg& svg) {
+  svg.open_group({}, plot_marks(frame));
   PointLabels placer(frame.box.grown(-2.0));
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
     const std::vector<PixelPoint> points = visible_points(frame, chart.series[i]);
-    draw_series(chart.series[i], look_of(chart, i), points, svg);
+    draw_series(chart.series[i], i, look_of(chart, i), points, svg);
     placer.avoid(points);
   }
   draw_marks(chart, frame, placer, svg);
+  svg.close_group();
 }
 
 // Draws downwards from `top`; answers where the chart ends.

@@ -1,5 +1,11 @@
 // Charts: series of points over two axes, as data that pictures and other programs' texts are made
 // of.
+//
+// How a script reads a drawn chart. Its data stand in a group `<g data-plot="LEFT TOP RIGHT BOTTOM"
+// data-x="LOW HIGH" data-y="LOW HIGH">`: the frame [px], and the values at its sides; " log"
+// follows where their logarithms are even. A series is a group `data-series="I"`, counted from 0.
+// The legend is a group `data-legend="HEIGHT"` [px], above everything but the title; the line or
+// marker of a series in it is a group `data-sample="I"`.
 #pragma once
 
 #include <optional>

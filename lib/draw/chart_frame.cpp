@@ -79,7 +79,10 @@ ChartFrame equal_frame(const Chart& chart, double top) {
 
 ChartFrame free_frame(const Chart& chart, double top) {
   return {.box = {.left = 0.0, .top = top, .right = chart.width, .bottom = top + kFreeHeight},
-          .x = axis_range(chart.x, range_of(chart, chart.x, &Series::x), chart.width, 80.0),
+          .x = axis_range(chart.x,
+                          range_of(chart, chart.x, &Series::x),
+                          chart.width,
+                          std::min(80.0, chart.width / 5)),
           .y = axis_range(chart.y, range_of(chart, chart.y, &Series::y), kFreeHeight, 38.0)};
 }
 

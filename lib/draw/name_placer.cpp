@@ -15,6 +15,9 @@ constexpr double kLabelCost = 1e6;
 constexpr double kBoxCost = 3.0;
 constexpr double kLineCost = 14.0;
 
+// Likewise of a line to a label that goes through another.
+constexpr double kCrossedLabelCost = 40.0;
+
 // What is nearer to a label than this seems to touch it, which costs less than to cover it.
 constexpr double kAir = 2.0;
 constexpr double kNearCost = 1.0;
@@ -42,6 +45,11 @@ void clip(double start, double step, double bound, double& from, double& to) {
 }
 
 double length_within(const PixelBox& box, PixelPoint a, PixelPoint b) {
+  // Most lines are far away.
+  if (std::max(a.x, b.x) < box.left || std::min(a.x, b.x) > box.right ||
+      std::max(a.y, b.y) < box.top || std::min(a.y, b.y) > box.bottom) {
+    return 0.0;
+  }
   double from = 0.0;
   double to = 1.0;
   clip(a.x, b.x - a.x, box.right, from, to);
@@ -65,6 +73,10 @@ PixelPoint middle_at(PixelPoint anchor, double angle, double distance, PixelPoin
   return {.x = anchor.x + c * (distance + half.x), .y = anchor.y - s * (distance + half.y)};
 }
 
+PixelPoint nearest_point(const PixelBox& box, PixelPoint to) {
+  return {.x = std::clamp(to.x, box.left, box.right), .y = std::clamp(to.y, box.top, box.bottom)};
+}
+
 }  // namespace
 
 void NamePlacer::keep_off(PixelPoint from, PixelPoint to) {
@@ -83,7 +95,7 @@ void NamePlacer::keep_off_circle(PixelPoint centre, double radius) {
   }
 }
 
-double NamePlacer::cost(const PixelBox& box) const {
+double NamePlacer::cost(const PixelBox& box, double price, double limit) const {
   double sum = 0.0;
   for (const PixelBox& label : labels_) {
     sum += kLabelCost * overlap(box, label);
@@ -93,8 +105,19 @@ double NamePlacer::cost(const PixelBox& box) const {
     sum += kBoxCost * overlap(box, other);
   }
   for (const Segment& segment : segments_) {
+    if (sum + price >= limit) {
+      break;
+    }
     sum += kLineCost * length_within(box, segment.from, segment.to) +
            kNearCost * length_within(around, segment.from, segment.to);
+  }
+  return sum + price;
+}
+
+double NamePlacer::line_cost(PixelPoint from, PixelPoint to) const {
+  double sum = 0.0;
+  for (const PixelBox& label : labels_) {
+    sum += kCrossedLabelCost * length_within(label, from, to);
   }
   return sum;
 }
@@ -113,6 +136,7 @@ PlacedName NamePlacer::place(PixelPoint anchor,
                              const TextStyle& style,
                              double distance) {
   constexpr double kFarther[] = {0.0, 6.0, 14.0, 26.0, 42.0, 64.0, 92.0, 126.0, 168.0};
+  constexpr double kNearEnough = kFarther[2];  // from there on a line leads to the label
   constexpr double kCostOfPixel = 4.0;
   const double width = text_width(text, style.size, style.weight);
   const PixelPoint half = {.x = width / 2, .y = style.size / 2};
@@ -125,7 +149,10 @@ PlacedName NamePlacer::place(PixelPoint anchor,
       const double angle = std::numbers::pi / 4 + 2 * std::numbers::pi * i / kDirections;
       const PixelPoint middle = middle_at(anchor, angle, distance + more, half);
       const PixelBox box = box_around(middle, width, style.size);
-      const double total = cost(box) + kCostOfPixel * more;
+      double total = cost(box, kCostOfPixel * more, least);
+      if (total < least && more > kNearEnough) {
+        total += line_cost(anchor, nearest_point(box, anchor));
+      }
       if (total < least) {
         least = total;
         best = box;
@@ -134,9 +161,11 @@ PlacedName NamePlacer::place(PixelPoint anchor,
     }
   }
   PlacedName result = take(best, style);
-  result.needs_line = best_more > kFarther[2];
-  result.line_end = {.x = std::clamp(anchor.x, best.left, best.right),
-                     .y = std::clamp(anchor.y, best.top, best.bottom)};
+  result.needs_line = best_more > kNearEnough;
+  result.line_end = nearest_point(best, anchor);
+  if (result.needs_line) {
+    keep_off(anchor, result.line_end);
+  }
   return result;
 }
 
@@ -148,7 +177,7 @@ PlacedName NamePlacer::place_at(const std::vector<PixelPoint>& middles,
   PixelBox best;
   for (std::size_t i = 0; i < middles.size(); ++i) {
     const PixelBox box = box_around(middles[i], width, style.size);
-    const double total = cost(box) + static_cast<double>(i);
+    const double total = cost(box, static_cast<double>(i), least);
     if (total < least) {
       least = total;
       best = box;

@@ -49,7 +49,9 @@ class NamePlacer {
     PixelPoint to;
   };
 
-  double cost(const PixelBox& box) const;
+  // What it costs to stand there, beside a price of its own; at `limit` it is not added up further.
+  double cost(const PixelBox& box, double price, double limit) const;
+  double line_cost(PixelPoint from, PixelPoint to) const;
   PlacedName take(const PixelBox& box, const TextStyle& style);
 
   std::vector<PixelBox> boxes_;

@@ -1,6 +1,7 @@
 #include "draw/picture.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -30,6 +31,46 @@ std::string with_ids(const std::string& elements, std::string_view prefix) {
     } else {
       result += character;
     }
+  }
+  return result;
+}
+
+// Without what the style of a page says by classes: colours, that nothing else is filled, the rim
+// of paper around letters, and that these are of ink. No text holds a quote that would look like
+// such an attribute.
+std::string without_colours(std::string_view elements) {
+  constexpr auto kWhole = std::to_array<std::string_view>(
+      {" stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\"", " fill=\"none\""});
+  constexpr auto kColours = std::to_array<std::string_view>({" fill=\"#", " stroke=\"#"});
+  constexpr std::string_view kInk = " class=\"ks-f-ink\"";
+  std::string result;
+  result.reserve(elements.size());
+  bool is_text = false;
+  const auto skipped = [&]() -> std::size_t {
+    for (const std::string_view whole : kWhole) {
+      if (elements.starts_with(whole)) {
+        return whole.size();
+      }
+    }
+    for (const std::string_view begin : kColours) {
+      if (elements.starts_with(begin)) {
+        return elements.find('"', begin.size()) + 1;
+      }
+    }
+    return is_text && elements.starts_with(kInk) ? kInk.size() : 0;
+  };
+  while (!elements.empty()) {
+    if (const std::size_t size = skipped(); size > 0) {
+      elements.remove_prefix(size);
+      continue;
+    }
+    const std::size_t next = std::min(elements.find(' ', 1), elements.size());
+    const std::string_view word = elements.substr(0, next);
+    if (const std::size_t tag = word.rfind('<'); tag != std::string_view::npos) {
+      is_text = word.substr(tag) == "<text";
+    }
+    result += word;
+    elements.remove_prefix(next);
   }
   return result;
 }
@@ -118,7 +159,7 @@ std::string svg_element(const Picture& picture, std::string_view prefix) {
                      opening(picture),
                      prefix,
                      words(picture),
-                     with_ids(picture.elements, prefix));
+                     without_colours(with_ids(picture.elements, prefix)));
 }
 
 }  // namespace kinestat

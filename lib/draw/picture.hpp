@@ -32,11 +32,17 @@ Picture make_picture(std::string name,
 /// prefers, with a background. In programs that know no style sheets it is light.
 std::string svg_file(const Picture& picture);
 
+/// What the element `svg` of a page leaves to its style beside colours.
+inline constexpr std::string_view kPictureRules =
+    "figure svg :not(text,[class*=ks-f]){fill:none}"
+    "figure svg text:not([class*=ks-f]){fill:var(--ks-ink)}"
+    "figure svg text.ks-s-paper{stroke-width:3;stroke-linejoin:round;paint-order:stroke}";
+
 /// How every such file begins.
 std::string_view svg_signature();
 
-/// The element `svg` for a page, without style: the page has ink_rules() and the variables. Ids
-/// begin with `prefix`, which must differ from those of other pictures on the page.
+/// The element `svg` for a page, without style: the page has ink_rules(), kPictureRules and the
+/// variables. Ids begin with `prefix`, which must differ from those of other pictures on the page.
 std::string svg_element(const Picture& picture, std::string_view prefix);
 
 }  // namespace kinestat

@@ -4,12 +4,14 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "core/contract.hpp"
 #include "draw/markup.hpp"
 #include "draw/picture.hpp"
+#include "draw/thinned_line.hpp"
 
 namespace kinestat {
 
@@ -88,7 +90,9 @@ void Svg::close_element(const Paint& paint) {
   }
   if (paint.stroke != Ink::none) {
     elements_ += ink_attributes("stroke", paint.stroke);
-    attribute("stroke-width", paint.width);
+    if (paint.width != 1.0) {
+      attribute("stroke-width", paint.width);
+    }
     if (!paint.dash.empty()) {
       attribute("stroke-dasharray", paint.dash);
     }
@@ -136,17 +140,25 @@ void Svg::line(PixelPoint from, PixelPoint to, const Paint& paint) {
 
 void Svg::polyline(std::span<const PixelPoint> points, const Paint& paint) {
   std::string data;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!is_finite(points[i])) {
-      continue;
+  const auto end_of_piece = [&](std::size_t begin) {
+    while (begin < points.size() && is_finite(points[begin])) {
+      ++begin;
     }
-    const bool begins = i == 0 || !is_finite(points[i - 1]);
-    const bool is_alone = begins && (i + 1 == points.size() || !is_finite(points[i + 1]));
-    data += (begins ? "M" : "L") + pair_text(points[i]);
-    if (is_alone) {
+    return begin;
+  };
+  for (std::size_t begin = 0; begin < points.size();) {
+    const std::size_t end = end_of_piece(begin);
+    const char* command = "M";
+    for (const PixelPoint& point : thinned_line(points.subspan(begin, end - begin))) {
+      data += std::exchange(command, "L") + pair_text(point);
+    }
+    if (end == begin + 1) {
       data += "h0.01";
     }
-    include(points[i], stroke_margin(paint));
+    for (std::size_t i = begin; i < end; ++i) {
+      include(points[i], stroke_margin(paint));
+    }
+    begin = end + 1;
   }
   if (data.empty()) {
     return;
@@ -161,8 +173,10 @@ void Svg::polyline(std::span<const PixelPoint> points, const Paint& paint) {
 void Svg::polygon(std::span<const PixelPoint> corners, const Paint& paint) {
   std::string points;
   for (const PixelPoint& corner : corners) {
-    points += (points.empty() ? "" : " ") + pair_text(corner);
     include(corner, stroke_margin(paint));
+  }
+  for (const PixelPoint& corner : thinned_line(corners)) {
+    points += (points.empty() ? "" : " ") + pair_text(corner);
   }
   open_element("polygon");
   attribute("points", points);
@@ -249,7 +263,9 @@ void Svg::text(PixelPoint place, std::string_view text, const TextStyle& style) 
   attribute("x", place.x);
   attribute("y", place.y);
   attribute("font-size", style.size);
-  attribute("text-anchor", anchor_word(style.anchor));
+  if (style.anchor != Anchor::start) {
+    attribute("text-anchor", anchor_word(style.anchor));
+  }
   if (style.weight == Weight::bold) {
     attribute("font-weight", "bold");
   }

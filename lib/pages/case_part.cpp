@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -107,7 +106,7 @@ class CasePart {
     html_.element(
         section_.level(1), case_title(one), {{"id", id + "-title"}, {"class", "case-title"}});
     add_blocks(TextBlocks(blocks.known + blocks.results), "Case", html_);
-    add_case_pictures(pictures_at(PicturePlace::one_case, section_.source(index)));
+    section_.add_pictures(pictures_of_case(index));
     const auto add_pass = [&](const char* title, const TextBlocks& pass, PicturePlace place) {
       if (!pass.is_empty()) {
         html_.element(section_.level(2), title, {{"class", "pass-title"}});
@@ -124,19 +123,15 @@ class CasePart {
     html_.close();
   }
 
-  // Of a train the section first, and its forces in space behind a line.
-  void add_case_pictures(const std::vector<Picture>& pictures) {
-    const auto scheme = std::ranges::find(pictures, "gear-scheme", &Picture::name);
-    if (scheme == pictures.end()) {
-      section_.add_pictures(pictures);
-      return;
+  // Of a train the section alone: seen from the front, with the forces of each gear, its wheels
+  // cover each other, and pages of many gears would be a third longer.
+  std::vector<Picture> pictures_of_case(std::size_t index) {
+    const PictureSource source = section_.source(index);
+    const PictureKind& scheme = *find_picture_kind("gear-scheme");
+    if (has_picture(scheme, source)) {
+      return {scheme.draw(source)};
     }
-    std::vector<Picture> others;
-    std::ranges::copy_if(pictures, std::back_inserter(others), [](const Picture& one) {
-      return one.name != "gear-scheme";
-    });
-    section_.add_pictures({*scheme});
-    section_.add_folded("Drawing in space with the forces", others);
+    return pictures_at(PicturePlace::one_case, source);
   }
 
   SectionWriter& section_;

@@ -5,7 +5,10 @@
 
 namespace kinestat {
 
-/// What a page needs beside its markup: "style", "script".
-std::span<const EmbeddedText> embedded_page();
+/// "style", that of a page but for the palette of its pictures.
+std::span<const EmbeddedText> embedded_style();
+
+/// The parts of the script of a page, in their order.
+std::span<const EmbeddedText> embedded_scripts();
 
 }  // namespace kinestat

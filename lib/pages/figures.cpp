@@ -10,10 +10,10 @@ namespace kinestat {
 
 namespace {
 
-using PlacedName = std::pair<std::string_view, PicturePlace>;
+using NamedPlace = std::pair<std::string_view, PicturePlace>;
 
 // Those whose place what they need does not tell.
-constexpr auto kPlaces = std::to_array<PlacedName>({
+constexpr auto kPlaces = std::to_array<NamedPlace>({
     {"motion-graph", PicturePlace::graphs},
     {"action-graph", PicturePlace::graphs},
     {"circuits", PicturePlace::graphs},
@@ -33,7 +33,7 @@ bool compares(PicturePlace place) {
 }
 
 PicturePlace place_of(const PictureKind& kind) {
-  const auto at = std::ranges::find(kPlaces, kind.name, &PlacedName::first);
+  const auto at = std::ranges::find(kPlaces, kind.name, &NamedPlace::first);
   if (at != kPlaces.end()) {
     return at->second;
   }
@@ -54,14 +54,19 @@ PicturePlace place_of(const PictureKind& kind) {
   return kind.scope == PictureScope::one_case ? PicturePlace::one_case : PicturePlace::structure;
 }
 
-// "Shift matrix", without the name of the mechanism under which the picture stands.
-std::string caption_of(const Picture& picture, const std::string& name) {
+}  // namespace
+
+std::string caption_of(const std::string& title, const std::string& name) {
   const std::string end = ": " + name;
-  return picture.title.ends_with(end) ? picture.title.substr(0, picture.title.size() - end.size())
-                                      : picture.title;
+  return title.ends_with(end) ? title.substr(0, title.size() - end.size()) : title;
 }
 
-}  // namespace
+void add_caption(int number, const std::string& caption, Html& html) {
+  html.open("figcaption");
+  html.element("b", fmt::format("Figure {}. ", number));
+  html.text(caption);
+  html.close();
+}
 
 std::vector<Picture> pictures_at(PicturePlace place, const PictureSource& source) {
   std::vector<Picture> pictures;
@@ -83,9 +88,13 @@ bool is_broad(const Picture& picture) {
 }
 
 void add_picture(const Picture& picture, const std::string& prefix, Html& html) {
-  constexpr double kNarrow = 420.0;  // a telephone [px]
-  const bool is_wide = picture.view.width() > kNarrow;
-  html.open("div", {{"class", is_wide ? "picture wide" : "picture"}, {"tabindex", "0"}});
+  constexpr double kNarrow = 420.0;     // a telephone [px]
+  constexpr double kShrinking = 520.0;  // down to that with letters that can be read [px]
+  const double width = picture.view.width();
+  const char* const size = width <= kNarrow      ? "picture"
+                           : width <= kShrinking ? "picture wide shrinks"
+                                                 : "picture wide";
+  html.open("div", {{"class", size}, {"tabindex", "0"}});
   html.markup(svg_element(picture, prefix));
   html.close();
 }
@@ -103,10 +112,7 @@ void add_figures(const std::vector<Picture>& pictures,
       html.open("figure", {{"data-picture", one.name}});
     }
     add_picture(one, fmt::format("{}-figure-{}", id, figures), html);
-    html.open("figcaption");
-    html.element("b", fmt::format("Figure {}. ", figures));
-    html.text(caption_of(one, name));
-    html.close();
+    add_caption(figures, caption_of(one.title, name), html);
     html.close();
   }
 }

@@ -32,6 +32,12 @@ std::vector<Picture> pictures_at(PicturePlace place, const PictureSource& source
 /// Whether its letters would be too small in half the width of a page.
 bool is_broad(const Picture& picture);
 
+/// "Shift matrix: NAME" without the name of the mechanism under which the picture stands.
+std::string caption_of(const std::string& title, const std::string& name);
+
+/// "Figure 3. Shift matrix" within a figure, and where a script offers to save it.
+void add_caption(int number, const std::string& caption, Html& html);
+
 /// Adds the drawing alone. Ids begin with `prefix`.
 void add_picture(const Picture& picture, const std::string& prefix, Html& html);
 

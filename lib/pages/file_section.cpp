@@ -21,7 +21,15 @@ namespace {
 class FileSection {
  public:
   FileSection(const FilePage& page, std::string id, PageForm form, int& figures, Html& html)
-      : page_(page), section_(page, std::move(id), form, figures, html), html_(html) {}
+      : page_(page), section_(page, std::move(id), form, figures, html), html_(html) {
+    if (page.analysis) {
+      LinkageOptions plain;
+      plain.shows_forces = false;
+      linkage_ = draw_linkage(*page.analysis, plain);
+      scheme_ =
+          draw_gear_scheme(*page.analysis, {.which = {}, .sections = section_.source().sections});
+    }
+  }
 
   std::vector<PageHeading> run() {
     html_.open("section",
@@ -30,14 +38,12 @@ class FileSection {
       html_.element("h2", page_title(page_), {{"class", "file-title"}});
     }
     add_source();
-    add_summary();
+    add_summary_part(section_, main_picture());
     if (!page_.found.items().empty()) {
       section_.open_part("found", "Findings");
       add_findings(page_.source, page_.found, html_);
       html_.close();
     }
-    add_structure();
-    add_mobility();
     add_motion_part(section_);
     add_shift();
     if (page_.analysis) {
@@ -47,12 +53,17 @@ class FileSection {
     add_sensitivity();
     add_sweep();
     add_synthesis();
+    add_structure();
+    add_mobility();
     add_data();
     html_.close();
     return section_.take_headings();
   }
 
  private:
+  // Of a train the section along its axis says more than a view in space.
+  const std::optional<Picture>& main_picture() const { return scheme_ ? scheme_ : linkage_; }
+
   void add_source() {
     if (page_.description && !page_.description->source.empty()) {
       html_.element("p", printable(page_.description->source), {{"class", "source"}});
@@ -63,38 +74,21 @@ class FileSection {
     html_.close();
   }
 
-  void add_summary() {
-    const std::vector<std::string> sentences = summary_sentences(page_);
-    if (sentences.empty()) {
-      return;
-    }
-    section_.open_part("summary", "Summary");
-    for (const std::string& one : sentences) {
-      html_.element("p", one);
-    }
-    html_.close();
-  }
-
   void add_structure() {
     if (!page_.analysis) {
       return;
     }
     section_.open_part("structure", "Structure");
-    LinkageOptions plain;
-    plain.shows_forces = false;
-    const Picture linkage = draw_linkage(*page_.analysis, plain);
-    // Of a train the half section along its axis says more than a view in space.
-    const std::optional<Picture> scheme = draw_gear_scheme(*page_.analysis, {});
-    std::vector<Picture> pictures = {scheme ? *scheme : linkage};
-    for (Picture& one : pictures_at(PicturePlace::structure, section_.source())) {
-      pictures.push_back(std::move(one));
+    std::vector<Picture> pictures = pictures_at(PicturePlace::structure, section_.source());
+    if (has_drawn_motion(page_)) {
+      pictures.insert(pictures.begin(), *main_picture());
     }
     section_.add_pictures(pictures);
-    std::vector<Picture> graphs = pictures_at(PicturePlace::graphs, section_.source());
-    if (scheme) {
-      section_.add_folded("Drawing in space", {linkage});
+    if (scheme_) {
+      section_.add_folded("Drawing in space", {*linkage_});
     }
-    section_.add_folded("Graphs of motions and actions, circuits and cut-sets", graphs);
+    section_.add_folded("Graphs of motions and actions, circuits and cut-sets",
+                        pictures_at(PicturePlace::graphs, section_.source()));
     html_.close();
   }
 
@@ -103,18 +97,32 @@ class FileSection {
       return;
     }
     section_.open_part("mobility", "Mobility");
-    for (const std::string& remark : mobility_remarks(*page_.mobility)) {
-      html_.element("p", remark);
-    }
     const MobilityBlocks blocks = mobility_blocks(*page_.mobility);
     add_blocks(blocks.counts, "Mobility", html_);
-    if (!blocks.reshetov.is_empty()) {
-      html_.open("details", {{"class", "reshetov"}});
-      html_.element("summary", "Reshetov's tables: what closes each circuit without force");
-      add_blocks(blocks.reshetov, "Reshetov", html_);
+    const std::vector<std::string> remarks = mobility_remarks(*page_.mobility);
+    if (!remarks.empty()) {
+      html_.open("details");
+      html_.element("summary", "What the counts say of each other");
+      for (const std::string& remark : remarks) {
+        html_.element("p", remark);
+      }
       html_.close();
     }
-    add_blocks(blocks.motions, "Mobility", html_);
+    add_folded_blocks(
+        "Reshetov's tables: what closes each circuit without force", "Reshetov", blocks.reshetov);
+    add_folded_blocks("Motions, redundant constraints, and what would mend these",
+                      "Motions and constraints",
+                      blocks.motions);
+    html_.close();
+  }
+
+  void add_folded_blocks(const char* line, const char* name, const TextBlocks& blocks) {
+    if (blocks.is_empty()) {
+      return;
+    }
+    html_.open("details");
+    html_.element("summary", line);
+    add_blocks(blocks, name, html_);
     html_.close();
   }
 
@@ -224,6 +232,8 @@ class FileSection {
   const FilePage& page_;
   SectionWriter section_;
   Html& html_;
+  std::optional<Picture> linkage_;
+  std::optional<Picture> scheme_;
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "core/sha256.hpp"
 #include "core/version.hpp"
 #include "draw/palette.hpp"
+#include "draw/picture.hpp"
 #include "pages/embedded.hpp"
 #include "pages/page_parts.hpp"
 
@@ -142,15 +143,20 @@ std::string page_style() {
   return fmt::format(
       ":root{{{0}}}\n"
       "@media screen and (prefers-color-scheme:dark){{:root:not([data-theme=light]){{{1}}}}}\n"
-      "@media screen{{:root[data-theme=dark]{{{1}}}}}\n{2}\n{3}",
+      "@media screen{{:root[data-theme=dark]{{{1}}}}}\n{2}{3}\n{4}",
       light_variables(),
       dark_variables(),
       ink_rules(),
-      find_text(embedded_page(), "style")->text);
+      kPictureRules,
+      embedded_style().front().text);
 }
 
-std::string_view page_script() {
-  return find_text(embedded_page(), "script")->text;
+std::string page_script() {
+  std::string script;
+  for (const EmbeddedText& part : embedded_scripts()) {
+    script += part.text;
+  }
+  return script;
 }
 
 std::string content_policy(std::string_view style, std::string_view script) {

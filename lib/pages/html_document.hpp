@@ -20,7 +20,7 @@ std::string html_report(std::span<const FilePage> pages);
 std::string page_style();
 
 /// The only script.
-std::string_view page_script();
+std::string page_script();
 
 /// The content security policy: nothing is loaded from anywhere; of style and script only those
 /// with these texts count.

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "core/tolerance.hpp"
 #include "draw/linkage/linkage_drawing.hpp"
 #include "pages/figures.hpp"
+#include "pages/moving_figure.hpp"
+#include "pages/spatial_scene.hpp"
 #include "report/number_format.hpp"
 
 namespace kinestat {
@@ -23,28 +26,28 @@ class MotionFigure {
       : mechanism_(analysis.mechanism), analysis_(analysis), motion_(motion), id_(id) {}
 
   void add_to(int number, Html& html) const {
-    const bool moves = positions().size() > 1;
-    if (moves) {
-      html.open("figure",
-                {{"class", "motion"},
-                 {"data-picture", "motion"},
-                 {"data-poses", id_ + "-poses"},
-                 {"data-autoplay", ""}});
-    } else {
-      html.open("figure", {{"data-picture", "motion"}});
+    MovingFigure figure{.name = "motion",
+                        .section = id_,
+                        .number = number,
+                        .caption = caption(),
+                        .what = drive_names(),
+                        .drawn = drawn_step(),
+                        .is_closed = is_closed(mechanism_, motion_.drawn),
+                        .bodies = {},
+                        .labels = {},
+                        .rows = motion_.shown,
+                        .forces = forces_json(),
+                        .steps = {}};
+    for (std::size_t i = 0; i < positions().size(); ++i) {
+      figure.labels.push_back(label(i));
+      figure.steps.push_back(poses_in_plane(positions()[i].poses));
     }
-    add_picture(drawing(), fmt::format("{}-figure-{}", id_, number), html);
-    if (moves) {
-      add_controls(html);
+    for (std::size_t b = 0; is_planar() && b < mechanism_.topology.bodies.size(); ++b) {
+      figure.bodies.push_back(fmt::format("{}-{}", mechanism_.topology.bodies[b].name, b));
     }
-    html.open("figcaption");
-    html.element("b", fmt::format("Figure {}. ", number));
-    html.text(caption());
-    html.close();
-    if (moves) {
-      html.open("script", {{"type", "application/json"}, {"id", id_ + "-poses"}});
-      html.markup(script_json(poses_json()));
-      html.close();
+    open_moving_figure(drawing(), figure, html);
+    if (!is_planar()) {
+      add_spatial_scene(analysis_, positions(), motion_.drawn.paths, id_ + "-motion-scene", html);
     }
     html.close();
   }
@@ -68,22 +71,10 @@ class MotionFigure {
     return draw_linkage(analysis_, motion_options(mechanism_, motion_.drawn));
   }
 
-  void add_controls(Html& html) const {
-    const std::string name = motion_.table.drives.empty() ? "drive" : drive_names();
-    html.open("div", {{"class", "drive script"}, {"hidden", ""}});
-    html.element("button", "Play", {{"type", "button"}});
-    html.single("input",
-                {{"type", "range"},
-                 {"min", "0"},
-                 {"max", fmt::format("{}", positions().size() - 1)},
-                 {"step", "1"},
-                 {"value", fmt::format("{}", std::max(drawn_step(), 0))},
-                 {"aria-label", name}});
-    html.element("output", label(static_cast<std::size_t>(std::max(drawn_step(), 0))));
-    html.close();
-  }
-
   std::string drive_names() const {
+    if (motion_.table.drives.empty()) {
+      return "drive";
+    }
     std::vector<std::string> names;
     for (const DriveTravel& drive : motion_.table.drives) {
       names.push_back(drive.name);
@@ -128,34 +119,74 @@ class MotionFigure {
     });
   }
 
-  // For each body of a planar mechanism its shift in the plane [m] and its angle.
-  std::string poses_json() const {
-    std::string poses;
-    std::vector<std::string> labels;
-    for (std::size_t i = 0; i < positions().size(); ++i) {
-      std::vector<std::string> numbers;
-      for (const BodyPose& pose : positions()[i].poses) {
-        if (!is_planar()) {
-          break;
-        }
+  // Of each body of a planar mechanism.
+  std::vector<DrawnPose> poses_in_plane(const std::vector<BodyPose>& poses) const {
+    std::vector<DrawnPose> result;
+    for (const BodyPose& pose : poses) {
+      if (is_planar()) {
         const double angle = std::atan2(pose.rotation(1, 0), pose.rotation(0, 0));
-        for (const double value : {pose.shift.x(), pose.shift.y(), angle}) {
-          numbers.push_back(fmt::format("{:.9g}", value));
-        }
+        result.push_back({pose.shift.x(), pose.shift.y(), angle});
       }
-      poses += fmt::format("{}[{}]", poses.empty() ? "" : ",\n", fmt::join(numbers, ","));
-      labels.push_back(script_string(label(i)));
     }
-    std::vector<std::string> bodies;
-    for (std::size_t b = 0; is_planar() && b < mechanism_.topology.bodies.size(); ++b) {
-      bodies.push_back(script_string(fmt::format("{}-{}", mechanism_.topology.bodies[b].name, b)));
+    return result;
+  }
+
+  // The columns with the forces in a coupling; empty unless all of them are reported.
+  std::vector<std::pair<std::size_t, int>> force_columns(const CouplingTopology& coupling) const {
+    const Topology& topology = mechanism_.topology;
+    std::vector<std::pair<std::size_t, int>> columns;
+    for (int i = 0; i < coupling.action_count; ++i) {
+      const int action = coupling.first_action + i;
+      if (topology.actions[static_cast<std::size_t>(action)].is_couple) {
+        continue;
+      }
+      const auto at = std::ranges::find_if(motion_.table.columns, [&](const MotionColumn& column) {
+        return column.quantity == "action" && column.element == topology.action_name(action);
+      });
+      if (at == motion_.table.columns.end()) {
+        return {};
+      }
+      columns.emplace_back(at - motion_.table.columns.begin(), action);
     }
-    return fmt::format(R"({{"drawn":{},"closed":{},"bodies":[{}],"labels":[{}],"poses":[{}]}})",
-                       drawn_step(),
-                       is_closed(mechanism_, motion_.drawn),
-                       fmt::join(bodies, ","),
-                       fmt::join(labels, ","),
-                       poses);
+    return columns;
+  }
+
+  // Of each coupling in the plane whose forces are reported: its name, and at each position where
+  // it is [m] and the force of its tail on its head, in the unit of the file; null without one.
+  std::vector<std::string> forces_json() const {
+    std::vector<std::string> couplings;
+    const Topology& topology = mechanism_.topology;
+    for (std::size_t e = 0; is_planar() && e < topology.couplings.size(); ++e) {
+      const auto columns = force_columns(topology.couplings[e]);
+      if (columns.empty()) {
+        continue;
+      }
+      std::vector<std::string> places;
+      for (std::size_t i = 0; i < positions().size(); ++i) {
+        places.push_back(force_json(e, columns, i));
+      }
+      couplings.push_back(fmt::format(R"({{"name":{},"unit":{},"at":[{}]}})",
+                                      script_string(topology.couplings[e].name),
+                                      script_string(motion_.table.columns[columns[0].first].unit),
+                                      fmt::join(places, ",")));
+    }
+    return couplings;
+  }
+
+  std::string force_json(std::size_t coupling,
+                         const std::vector<std::pair<std::size_t, int>>& columns,
+                         std::size_t position) const {
+    const Geometry& geometry = positions()[position].geometry;
+    Vec3 force = Vec3::Zero();
+    for (const auto& [column, action] : columns) {
+      const auto& value = motion_.table.rows[motion_.shown[position]].values[column];
+      if (!value) {
+        return "null";
+      }
+      force += *value * geometry.actions[static_cast<std::size_t>(action)].force;
+    }
+    const Vec3& at = geometry.points[coupling];
+    return fmt::format("[{:.6g},{:.6g},{:.6g},{:.6g}]", at.x(), at.y(), force.x(), force.y());
   }
 
   const Mechanism& mechanism_;

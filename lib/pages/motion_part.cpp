@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include "core/utf8.hpp"
-#include "pages/motion_figure.hpp"
 #include "pages/motion_tables.hpp"
 #include "pages/page_parts.hpp"
 #include "pages/tables.hpp"
@@ -22,7 +21,6 @@ void add_motion_tables(const MotionTable& motion, Html& html) {
     add_table(event_table(motion), "Events", html);
   }
   add_blocks(motion_remarks(motion), "Motion", html);
-  add_blocks(motion_extremes(motion), "Extremes", html);
 }
 
 }  // namespace
@@ -35,19 +33,9 @@ void add_motion_part(SectionWriter& section) {
     return;
   }
   section.open_part("motion", "Motion");
-  const bool is_drawn = page.analysis && !page.motion->drawn.positions.empty();
-  html.open("div", {{"class", is_drawn ? "pair both" : "pair"}});
-  if (is_drawn) {
-    html.open("div");
-    add_motion_figure(*page.analysis, *page.motion, section.id(), section.figures(), html);
-    html.close();
-  }
-  html.open("div");
   add_motion_tables(page.motion->table, html);
-  html.close();
-  html.close();
-  section.add_charts(motion_figure(page.motion->table, ""), "Motion");
-  section.add_charts(path_figure(page.motion->table, ""), "Paths of points");
+  section.add_charts(motion_figure(page.motion->table, ""), "Motion", ChartRows::of_motion);
+  section.add_charts(path_figure(page.motion->table, ""), "Paths of points", ChartRows::of_motion);
   const std::size_t positions = page.motion->table.rows.size();
   if (positions > kMostPositions) {
     html.element("p",

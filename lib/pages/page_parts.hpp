@@ -1,6 +1,7 @@
 // The parts of the section of a file on the page.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,18 +19,26 @@ namespace kinestat {
 /// if there are none. The file must have an analysis.
 void add_case_part(SectionWriter& section);
 
-/// The finite motion: its drawing, tables and curves. Of a file that asks for a motion without
-/// getting one, that there is none.
+/// The mechanism, moving if it does, else as the picture shows it; beside it what was found.
+void add_summary_part(SectionWriter& section, const std::optional<Picture>& picture);
+
+/// Whether a motion was found that the summary draws.
+bool has_drawn_motion(const FilePage& page);
+
+/// The finite motion: its tables and curves; the summary has its drawing. Of a file that asks for a
+/// motion without getting one, that there is none.
 void add_motion_part(SectionWriter& section);
 
 /// What is wrong with the file, as on a terminal; words are broken into lines, the line of the file
 /// with its carets is not.
 void add_findings(const SourceFile& source, const Diagnostics& found, Html& html);
 
-/// What was found, from the whole to the parts: bodies, couplings and mobility; cases with their
-/// ratios and efficiencies; gears; synthesised linkages. Six significant digits, units of the file.
-/// Empty for a file of which nothing is known.
-std::vector<std::string> summary_sentences(const FilePage& page);
+/// What was found: ratios and efficiencies of cases; gears; the motion; synthesised linkages. Six
+/// significant digits, units of the file. Empty for a file of which nothing is known.
+std::vector<std::string> result_sentences(const FilePage& page);
+
+/// What it was found of: bodies, couplings, mobility and redundant constraints.
+std::vector<std::string> count_sentences(const FilePage& page);
 
 /// What a synthesis has found: the task, its dyads and the best linkage; of a task with choices
 /// those of the first.

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "pages/chart_figure.hpp"
 #include "pages/figures.hpp"
 #include "pages/tables.hpp"
 
@@ -12,8 +13,9 @@ namespace kinestat {
 
 namespace {
 
-// Of the frames of two charts that stand beside each other [px].
-constexpr double kChartWidth = 480.0;
+// Of the frame of a chart [px]: with the words at its axes it fits a telephone, so that one drawing
+// serves every screen, and three stand beside each other on a wide one.
+constexpr double kChartWidth = 300.0;
 
 }  // namespace
 
@@ -32,13 +34,14 @@ std::string SectionWriter::level(int below) const {
   return fmt::format("h{}", (form_ == PageForm::one_file ? 2 : 3) + below);
 }
 
-PictureSource SectionWriter::source(std::optional<std::size_t> which) const {
+PictureSource SectionWriter::source(std::optional<std::size_t> which) {
   return {.analysis = page_.analysis ? &*page_.analysis : nullptr,
           .motion = page_.motion ? &page_.motion->table : nullptr,
           .synthesis = page_.synthesis ? &*page_.synthesis : nullptr,
           .maps = page_.duty ? &page_.duty->maps : nullptr,
           .which = which,
-          .name = page_title(page_)};
+          .name = page_title(page_),
+          .sections = &sections_};
 }
 
 void SectionWriter::add_pictures(const std::vector<Picture>& pictures) {
@@ -69,18 +72,27 @@ void SectionWriter::add_pair(const TextBlocks& blocks,
   add_pictures({below, pictures.end()});
 }
 
-void SectionWriter::add_charts(const Figure& figure, const std::string& what) {
-  std::vector<Picture> pictures;
+void SectionWriter::add_charts(const Figure& figure, const std::string& what, ChartRows rows) {
+  if (figure.charts.empty()) {
+    return;
+  }
+  html_.open("div", {{"class", "charts"}});
   for (Chart chart : figure.charts) {
     chart.width = kChartWidth;
     const std::string& shown = chart.title.empty() ? chart.y.label : chart.title;
-    pictures.push_back(
-        draw_figure({.name = figure.name,
-                     .title = fmt::format("{}, {}: {}", what, shown, page_title(page_)),
-                     .description = figure.description,
-                     .charts = {chart}}));
+    const std::string caption = fmt::format("{}, {}", what, shown);
+    ++figures_;
+    add_chart_figure({.name = figure.name,
+                      .title = fmt::format("{}: {}", caption, page_title(page_)),
+                      .description = figure.description,
+                      .charts = {chart}},
+                     {.id = fmt::format("{}-figure-{}", id_, figures_),
+                      .number = figures_,
+                      .caption = caption,
+                      .follows = rows == ChartRows::of_motion ? id_ : ""},
+                     html_);
   }
-  add_pictures(pictures);
+  html_.close();
 }
 
 void SectionWriter::add_folded(const std::string& line, const std::vector<Picture>& pictures) {

@@ -9,6 +9,7 @@
 
 #include "draw/catalogue/catalogue.hpp"
 #include "draw/chart.hpp"
+#include "draw/train/gear_sections.hpp"
 #include "pages/file_page.hpp"
 #include "pages/html.hpp"
 #include "report/text_blocks.hpp"
@@ -20,6 +21,9 @@ struct PageHeading {
   std::string id;
   std::string title;
 };
+
+/// What the points of a chart are: its own, or the rows of the motion of the file in their order.
+enum class ChartRows { own, of_motion };
 
 /// Whether the title of the page is that of its only file.
 enum class PageForm { one_file, many_files };
@@ -49,12 +53,12 @@ class SectionWriter {
   std::string level(int below) const;
 
   /// What pictures of the file or, with its index, of a case are made of.
-  PictureSource source(std::optional<std::size_t> which = {}) const;
+  PictureSource source(std::optional<std::size_t> which = {});
 
   void add_pictures(const std::vector<Picture>& pictures);
 
   /// Each a figure of its own, so that they stand beside each other.
-  void add_charts(const Figure& figure, const std::string& what);
+  void add_charts(const Figure& figure, const std::string& what, ChartRows rows = ChartRows::own);
 
   /// Tables, and pictures of the same beside them where there is room, else below.
   void add_pair(const TextBlocks& blocks, const std::string& name, std::vector<Picture> pictures);
@@ -71,6 +75,7 @@ class SectionWriter {
   PageForm form_;
   int& figures_;
   Html& html_;
+  GearSections sections_;
   std::vector<PageHeading> headings_;
 };
 

@@ -263,12 +263,9 @@ void add_motion(const MotionTable& motion, Sentences& sentences) {
 
 }  // namespace
 
-std::vector<std::string> summary_sentences(const FilePage& page) {
+std::vector<std::string> result_sentences(const FilePage& page) {
   Sentences sentences;
   if (page.analysis) {
-    add_size(page.analysis->mechanism, sentences);
-    add_mobility(page.analysis->mobility, sentences);
-    add_cases(page.analysis->cases, sentences);
     add_ratios(*page.analysis, sentences);
     add_circulation(*page.analysis, sentences);
     if (page.analysis->shift) {
@@ -282,6 +279,18 @@ std::vector<std::string> summary_sentences(const FilePage& page) {
     for (std::string& one : synthesis_sentences(*page.synthesis)) {
       sentences.push_back(std::move(one));
     }
+  }
+  if (page.analysis) {
+    add_cases(page.analysis->cases, sentences);
+  }
+  return sentences;
+}
+
+std::vector<std::string> count_sentences(const FilePage& page) {
+  Sentences sentences;
+  if (page.analysis) {
+    add_size(page.analysis->mechanism, sentences);
+    add_mobility(page.analysis->mobility, sentences);
   }
   return sentences;
 }

@@ -24,23 +24,36 @@ std::string with_article(const std::string& noun) {
   return fmt::format("{} {}", kVowels.find(noun.front()) == kVowels.npos ? "a" : "an", noun);
 }
 
-void add_best(const SynthesisTask& task,
-              const FileUnits& units,
-              std::vector<std::string>& sentences) {
+// "3 of 6 linkages are usable"; of a selection "388 of 4096 choices have a usable linkage".
+std::string usable_text(const SynthesisAnalysis& synthesis, const SynthesisTask& task) {
+  if (synthesis.selection) {
+    const SelectionCounts& counts = *synthesis.selection;
+    return fmt::format("{} of {} a usable linkage",
+                       counts.usable,
+                       counted(counts.samples, "choice has", "choices have"));
+  }
   const auto usable = static_cast<int>(std::ranges::count(
       task.linkages, Defect::none, [](const LinkageCandidate& one) { return one.defect; }));
+  return fmt::format("{} of {} usable",
+                     usable,
+                     counted(static_cast<int>(task.linkages.size()), "linkage is", "linkages are"));
+}
+
+void add_best(const SynthesisAnalysis& synthesis,
+              const SynthesisTask& task,
+              std::vector<std::string>& sentences) {
+  const FileUnits& units = synthesis.description.units;
   const LinkageCandidate& best = task.linkages.front();
-  std::string text =
-      fmt::format("{} of {} usable; the {} is {}",
-                  usable,
-                  counted(static_cast<int>(task.linkages.size()), "linkage is", "linkages are"),
-                  usable > 0 ? "best" : "nearest",
-                  with_article(hyphenated(word_of(best.linkage.type()))));
+  const bool is_usable = best.defect == Defect::none;
+  std::string text = fmt::format("{}; the {} is {}",
+                                 usable_text(synthesis, task),
+                                 is_usable ? "best" : "nearest",
+                                 with_article(hyphenated(word_of(best.linkage.type()))));
   text += best.grashof ? fmt::format(", class {}", hyphenated(word_of(best.grashof->kind))) : "";
-  text += usable > 0 ? fmt::format(", whose transmission angle keeps {} {} from the dead points",
-                                   format_short(units.from_si(QuantityKind::angle, best.margin())),
-                                   units.text(QuantityKind::angle))
-                     : fmt::format(", with this against it: {}", phrase_of(best.defect));
+  text += is_usable ? fmt::format(", whose transmission angle keeps {} {} from the dead points",
+                                  format_short(units.from_si(QuantityKind::angle, best.margin())),
+                                  units.text(QuantityKind::angle))
+                    : fmt::format(", with this against it: {}", phrase_of(best.defect));
   sentences.push_back(text + ".");
 }
 
@@ -68,7 +81,7 @@ std::vector<std::string> synthesis_sentences(const SynthesisAnalysis& synthesis)
       sentences.push_back(fmt::format("{}.", why.substr(0, why.find('\n'))));
     }
     if (!task.linkages.empty()) {
-      add_best(task, synthesis.description.units, sentences);
+      add_best(synthesis, task, sentences);
     } else if (task.dyads && task.dyads->status != BurmesterStatus::family) {
       sentences.emplace_back("No linkage is found.");
     }

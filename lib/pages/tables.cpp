@@ -81,7 +81,7 @@ void add_box(const Table& table, std::string_view name, Html& html) {
   }
   html.open("div",
             {{"class", "box"},
-             {"role", "region"},
+             {"role", "group"},
              {"tabindex", "0"},
              {"aria-label", fmt::format("{}: {}", name, table.head().front())}});
   html.open("table");

@@ -50,6 +50,9 @@ class PageBuilder {
       }
       sweep();
       synthesize();
+      page_.data.push_back({.name = printable(report_stem(path_)) + ".yaml",
+                            .type = "application/yaml",
+                            .text = page_.source.text});
     }
     return std::move(page_);
   }
@@ -171,6 +174,11 @@ class PageBuilder {
     Diagnostics found;
     page_.sweep = find_sweep_table(page_.source, *page_.description, found);
     add_new(found, page_.found);
+    if (page_.sweep && !page_.sweep->csv.empty()) {
+      page_.data.push_back({.name = printable(report_stem(path_)) + ".sweep.csv",
+                            .type = "text/csv",
+                            .text = page_.sweep->csv});
+    }
   }
 
   void synthesize() {

@@ -10,7 +10,9 @@
 
 #include <fmt/format.h>
 
+#include "report/csv.hpp"
 #include "studies/sweep/report/sweep_forecast.hpp"
+#include "studies/sweep/report/sweep_rows.hpp"
 #include "studies/sweep/task/chunk_runner.hpp"
 #include "studies/sweep/task/state_solver.hpp"
 #include "studies/sweep/task/stored_sweep.hpp"
@@ -204,8 +206,13 @@ void sweep_into(const std::string& path,
 }
 
 // Those that the file keeps.
-void add_rows(const SolvedState& state, const SweepTask& task, RowJudge& judge, SweepTable& table) {
+void add_rows(const SolvedState& state,
+              const SweepTask& task,
+              RowJudge& judge,
+              SweepRowText& text,
+              SweepTable& table) {
   judge.enter(state.places);
+  text.enter(state.places);
   std::vector<double> places;
   for (std::size_t i = 0; i < state.places.size(); ++i) {
     places.push_back(task.plan.axes()[i].count_at(state.places[i]));
@@ -214,6 +221,7 @@ void add_rows(const SolvedState& state, const SweepTask& task, RowJudge& judge, 
     if (!judge.failing_condition(row)) {
       table.rows.push_back(
           {.places = places, .label = task.cases[row.which].label, .values = row.values});
+      text.append(row, table.csv);
     }
   }
 }
@@ -245,10 +253,12 @@ std::optional<SweepTable> find_sweep_table(const SourceFile& source,
   task->tapes = record_tapes(*task);
   StateSolver solver(*task);
   RowJudge judge(task->plan, task->columns, task->choice);
+  SweepRowText text(task->plan, task->cases, task->columns, RowFormat::csv);
+  table.csv = csv_line(titles);
   StateWalk walk(task->plan, 0, table.states);
   for (auto states = solver.solve_next(walk); !states.empty(); states = solver.solve_next(walk)) {
     for (const SolvedState& state : states) {
-      add_rows(state, *task, judge, table);
+      add_rows(state, *task, judge, text, table);
     }
   }
   return table;

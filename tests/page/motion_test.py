@@ -113,8 +113,7 @@ def solve(rows: list[list[float]], right: list[float]) -> list[float]:
 class MotionTest(PageCase):
     def report(self) -> dict:
         return json.loads(self.ask(
-            "return document.querySelector('script[type=\"application/json\"]"
-            ":not([id$=-poses])').textContent;"))
+            "return document.querySelector('script[data-kind=json]').textContent;"))
 
     def last_step(self) -> int:
         return int(self.ask(
@@ -193,6 +192,43 @@ class MotionTest(PageCase):
             self.assertLess(math.dist(places["b"], projected(ball_b)), 5 * SHARP, step)
             self.assertLess(math.dist(places["c"], projected(ball_c)), 5 * SHARP, step)
             self.assertLess(math.dist(places["a"], still["a"]), SHARP, step)
+
+    def test_a_spatial_drawing_is_turned_and_turned_back(self) -> None:
+        # Balls b and c in the first position; seen from above, z is no longer on the picture.
+        self.open(self.page("spatial/rssr.yaml"), prefers_reduced_motion="reduce")
+        report = self.report()
+        at = {one["name"]: one["at"] for one in report["graph"]["couplings"]}
+        drive = [one["name"] for one in report["motion"]["columns"]].index("motor/drive")
+        step = next(i for i, row in enumerate(report["motion"]["rows"]) if abs(row[drive]) < 1e-12)
+        self.show(step)
+        press = ("document.querySelector('figure.motion .picture').dispatchEvent("
+                 "new KeyboardEvent('keydown', {key: arguments[0]}));")
+        for _ in range(20):
+            self.ask(press, "ArrowDown")
+        balls = self.ask(
+            "return [...document.querySelectorAll('[data-layer=turned] circle')]"
+            ".filter((one) => one.getAttribute('r') === '7')"
+            ".map((one) => ['cx', 'cy'].map((name) => Number(one.getAttribute(name))));")
+        self.assertEqual(len(balls), 2)
+        seen = self.ask(
+            "const seen = [...document.querySelectorAll('figure.motion [data-scale] > *')]"
+            ".filter((one) => one.getClientRects().length > 0);"
+            "return [seen.length, seen[0].dataset.layer];")
+        self.assertEqual(seen, [1, "turned"])
+        # The length of the rod in the plane of x and y, by the scale of the two hinges.
+        hinges = self.ask(
+            "return [...document.querySelectorAll('[data-layer=turned] text')]"
+            ".filter((one) => 'ad'.includes(one.textContent))"
+            ".map((one) => ['x', 'y'].map((name) => Number(one.getAttribute(name))));")
+        flat = {name: place[:2] for name, place in at.items()}
+        self.assertAlmostEqual(math.dist(*balls) / math.dist(*hinges),
+                               math.dist(flat["b"], flat["c"]) / math.dist(flat["a"], flat["d"]),
+                               places=3)
+
+        self.ask(press, "Home")
+
+        self.assertEqual(self.is_shown("[data-layer=turned] circle"), [])
+        self.assertIn(True, self.is_shown("[data-layer=still] circle"))
 
     def test_a_rope_keeps_its_length_and_its_ends(self) -> None:
         self.open(self.page("cables/block_and_tackle.yaml"), prefers_reduced_motion="reduce")

@@ -63,7 +63,7 @@ class PageTest(PageCase):
             with self.subTest(name):
                 self.open(self.page(name))
                 report = json.loads(self.ask(
-                    "return document.querySelector('script[type=\"application/json\"]:not([id$=-poses])').textContent;"
+                    "return document.querySelector('script[data-kind=json]').textContent;"
                 ))
 
                 self.assertEqual(self.browser.title(), report["mechanism"]["name"])
@@ -203,7 +203,7 @@ class PageTest(PageCase):
                 repeated, dangling = self.ask(
                     "const ids = [...document.querySelectorAll('[id]')].map((one) => one.id);"
                     "const all = new Set(ids);"
-                    "const wanted = [...document.querySelectorAll('[aria-labelledby],[href^=\"#\"],"
+                    "const wanted = [...document.querySelectorAll('[aria-labelledby],[href^=\"#\"]:not(.step-link),"
                     "[data-save],[for]')].map((one) => one.getAttribute('aria-labelledby') ||"
                     " one.dataset.save || one.htmlFor || one.getAttribute('href').slice(1));"
                     "return [ids.filter((one, i) => ids.indexOf(one) !== i),"
@@ -296,7 +296,7 @@ class PageTest(PageCase):
         self.assertEqual(self.ask("return document.querySelectorAll('img').length;"), 0)
         self.assertEqual(self.browser.messages(), [])
         stored = self.ask(
-            "return document.querySelector('script[type=\"application/json\"]:not([id$=-poses])').textContent;")
+            "return document.querySelector('script[data-kind=json]').textContent;")
         self.assertEqual(json.loads(stored)["mechanism"]["name"], HOSTILE_TITLE)
 
     def test_no_other_script_or_style_can_run(self) -> None:

@@ -47,7 +47,7 @@ TEST(ContentPolicy, IsNotBrokenByStylesOrHandlersInElements) {
 
 TEST(PageStyle, HoldsNoEndOfItself) {
   EXPECT_EQ(page_style().find("</"), std::string::npos);
-  EXPECT_EQ(page_script().find("</"), std::string_view::npos);
+  EXPECT_EQ(page_script().find("</"), std::string::npos);
 }
 
 TEST(HtmlReport, BeginsWithItsSignature) {

@@ -10,6 +10,14 @@
 namespace kinestat {
 namespace {
 
+std::vector<std::string> summary_sentences(const FilePage& page) {
+  std::vector<std::string> sentences = result_sentences(page);
+  for (const std::string& one : count_sentences(page)) {
+    sentences.push_back(one);
+  }
+  return sentences;
+}
+
 std::vector<std::string> sentences_of(const std::string& file) {
   const std::string path = std::string(KINESTAT_MECHANISMS) + "/" + file;
   FilePage page;
@@ -96,6 +104,23 @@ std::vector<std::string> sentences_of_task(const std::string& file) {
   page.description = load_description(path, {}, page.source, page.found);
   page.synthesis = find_synthesis(path, page.description.value(), {}, page.found);
   return summary_sentences(page);
+}
+
+// The file says how many combinations it tries; `kinestat synthesis` counts the usable ones.
+TEST(Summary, CountsTheChoicesOfASelection) {
+  FilePage page;
+  page.synthesis = SynthesisAnalysis{};
+  page.synthesis->selection = SelectionCounts{};
+  page.synthesis->selection->samples = 4096;
+  page.synthesis->selection->usable = 388;
+  page.synthesis->tasks.resize(1);
+  page.synthesis->tasks.front().linkages.resize(1);
+
+  const auto sentences = summary_sentences(page);
+
+  EXPECT_TRUE(std::ranges::any_of(sentences, [](const std::string& one) {
+    return one.starts_with("388 of 4096 choices have a usable linkage; the best is ");
+  })) << testing::PrintToString(sentences);
 }
 
 // The file asks for what a known inverted slider-crank does: closed form.

@@ -18,6 +18,8 @@
 
 namespace kinestat {
 
+class GearSections;
+
 /// What pictures of one file are made of; null what the file does not have, or what nobody found.
 struct PictureSource {
   const Analysis* analysis = nullptr;
@@ -30,7 +32,8 @@ struct PictureSource {
   /// Index into Analysis::cases: the case that a picture of one case shows; empty: the first that
   /// has what it needs. Pictures of all cases show that one alone.
   std::optional<std::size_t> which = {};
-  std::string name = {};  ///< of the mechanism or, without one, of its file
+  std::string name = {};             ///< of the mechanism or, without one, of its file
+  GearSections* sections = nullptr;  ///< of `analysis`, where several pictures of it are drawn
 };
 
 /// What must be found for a picture.

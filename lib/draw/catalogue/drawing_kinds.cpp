@@ -36,7 +36,7 @@ std::size_t case_of(const PictureSource& source, bool (*counts)(const CaseAnalys
 }
 
 std::string why_no_gears(const PictureSource& source) {
-  return why_no_gear_scheme(*source.analysis);
+  return why_no_gear_scheme(*source.analysis, source.sections);
 }
 
 std::string why_no_nothing(const PictureSource&) {
@@ -70,7 +70,9 @@ Picture draw_mechanism(const PictureSource& source) {
 }
 
 Picture draw_scheme(const PictureSource& source) {
-  return named("gear-scheme", *draw_gear_scheme(*source.analysis, {.which = source.which}));
+  return named(
+      "gear-scheme",
+      *draw_gear_scheme(*source.analysis, {.which = source.which, .sections = source.sections}));
 }
 
 Picture draw_coupling_graph(const PictureSource& source) {

@@ -51,6 +51,10 @@ Ink body_ink(BodyId body) {
              : kInksOfBodies[static_cast<std::size_t>(body.value - 1) % kInksOfBodies.size()];
 }
 
+Ink path_ink(std::size_t path) {
+  return series_ink(static_cast<int>(path) + 1);  // the first is that of drives
+}
+
 LinkageCanvas::LinkageCanvas(const Analysis& analysis,
                              const LinkageOptions& options,
                              const LinkageView& view)
@@ -147,13 +151,11 @@ void LinkageCanvas::draw_paths() {
     }
     const int series = static_cast<int>(i) + 1;
     svg_.open_group(path.name);
-    svg_.polyline(
-        points,
-        {.stroke = series_ink(series), .width = 1.6, .dash = std::string(series_dash(series))});
+    svg_.polyline(points,
+                  {.stroke = path_ink(i), .width = 1.6, .dash = std::string(series_dash(series))});
     svg_.close_group();
     if (!points.empty()) {
-      svg_.circle(points.front(), 2.6, {.stroke = Ink::none, .fill = series_ink(series)});
-      name(path.name, points.front(), 7.0, series_ink(series));
+      name(path.name, points.front(), 7.0, path_ink(i));
     }
   }
   svg_.close_group();

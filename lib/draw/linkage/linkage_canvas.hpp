@@ -17,6 +17,9 @@ std::string body_mark(const Topology& topology, BodyId body);
 /// The ink of a body: of the ground that of text, of the others in turn.
 Ink body_ink(BodyId body);
 
+/// The ink of the path of a point, by its place in LinkageOptions::paths.
+Ink path_ink(std::size_t path);
+
 /// Writes one drawing, layer by layer.
 class LinkageCanvas {
  public:

@@ -37,6 +37,17 @@ void LinkageDrawer::add_traced(BodyId body, std::vector<PixelPoint>& places) con
   }
 }
 
+void LinkageDrawer::draw_traced(BodyId body) {
+  for (std::size_t i = 0; i < options_.paths.size(); ++i) {
+    const TracedPath& path = options_.paths[i];
+    if (path.body == body) {
+      svg_.circle(canvas_.view().at(path.drawn),
+                  3.2,
+                  {.stroke = Ink::paper, .fill = path_ink(i), .width = 0.8});
+    }
+  }
+}
+
 void LinkageDrawer::keep_off_bar(const std::vector<PixelPoint>& places, double half) {
   for (std::size_t i = 1; i < places.size(); ++i) {
     const PixelPoint side = half * left_of(unit_of(places[i] - places[i - 1]));

@@ -53,6 +53,9 @@ class LinkageDrawer {
   /// Adds those of the body's points whose path is shown.
   void add_traced(BodyId body, std::vector<PixelPoint>& places) const;
 
+  /// A dot at each of them, which moves with the body along its path.
+  void draw_traced(BodyId body);
+
   /// Keeps names off the sides of a bar from place to place.
   void keep_off_bar(const std::vector<PixelPoint>& places, double half);
 

@@ -1,8 +1,8 @@
 #include "draw/linkage/linkage_drawing.hpp"
 
-#include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -23,6 +23,10 @@ std::string drawn_words(const Analysis& analysis, const LinkageOptions& options)
                     : "Mechanism";
 }
 
+std::string vector_text(const Vec3& v) {
+  return fmt::format("{:.9g} {:.9g} {:.9g}", v.x(), v.y(), v.z());
+}
+
 std::string describe(const Topology& topology) {
   return fmt::format("Drawing to scale of {} bodies and {} couplings.",
                      topology.body_count(),
@@ -37,11 +41,15 @@ Picture draw_linkage(const Analysis& analysis, const LinkageOptions& options) {
   const bool is_planar = analysis.mechanism.space == Space::planar;
   const LinkageView view = is_planar ? fit_view({}, points) : best_view(analysis, points);
   LinkageCanvas canvas(analysis, options, view);
-  const std::array<Attribute, 3> marks = {{
+  std::vector<Attribute> marks = {
       {"data-scale", fmt::format("{}", view.scale)},
       {"data-x0", fmt::format("{}", view.x0)},
       {"data-y0", fmt::format("{}", view.y0)},
-  }};
+  };
+  if (!is_planar) {
+    marks.emplace_back("data-right", vector_text(view.right));
+    marks.emplace_back("data-up", vector_text(view.up));
+  }
   canvas.svg().open_group({}, marks);
   if (is_planar) {
     draw_planar(analysis, options, parts, canvas);

@@ -59,6 +59,7 @@ class PlanarDrawing : private PlanarDrawer {
       canvas_.open_body(body);
       draw_wheels(body);
       draw_link(body);
+      draw_traced(body);
       svg_.close_group();
     }
     if (!options_.cycle) {

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "core/tolerance.hpp"
+#include "couplings/kinds.hpp"
 #include "draw/linkage/linkage_drawer.hpp"
 #include "draw/linkage/linkage_frames.hpp"
 #include "draw/linkage/spatial_symbols.hpp"
@@ -84,6 +85,7 @@ class SpatialDrawing : private LinkageDrawer {
     for (const BodyId body : bodies_from_behind()) {
       canvas_.open_body(body);
       draw_body(body);
+      draw_traced(body);
       svg_.close_group();
     }
     draw_cables();
@@ -251,7 +253,21 @@ class SpatialDrawing : private LinkageDrawer {
                            .normal = normal,
                            .ink = body_ink(carrier(coupling))});
     svg_.close_group();
-    canvas_.placer().keep_off(box_of_circle(canvas_.view().at(place(id)), 9.0));
+    keep_off_symbol(id);
+  }
+
+  // What slides on an axis is as long as two others.
+  void keep_off_symbol(CouplingId id) {
+    const CouplingTopology& coupling = topology_.coupling(id);
+    const PixelPoint at = canvas_.view().at(place(id));
+    canvas_.placer().keep_off(box_of_circle(at, 9.0));
+    const SpaceSymbol symbol = kind_of(coupling.type).space_symbol;
+    if (symbol == SpaceSymbol::sleeve || symbol == SpaceSymbol::box) {
+      const PixelPoint half =
+          canvas_.view().along(10.0 / canvas_.view().scale * axes_of(coupling).front());
+      canvas_.placer().keep_off(box_of_circle(at + half, 7.0));
+      canvas_.placer().keep_off(box_of_circle(at - half, 7.0));
+    }
   }
 
   void name_body(BodyId body) {

@@ -13,6 +13,7 @@
 #include "draw/picture_title.hpp"
 #include "draw/symbols.hpp"
 #include "draw/text_styles.hpp"
+#include "draw/train/gear_sections.hpp"
 #include "draw/train/scheme_layout.hpp"
 
 namespace kinestat {
@@ -426,39 +427,16 @@ class SchemeWriter {
   NamePlacer placer_;
 };
 
-struct Section {
-  SchemeTrain train;
-  SchemeLayout layout;
-};
-
-// The developed section, unless something finds no way in it or shafts cross that do not in a half
-// section.
-std::optional<Section> find_section(const Analysis& analysis, const GearSchemeOptions& options) {
-  std::optional<SchemeTrain> train = find_scheme_train(analysis, options);
-  if (!train) {
-    return std::nullopt;
-  }
-  SchemeLayout layout = lay_out_scheme(*train);
-  const bool is_developed = train->axis_count > 1;
-  if (is_developed && (!layout.is_complete || layout.crossings > 0)) {
-    if (std::optional<SchemeTrain> half = find_half_section(analysis, options)) {
-      SchemeLayout other = lay_out_scheme(*half);
-      if (!layout.is_complete || other.crossings < layout.crossings) {
-        return Section{.train = std::move(*half), .layout = std::move(other)};
-      }
-    }
-  }
-  if (is_developed && !layout.is_complete) {
-    return std::nullopt;
-  }
-  return Section{.train = std::move(*train), .layout = std::move(layout)};
+std::optional<GearSection> section_of(const Analysis& analysis, const GearSchemeOptions& options) {
+  return options.sections != nullptr ? options.sections->find(analysis, options)
+                                     : find_gear_section(analysis, options);
 }
 
 }  // namespace
 
 std::optional<Picture> draw_gear_scheme(const Analysis& analysis,
                                         const GearSchemeOptions& options) {
-  const std::optional<Section> section = find_section(analysis, options);
+  const std::optional<GearSection> section = section_of(analysis, options);
   if (!section) {
     return std::nullopt;
   }
@@ -475,11 +453,11 @@ std::optional<Picture> draw_gear_scheme(const Analysis& analysis,
       svg);
 }
 
-std::string why_no_gear_scheme(const Analysis& analysis) {
+std::string why_no_gear_scheme(const Analysis& analysis, GearSections* sections) {
   if (std::string reason = why_no_scheme_train(analysis.description); !reason.empty()) {
     return reason + "; 'linkage' shows the gears from the front";
   }
-  if (find_section(analysis, {})) {
+  if (section_of(analysis, {.which = {}, .sections = sections})) {
     return "";
   }
   return find_scheme_train(analysis, {})

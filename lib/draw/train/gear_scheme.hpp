@@ -10,9 +10,12 @@
 
 namespace kinestat {
 
+class GearSections;
+
 struct GearSchemeOptions {
-  std::optional<std::size_t>
-      which;  ///< index into Analysis::cases: its engaged elements are filled
+  /// Index into Analysis::cases: its engaged elements are filled.
+  std::optional<std::size_t> which = {};
+  GearSections* sections = nullptr;  ///< of this analysis: several schemes of it share them
 };
 
 /// Wheels are strokes at their radii, in columns along the axis; planets carry their pin, carriers
@@ -30,6 +33,6 @@ std::optional<Picture> draw_gear_scheme(const Analysis& analysis,
 
 /// Why there is none, or empty: no gears with parallel axes, or what no section shows
 /// (why_no_scheme_train), or no way for its shafts.
-std::string why_no_gear_scheme(const Analysis& analysis);
+std::string why_no_gear_scheme(const Analysis& analysis, GearSections* sections = nullptr);
 
 }  // namespace kinestat

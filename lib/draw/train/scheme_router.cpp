@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <queue>
-#include <tuple>
 
 namespace kinestat {
 
@@ -75,65 +73,88 @@ bool SchemeRouter::is_free(GridCell cell) const {
   return along_[index(cell)] == kFree && across_[index(cell)] == kFree;
 }
 
-// Dijkstra's search over cells and directions.
-SchemeRouter::Search SchemeRouter::search(int net) const {
+// Dijkstra's search over cells and directions. Prices are whole numbers, and no step costs more
+// than there are buckets: what waits for a price stands in one, which is complete once its turn
+// comes; states of one price go in their order. The search ends where nothing that is further can
+// be the cheapest of the ends; without any it goes everywhere.
+SchemeRouter::Search SchemeRouter::search(int net, const std::vector<End>& ends) const {
   constexpr std::size_t kMoveCount = kMoves.size();
+  constexpr std::size_t kBuckets = 64;
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  static_assert(kStep + kBend + kCrossing < static_cast<double>(kBuckets));
   const std::size_t states = along_.size() * kMoveCount;
-  Search result{.price = std::vector<double>(states, std::numeric_limits<double>::infinity()),
+  Search result{.price = std::vector<double>(states, kNone),
                 .before = std::vector<int>(states, -1)};
-  using Entry = std::pair<double, std::size_t>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> waiting;
+  std::vector<double> end_prices(ends.empty() ? 0 : along_.size(), kNone);
+  for (const End& end : ends) {
+    double& of_cell = end_prices[index(end.cell)];
+    of_cell = std::min(of_cell, end.price);
+  }
+  std::array<std::vector<std::size_t>, kBuckets> waiting;
+  std::size_t count = 0;
   for (std::size_t cell = 0; cell < along_.size(); ++cell) {
     const bool is_own = is_tree_[cell] && (along_[cell] == net || across_[cell] == net);
     for (std::size_t d = 0; is_own && d < kMoveCount; ++d) {
       result.price[cell * kMoveCount + d] = 0.0;
-      waiting.push({0.0, cell * kMoveCount + d});
+      waiting[0].push_back(cell * kMoveCount + d);
+      ++count;
     }
   }
-  while (!waiting.empty()) {
-    const auto [price, state] = waiting.top();
-    waiting.pop();
-    if (price > result.price[state]) {
-      continue;
+  double least_end = kNone;
+  for (std::size_t turn = 0; count > 0; ++turn) {
+    const auto price = static_cast<double>(turn);
+    if (price > least_end) {
+      break;
     }
-    const std::size_t cell = state / kMoveCount;
-    const std::size_t came = state % kMoveCount;
-    const auto can_turn = [&](const std::vector<int>& lines) {
-      return lines[cell] == kFree || lines[cell] == net;
-    };
-    for (std::size_t d = 0; d < kMoveCount; ++d) {
-      const bool turns = is_along(d) != is_along(came);
-      if ((turns && !(can_turn(along_) && can_turn(across_))) ||
-          (!turns && d != came && price > 0)) {
+    std::vector<std::size_t>& bucket = waiting[turn % kBuckets];
+    std::ranges::sort(bucket);
+    count -= bucket.size();
+    for (const std::size_t state : bucket) {
+      if (price > result.price[state]) {
         continue;
       }
-      const GridCell to = {static_cast<int>(cell) % columns_ + kMoves[d].column,
-                           static_cast<int>(cell) / columns_ + kMoves[d].row};
-      if (to.column < 0 || to.row < 0 || to.column >= columns_ || to.row >= rows_) {
-        continue;
+      const std::size_t cell = state / kMoveCount;
+      const std::size_t came = state % kMoveCount;
+      if (!end_prices.empty()) {
+        least_end = std::min(least_end, price + end_prices[cell]);
       }
-      const std::vector<int>& same = is_along(d) ? along_ : across_;
-      const std::vector<int>& other = is_along(d) ? across_ : along_;
-      const std::size_t next = index(to);
-      if ((same[next] != kFree && same[next] != net) || other[next] == kBlocked) {
-        continue;
-      }
-      const bool crosses = other[next] != kFree && other[next] != kAside && other[next] != net;
-      const double total =
-          price + kStep + (turns && price > 0 ? kBend : 0.0) + (crosses ? kCrossing : 0.0);
-      const std::size_t next_state = next * kMoveCount + d;
-      if (total < result.price[next_state]) {
-        result.price[next_state] = total;
-        result.before[next_state] = static_cast<int>(state);
-        waiting.push({total, next_state});
+      const bool can_turn = (along_[cell] == kFree || along_[cell] == net) &&
+                            (across_[cell] == kFree || across_[cell] == net);
+      const GridCell at = {static_cast<int>(cell) % columns_, static_cast<int>(cell) / columns_};
+      for (std::size_t d = 0; d < kMoveCount; ++d) {
+        const bool turns = is_along(d) != is_along(came);
+        if ((turns && !can_turn) || (!turns && d != came && price > 0)) {
+          continue;
+        }
+        const GridCell to = {at.column + kMoves[d].column, at.row + kMoves[d].row};
+        if (to.column < 0 || to.row < 0 || to.column >= columns_ || to.row >= rows_) {
+          continue;
+        }
+        const std::vector<int>& same = is_along(d) ? along_ : across_;
+        const std::vector<int>& other = is_along(d) ? across_ : along_;
+        const std::size_t next = index(to);
+        if ((same[next] != kFree && same[next] != net) || other[next] == kBlocked) {
+          continue;
+        }
+        const bool crosses = other[next] != kFree && other[next] != kAside && other[next] != net;
+        const double total =
+            price + kStep + (turns && price > 0 ? kBend : 0.0) + (crosses ? kCrossing : 0.0);
+        const std::size_t next_state = next * kMoveCount + d;
+        if (total < result.price[next_state]) {
+          result.price[next_state] = total;
+          result.before[next_state] = static_cast<int>(state);
+          waiting[static_cast<std::size_t>(total) % kBuckets].push_back(next_state);
+          ++count;
+        }
       }
     }
+    bucket.clear();
   }
   return result;
 }
 
 std::vector<double> SchemeRouter::prices(int net) const {
-  const Search found = search(net);
+  const Search found = search(net, {});
   std::vector<double> best(along_.size(), std::numeric_limits<double>::infinity());
   for (std::size_t state = 0; state < found.price.size(); ++state) {
     double& cell = best[state / kMoves.size()];
@@ -143,7 +164,10 @@ std::vector<double> SchemeRouter::prices(int net) const {
 }
 
 std::optional<GridCell> SchemeRouter::connect(int net, const std::vector<End>& ends) {
-  const Search found = search(net);
+  if (ends.empty()) {
+    return std::nullopt;
+  }
+  const Search found = search(net, ends);
   double least = std::numeric_limits<double>::infinity();
   int best = -1;
   for (const End& end : ends) {

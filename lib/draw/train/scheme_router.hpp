@@ -53,7 +53,7 @@ class SchemeRouter {
   /// Of all cells, row by row: the price of a way from the net there; infinite where none is.
   std::vector<double> prices(int net) const;
 
-  /// An end for a net, and what it costs beside the way to it.
+  /// An end for a net, and what it costs beside the way to it, not less than nothing.
   struct End {
     GridCell cell;
     double price = 0.0;
@@ -87,7 +87,7 @@ class SchemeRouter {
 
   struct Search;
 
-  Search search(int net) const;
+  Search search(int net, const std::vector<End>& ends) const;
 
   int columns_ = 0;
   int rows_ = 0;

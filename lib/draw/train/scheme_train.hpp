@@ -16,12 +16,16 @@ struct SchemeWheel {
   bool is_ring = false;
   int planet = -1;  ///< index into SchemeTrain::planets; -1: on its axis
   int axis = 0;     ///< about which it turns, or the carrier of its planet; 0: the main axis
+
+  friend bool operator==(const SchemeWheel&, const SchemeWheel&) = default;
 };
 
 struct SchemePlanet {
   int body = 0;
   int carrier = 0;  ///< the body that holds its pin; 0: the housing
   int axis = 0;     ///< about which it goes round
+
+  friend bool operator==(const SchemePlanet&, const SchemePlanet&) = default;
 };
 
 struct SchemeMesh {
@@ -29,6 +33,8 @@ struct SchemeMesh {
   int second = 0;
   double at = 0.0;        ///< along the main axis [m]
   bool is_apart = false;  ///< axes stand between its wheels: they are drawn with a broken line
+
+  friend bool operator==(const SchemeMesh&, const SchemeMesh&) = default;
 };
 
 enum class SchemeElementKind { clutch, brake, input, output };
@@ -42,12 +48,16 @@ struct SchemeElement {
   bool is_engaged = false;  ///< in the case that is shown
   int axis = 0;             ///< about which its bodies turn
   bool is_fluid = false;    ///< a torque converter, laid out as a clutch
+
+  friend bool operator==(const SchemeElement&, const SchemeElement&) = default;
 };
 
 /// A bearing of two bodies that move, on one axis.
 struct SchemeBearing {
   int first = 0;
   int second = 0;
+
+  friend bool operator==(const SchemeBearing&, const SchemeBearing&) = default;
 };
 
 struct SchemeTrain {
@@ -58,6 +68,8 @@ struct SchemeTrain {
   std::vector<SchemeBearing> bearings;
   int axis_count = 1;       ///< of a half section one, of a developed section also shafts beside it
   bool has_places = false;  ///< the file places its meshes along the axis
+
+  friend bool operator==(const SchemeTrain&, const SchemeTrain&) = default;
 };
 
 /// Empty if no gears with parallel axes mesh, or if why_no_scheme_train has a reason.

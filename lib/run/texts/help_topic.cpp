@@ -154,7 +154,7 @@ Outcome help_topic(const std::string& word, std::span<const std::string> command
     outcome.out = filled(*page);
     return outcome;
   }
-  if (Outcome page = word_page(word); !page.out.empty() || !page.err.empty()) {
+  if (Outcome page = word_page(word); !page.out.empty() || !page.err.plain().empty()) {
     return page;
   }
   const std::string guess = did_you_mean_word(word, all_words(commands));

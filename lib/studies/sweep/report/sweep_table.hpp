@@ -1,4 +1,4 @@
-// The rows of a sweep as numbers, for pictures.
+// The rows of a sweep as numbers, for pictures, and as text.
 #pragma once
 
 #include <cstdint>
@@ -24,6 +24,7 @@ struct SweepTable {
   std::vector<std::string> quantities;
   std::vector<SweepTableRow> rows;  ///< none where there are more states than kMostSweptStates
   bool is_sample = false;           ///< the states are drawn, and no combinations
+  std::string csv = {};  ///< the rows with their status and heading, as `sweep` writes them
 };
 
 }  // namespace kinestat

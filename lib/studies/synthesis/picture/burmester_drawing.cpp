@@ -84,10 +84,14 @@ class BurmesterWriter {
   void draw_frame() {
     const FileUnits& units = analysis_.description.units;
     const PixelPoint corner = at(plane_.window.high);
-    placer_.keep_free({.left = -60.0, .top = corner.y - 30, .right = 0.0, .bottom = 30.0});
-    placer_.keep_free({.left = -60.0, .top = 0.0, .right = corner.x + 90, .bottom = 30.0});
+    constexpr double kRim = 3.0;
+    const double right = corner.x + 140;
+    placer_.keep_free({.left = -60.0, .top = corner.y - 30, .right = kRim, .bottom = 30.0});
     placer_.keep_free(
-        {.left = -60.0, .top = corner.y - 30, .right = corner.x + 90, .bottom = corner.y});
+        {.left = corner.x - kRim, .top = corner.y - 30, .right = right, .bottom = 30.0});
+    placer_.keep_free({.left = -60.0, .top = -kRim, .right = right, .bottom = 30.0});
+    placer_.keep_free(
+        {.left = -60.0, .top = corner.y - 30, .right = right, .bottom = corner.y + kRim});
     svg_.rectangle({.left = 0.0, .top = corner.y, .right = corner.x, .bottom = 0.0},
                    {.stroke = Ink::soft, .width = 1.0});
     const auto unit = [&units](double length) {
@@ -266,6 +270,7 @@ class BurmesterWriter {
       }
       if (plane_.window.holds(drawn.centre_point)) {
         draw_support(svg_, at(drawn.centre_point));
+        keep_off_support(at(drawn.centre_point));
         draw_pin(svg_, at(drawn.centre_point), 3.2);
         name(fmt::format("{}0", drawn.letter), drawn.centre_point);
       }
@@ -275,6 +280,7 @@ class BurmesterWriter {
       // A line of the plane slides through a block that turns on the centre point.
       const PixelPoint centre = at(drawn.centre_point);
       draw_support(svg_, centre);
+      keep_off_support(centre);
       draw_guided_block(centre, along(drawn.direction), ink);
       draw_pin(svg_, centre, 3.2);
       name(fmt::format("{}0", drawn.letter), drawn.centre_point);
@@ -287,6 +293,10 @@ class BurmesterWriter {
       name(std::string(1, drawn.letter), drawn.circle_point);
     }
     svg_.close_group();
+  }
+
+  void keep_off_support(PixelPoint pin) {
+    placer_.keep_off(box_of_circle(pin + PixelPoint{.x = 0.0, .y = 12.0}, 13.0));
   }
 
   void draw_guided_block(PixelPoint p, PixelPoint direction, Ink ink) {
@@ -318,8 +328,10 @@ class BurmesterWriter {
       }
     }
     if (rounds.size() > 2) {
-      svg_.polygon(rounded_hull(rounds),
-                   {.stroke = Ink::brown, .fill = Ink::brown, .width = 1.3, .opacity = 0.14});
+      std::vector<PixelPoint> rim = rounded_hull(rounds);
+      svg_.polygon(rim, {.stroke = Ink::brown, .fill = Ink::brown, .width = 1.3, .opacity = 0.14});
+      rim.push_back(rim.front());
+      keep_off(rim);
     }
   }
 

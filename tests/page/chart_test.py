@@ -1,0 +1,252 @@
+#!/usr/bin/env python3
+"""Charts of a page: they tell their values, follow the motion and lead it, and fit a telephone.
+
+Skipped, with a word on it, where Chromium and its driver are not installed.
+"""
+
+from __future__ import annotations
+
+import math
+import subprocess
+import sys
+import time
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+from page_case import ROOT, PageCase, program, run_tests, write_page  # noqa: E402
+
+PRESS = "sweeps/press_stroke.yaml"
+
+# Crank 40, connecting rod 160, offset 10 (mm) as the file has them: the ram over the crank's angle.
+CRANK, ROD, OFFSET = 40.0, 160.0, 10.0
+
+# The chart of a quantity with that many series: figure, its values, and where a value stands.
+CHART = """
+const figure = [...document.querySelectorAll('figure[data-chart]')].find((one) =>
+  one.querySelector('figcaption').textContent.includes(arguments[0]));
+const box = figure.querySelector('.picture');
+const told = () => [figure.querySelector('.values .at').textContent,
+  ...[...figure.querySelectorAll('.values b')].map((one) => one.textContent)];
+"""
+
+# The middle of the dots of a chart, and the frame, on the screen.
+DOTS = CHART + """
+return [...figure.querySelectorAll('[data-cursor] circle')].map((one) => {
+  const p = one.getBoundingClientRect();
+  return [p.left + p.width / 2, p.top + p.height / 2];
+});
+"""
+
+
+def ram(angle: float) -> float:
+    """Height of the ram over where it is drawn, the crank at 0: Pythagoras."""
+    def height(at: float) -> float:
+        return CRANK * math.sin(at) - math.sqrt(ROD**2 - (CRANK * math.cos(at) - OFFSET) ** 2)
+    return height(angle) - height(0.0)
+
+
+class ChartTest(PageCase):
+    def press(self, key: str, code: int) -> None:
+        for kind in ("keyDown", "keyUp"):
+            self.browser.tell("Input.dispatchKeyEvent", type=kind, key=key, code=key,
+                              windowsVirtualKeyCode=code)
+
+    def step_of_motion(self) -> int:
+        return int(self.ask("return document.querySelector('figure.motion input[type=range]').value;"))
+
+    def test_charts_follow_the_slider(self) -> None:
+        self.open(self.page(PRESS), prefers_reduced_motion="reduce")
+        for step in (0, 20, 51):
+            self.ask("const slider = document.querySelector('figure.motion input[type=range]');"
+                     "slider.value = arguments[0]; slider.dispatchEvent(new Event('input'));", step)
+            told = self.ask(CHART + "return told();", "position of d.vy")
+
+            self.assertEqual(told[0], f"position of shaft {5 * step} deg")
+            value, unit = told[1].split()
+            self.assertEqual(unit, "mm")
+            self.assertAlmostEqual(float(value), ram(math.radians(5 * step)), delta=1e-4)
+
+    def test_the_keyboard_moves_the_cursor_and_the_mechanism(self) -> None:
+        self.open(self.page(PRESS), prefers_reduced_motion="reduce")
+        self.ask(CHART + "box.focus();", "position of d.vy")
+        for key, code, step in (("Home", 36, 0), ("ArrowRight", 39, 1), ("PageUp", 33, 11),
+                                ("ArrowLeft", 37, 10), ("End", 35, 72)):
+            self.press(key, code)
+            self.assertEqual(self.step_of_motion(), step, key)
+            self.assertEqual(self.ask(CHART + "return told()[0];", "velocity of d.vy"),
+                             f"position of shaft {5 * step} deg")
+            self.assertIn(f"position of shaft {5 * step} deg; d.vy ",
+                          self.ask(CHART + "return box.getAttribute('aria-valuetext');",
+                                   "position of d.vy"))
+
+    def test_values_are_told_under_the_pointer_and_no_longer_beside_it(self) -> None:
+        self.open(self.page(PRESS), prefers_reduced_motion="reduce")
+        x, y, width, height = self.ask(
+            CHART + "box.scrollIntoView({behavior: 'instant', block: 'center'});"
+            "const p = box.querySelector('[data-plot]').getBoundingClientRect();"
+            "return [p.left, p.top, p.width, p.height];", "position of d.vy")
+        self.browser.tell("Input.dispatchMouseEvent", type="mouseMoved", x=x + width / 4,
+                          y=y + height / 2)
+        time.sleep(0.1)
+        place, value = self.ask(CHART + "return told();", "position of d.vy")
+
+        angle = float(place.split()[3])
+        self.assertAlmostEqual(angle, 90.0, delta=10.0)
+        self.assertAlmostEqual(float(value.split()[0]), ram(math.radians(angle)), delta=1e-4)
+        (dot,) = self.ask(DOTS, "position of d.vy")
+        self.assertAlmostEqual(dot[0], x + width / 4, delta=width / 72)
+        self.assertEqual(self.step_of_motion(), 0)
+        self.browser.tell("Input.dispatchMouseEvent", type="mouseMoved", x=1, y=1)
+        time.sleep(0.1)
+        self.assertEqual(self.ask(CHART + "return told()[0];", "position of d.vy"),
+                         "position of shaft 0 deg")
+
+    def test_series_are_chosen(self) -> None:
+        self.open(self.page(PRESS), prefers_reduced_motion="reduce")
+        seen = ("return [...figure.querySelectorAll('[data-series]')]"
+                ".map((one) => one.getClientRects().length > 0);")
+        self.assertEqual(self.ask(CHART + seen, "Motion, velocity"), [True] * 3)
+
+        self.ask(CHART + "figure.querySelectorAll('.values input')[1].click();", "Motion, velocity")
+
+        self.assertEqual(self.ask(CHART + seen, "Motion, velocity"), [True, False, True])
+        self.assertEqual(len(self.ask(DOTS, "Motion, velocity")), 2)
+
+    def test_no_chart_is_cut_on_a_telephone(self) -> None:
+        for name in (PRESS, "spatial/ups_platform.yaml"):
+            with self.subTest(name):
+                self.open(self.page(name), width=400)
+                charts = self.ask(
+                    "return [...document.querySelectorAll('figure.chart')].map((one) => {"
+                    "  const box = one.querySelector('.picture');"
+                    "  const parts = [...one.querySelectorAll('text, path, line')]"
+                    "    .map((part) => part.getBoundingClientRect()).filter((p) => p.width > 0);"
+                    "  const letters = [...one.querySelectorAll('text')]"
+                    "    .map((part) => part.getBoundingClientRect())"
+                    "    .map((p) => Math.min(p.width, p.height)).filter((p) => p > 0);"
+                    "  return [box.scrollWidth - box.clientWidth,"
+                    "    Math.min(...parts.map((p) => p.left)), Math.max(...parts.map((p) => p.right)),"
+                    "    Math.max(...letters)];"
+                    "});")
+                self.assertGreater(len(charts), 3)
+                for beyond, left, right, letters in charts:
+                    self.assertLessEqual(beyond, 1)
+                    self.assertGreaterEqual(left, 0)
+                    self.assertLessEqual(right, 400)
+                    self.assertGreater(letters, 11)
+
+    # What moves a drawing
+
+    def test_single_steps_and_the_speed(self) -> None:
+        self.open(self.page(PRESS), prefers_reduced_motion="reduce")
+        press = "document.querySelectorAll('figure.motion [data-step]')[arguments[0]].click();"
+        self.ask(press, 1)
+        self.ask(press, 1)
+        self.assertEqual(self.step_of_motion(), 2)
+        self.ask(press, 0)
+        self.assertEqual(self.step_of_motion(), 1)
+
+        steps = []
+        for speed in ("0.25", "4"):
+            self.ask("document.querySelector('[data-speed]').value = arguments[0];"
+                     "document.querySelectorAll('[data-step]')[0].click();"
+                     "document.querySelector('[data-play]').click();", speed)
+            time.sleep(0.45)
+            steps.append(self.step_of_motion())
+        self.assertLess(steps[0], 8)
+        self.assertGreater(steps[1], 2 * steps[0])
+
+    def test_the_force_of_a_bearing_is_an_arrow_while_it_moves(self) -> None:
+        # The rod is pushed at its ends alone: the force is along it, 8 kN upwards at the ram.
+        text = (ROOT / "mechanisms" / PRESS).read_text(encoding="utf-8")
+        text = text[:text.index("published:")].replace("steps: 72, case: pressing}",
+                                                       "steps: 72, case: pressing, report: action}")
+        file = self.folder / "forces.yaml"
+        file.write_text(text, encoding="utf-8")
+        page = self.folder / "forces.html"
+        self.assertEqual(write_page(page, file).returncode, 0)
+        self.open(page, prefers_reduced_motion="reduce")
+        self.ask("const choice = document.querySelector('[data-force]');"
+                 "choice.value = [...choice.options].find((one) => one.textContent === 'in b').value;"
+                 "choice.dispatchEvent(new Event('change'));")
+        for step in (0, 7, 40):
+            words, line = self.ask(
+                "const slider = document.querySelector('figure.motion input[type=range]');"
+                "slider.value = arguments[0]; slider.dispatchEvent(new Event('input'));"
+                "const line = document.querySelector('[data-layer=acting] line');"
+                "return [document.querySelector('figure.motion output').textContent,"
+                " ['x1', 'y1', 'x2', 'y2'].map((name) => Number(line.getAttribute(name)))];", step)
+            angle = math.radians(5 * step)
+            across = CRANK * math.cos(angle) - OFFSET
+            up = math.sqrt(ROD**2 - across**2)
+            self.assertTrue(words.startswith(f"shaft {5 * step} deg, b "), words)
+            self.assertAlmostEqual(float(words.split()[-2]), 8000 * ROD / up, delta=0.6)
+            x1, y1, x2, y2 = line
+            self.assertAlmostEqual(abs((x2 - x1) / (y2 - y1)), abs(across / up), delta=1e-3)
+
+    def test_an_address_leads_to_a_step(self) -> None:
+        path = self.page(PRESS)
+        self.open(path, prefers_reduced_motion="no-preference")
+        self.ask("location.hash = 'file-1-step-30';")
+        time.sleep(0.3)
+        self.assertEqual(self.step_of_motion(), 30)
+        self.assertEqual(self.ask("return document.querySelector('.step-link').hash;"),
+                         "#file-1-step-30")
+        self.assertEqual(self.ask("return document.querySelector('[data-play]').textContent;"), "Play")
+
+    def test_a_synthesis_meets_its_positions(self) -> None:
+        self.open(self.page("synthesis/crank_rocker.yaml"), prefers_reduced_motion="reduce")
+        labels = self.ask("return JSON.parse(document.querySelector('[id$=-poses]').textContent).labels;")
+        self.assertEqual(sum("near position" in one for one in labels), 5)
+        # Its crank is as long as the file says, 1, and turns about the origin.
+        first, other = self.ask(
+            "const places = [];"
+            "const slider = document.querySelector('figure.motion input[type=range]');"
+            "for (const step of [0, 60]) {"
+            "  slider.value = step; slider.dispatchEvent(new Event('input'));"
+            "  places.push([...document.querySelectorAll('[data-body=dyad-A] circle')]"
+            "    .map((one) => one.getBoundingClientRect()).map((p) => [p.x + p.width / 2, p.y + p.height / 2]));"
+            "}"
+            "return places;")
+        self.assertLess(math.dist(first[0], other[0]), 0.5)
+        self.assertAlmostEqual(math.dist(*first), math.dist(*other), delta=0.5)
+        self.assertGreater(math.dist(first[1], other[1]), 20)
+
+    # What is taken along
+
+    def test_every_figure_is_saved_as_svg_and_png(self) -> None:
+        self.open(self.page(PRESS), prefers_color_scheme="dark", prefers_reduced_motion="reduce")
+        saved = self.ask(
+            "const saved = [];"
+            "const names = [];"
+            "URL.createObjectURL = (blob) => { saved.push(blob); return 'data:,'; };"
+            "HTMLAnchorElement.prototype.click = function () { names.push(this.download); };"
+            "const figure = document.querySelector('figure[data-chart]');"
+            "for (const one of figure.querySelectorAll('.save button')) one.click();"
+            "return new Promise((done) => window.setTimeout(async () => done("
+            "  [names, await saved[0].text(), saved[1].type, saved[1].size]), 600));")
+        names, text, kind, size = saved
+        self.assertEqual([one.rsplit(".")[-1] for one in names], ["svg", "png"])
+        self.assertTrue(text.startswith("<svg xmlns="), text[:60])
+        self.assertIn('fill="#ffffff"', text)
+        self.assertEqual((kind, size > 2000), ("image/png", True))
+        count = self.ask("return [document.querySelectorAll('figure').length,"
+                         " document.querySelectorAll('figure .save').length];")
+        self.assertEqual(count[0], count[1])
+
+    def test_the_model_and_the_rows_of_its_sweep_are_among_the_data(self) -> None:
+        self.open(self.page(PRESS))
+        names = self.ask("return [...document.querySelectorAll('[data-save]')].map((one) => one.textContent);")
+        self.assertIn("press_stroke.yaml", names)
+        rows = self.ask(
+            "const button = [...document.querySelectorAll('[data-save]')]"
+            "  .find((one) => one.textContent === 'press_stroke.sweep.csv');"
+            "return JSON.parse(document.getElementById(button.dataset.save).textContent);")
+        answer = subprocess.run([program(), "sweep", ROOT / "mechanisms" / PRESS],
+                                capture_output=True, encoding="utf-8", check=True)
+        self.assertEqual(rows, answer.stdout)
+
+
+if __name__ == "__main__":
+    sys.exit(run_tests(__doc__))

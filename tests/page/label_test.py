@@ -1,0 +1,159 @@
+#!/usr/bin/env python3
+"""Names and values in pictures cover neither each other nor what is drawn, by the boxes that a browser has.
+
+Skipped, with a word on it, where Chromium and its driver are not installed.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+from page_case import PageCase, run_tests, write_page  # noqa: E402
+
+# A winch of two planetary sets in teeth, the drum on the carrier of the second.
+WINCH = """
+kinestat: 1
+name: Two-stage planetary winch
+space: planar
+units: {length: mm}
+ground: housing
+bodies: [sun1, carrier1, planet1, carrier2drum, planet2]
+couplings:
+  S: {type: revolute, bodies: [housing, sun1]}
+  C1: {type: revolute, bodies: [housing, carrier1]}
+  C2: {type: revolute, bodies: [housing, carrier2drum]}
+  P1: {type: revolute, bodies: [carrier1, planet1]}
+  P2: {type: revolute, bodies: [carrier2drum, planet2]}
+gears:
+  module: 3 mm
+  members:
+    sun1: {body: sun1, teeth: 18}
+    planet1: {body: planet1, teeth: 36, count: 3}
+    ring1: {body: housing, teeth: 90, internal: true}
+    sun2: {body: carrier1, teeth: 18}
+    planet2: {body: planet2, teeth: 36, count: 3}
+    ring2: {body: housing, teeth: 90, internal: true}
+  meshes:
+    s1: {members: [sun1, planet1], carrier: carrier1}
+    r1: {members: [ring1, planet1], carrier: carrier1}
+    s2: {members: [sun2, planet2], carrier: carrier2drum}
+    r2: {members: [ring2, planet2], carrier: carrier2drum}
+actuators:
+  motor: {coupling: S}
+  drum: {coupling: C2}
+cases:
+  hoist: {motion: {motor: 1500 rpm}, action: {drum: -500 N*m}, input: motor, output: drum}
+"""
+
+# Letters, without descenders and the room above them, that cover others or are covered by what is
+# painted full or as a line. What is drawn in the grey of a grid is meant to lie behind; words
+# may stand on a curve whose parts they name.
+COVERED = """
+const figure = [...document.querySelectorAll('figure')].find((one) =>
+  one.dataset.picture === arguments[0] && one.getClientRects().length);
+const svg = figure.querySelector('.picture svg');
+const back = svg.getScreenCTM().inverse();
+const isSeen = (one) => one.getClientRects().length && !one.closest('[display=none]') &&
+  getComputedStyle(one).visibility !== 'hidden';
+const texts = [...svg.querySelectorAll('text')].filter(isSeen).map((one) => {
+  const box = one.getBBox();
+  const base = Number(one.getAttribute('y'));
+  const top = base - 0.66 * Number(one.getAttribute('font-size'));
+  const m = back.multiply(one.getScreenCTM());
+  const corners = [[box.x + 1, top], [box.x + box.width - 1, base]]
+    .map(([x, y]) => new DOMPoint(x, y).matrixTransform(m));
+  const [x, y] = [corners.map((p) => p.x), corners.map((p) => p.y)];
+  return {text: one.textContent, left: Math.min(...x), right: Math.max(...x),
+          top: Math.min(...y), bottom: Math.max(...y)};
+});
+const found = [];
+texts.forEach((a, i) => texts.slice(0, i).forEach((b) => {
+  if (a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom)
+    found.push(a.text + ' and ' + b.text);
+}));
+const named = new Set([...svg.querySelectorAll('g:has(> path.ks-s-soft) > title')]
+  .map((one) => one.textContent));
+for (const shape of svg.querySelectorAll('line, path, polygon, circle, rect')) {
+  const style = getComputedStyle(shape);
+  const isPainted = style.stroke !== 'none' ||
+    (style.fill !== 'none' && !/ks-f-(paper|tint)/.test(shape.getAttribute('class')));
+  if (!isSeen(shape) || !isPainted || /ks-[fs]-grid/.test(shape.getAttribute('class'))) continue;
+  const m = back.multiply(shape.getScreenCTM());
+  const length = shape.getTotalLength();
+  const title = shape.parentElement.querySelector(':scope > title')?.textContent;
+  for (let s = 0; s <= length; ++s) {
+    const p = shape.getPointAtLength(s).matrixTransform(m);
+    const text = texts.find((t) => p.x > t.left && p.x < t.right && p.y > t.top && p.y < t.bottom &&
+      !(named.has(t.text) && named.has(title)));
+    if (text) {
+      found.push(text.text + ' and ' + shape.tagName + ' ' + shape.getAttribute('class'));
+      break;
+    }
+  }
+}
+return [texts.length, found];
+"""
+
+
+def axe_core() -> Path | None:
+    """The checker of accessibility, where npm has it: npm install --global axe-core."""
+    folders = [os.environ.get("NODE_PATH", "")]
+    if shutil.which("npm"):
+        folders.append(subprocess.run(["npm", "root", "--global"], capture_output=True,
+                                      encoding="utf-8", check=False).stdout.strip())
+    paths = [Path(one) / "axe-core/axe.min.js" for one in folders if one]
+    return next((one for one in paths if one.exists()), None)
+
+
+class LabelTest(PageCase):
+    def expect_free(self, path: Path, *pictures: str) -> None:
+        self.open(path, prefers_reduced_motion="reduce")
+        for picture in pictures:
+            with self.subTest(path.stem, picture=picture):
+                count, covered = self.ask(COVERED, picture)
+                self.assertGreater(count, 3)
+                self.assertEqual(covered, [])
+
+    def test_the_power_flow_of_a_press(self) -> None:
+        self.expect_free(self.page("sweeps/press_stroke.yaml"), "power-flow")
+
+    def test_the_gear_scheme_of_a_winch(self) -> None:
+        file = self.folder / "winch.yaml"
+        file.write_text(WINCH, encoding="utf-8")
+        page = self.folder / "winch.html"
+        answer = write_page(page, file)
+        self.assertEqual(answer.returncode, 0, answer.stderr)
+        self.expect_free(page, "gear-scheme", "power-flow")
+
+    def test_the_output_of_the_8hp70(self) -> None:
+        self.expect_free(self.page("transmissions/zf_8hp70.yaml"), "gear-scheme")
+
+    def test_the_legs_of_a_platform(self) -> None:
+        self.expect_free(self.page("spatial/ups_platform.yaml"), "motion", "linkage")
+
+    def test_the_pivots_of_a_synthesis(self) -> None:
+        self.expect_free(self.page("synthesis/crank_rocker.yaml"), "burmester", "synthesis-motion")
+
+    def test_axe_finds_nothing_against_pages(self) -> None:
+        checker = axe_core()
+        if not checker:
+            self.skipTest("axe-core is not installed; npm install --global axe-core")
+        for name in ("sweeps/press_stroke.yaml", "spatial/rssr.yaml", "synthesis/crank_rocker.yaml",
+                     "transmissions/zf_8hp70.yaml"):
+            with self.subTest(name):
+                self.open(self.page(name), prefers_reduced_motion="reduce")
+                self.ask(checker.read_text(encoding="utf-8") + "; window.axe = axe;")
+                found = self.ask(
+                    "return window.axe.run(document, {resultTypes: ['violations']}).then((result) =>"
+                    " result.violations.map((one) => [one.id, one.nodes.map((node) => node.html)]));")
+                self.assertEqual(found, [])
+
+
+if __name__ == "__main__":
+    sys.exit(run_tests(__doc__))
