@@ -195,6 +195,7 @@ std::vector<NetworkKey> draw_keys(CouplingType type, Completeness completeness, 
     case sphere_in_tube:
     case clutch:
     case brake:
+    case torque_converter:
       return about_axis(draw);
     case prismatic:
       return along("axis", draw.sliding(), kPlaced, draw);

@@ -78,6 +78,7 @@ std::vector<int> own_freedoms(const NetworkCoupling& coupling, Space space) {
     case worm:
     case clutch:
     case brake:
+    case torque_converter:
       return first(1);
     case prismatic:
     case rack:
