@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "core/contract.hpp"
 #include "mechanism/bind/evaluator.hpp"
 
@@ -33,7 +35,9 @@ class MotionBinder {
     for (const TracePoint& point : motion_.trace) {
       const auto body =
           std::ranges::find(mechanism_.topology.bodies, point.body.text, &BodyTopology::name);
-      plan_.trace.push_back({.body = {static_cast<int>(body - mechanism_.topology.bodies.begin())},
+      const std::string usual = fmt::format("{}.{}", point.body.text, plan_.trace.size() + 1);
+      plan_.trace.push_back({.name = point.name ? point.name->text : usual,
+                             .body = {static_cast<int>(body - mechanism_.topology.bodies.begin())},
                              .at = evaluator_.point(point.at).value_or(Vec3::Zero())});
     }
     plan_.report.is_default = motion_.report.empty();

@@ -21,6 +21,7 @@ struct PlannedDrive {
 
 /// A point whose path is reported.
 struct TracedPoint {
+  std::string name;  ///< as the file says, or BODY.N, the N-th of all
   BodyId body;
   Vec3 at = Vec3::Zero();  ///< in the drawn position, world frame [m]
 };

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "cases/report/ratio_in_units.hpp"
 #include "core/text.hpp"
 #include "core/utf8.hpp"
 #include "couplings/kinds.hpp"
@@ -124,70 +123,6 @@ void add_cases(const std::vector<CaseAnalysis>& cases, Sentences& sentences) {
                 "Of {} cases {} solved; not so: {}.", count, counted(solved, "is", "are"), list));
 }
 
-// A value that cases have, by their labels: "M1 2.84689, M2 1.60097"; from least to most where
-// there are too many to be read.
-class CaseValues {
- public:
-  void add(const std::string& label, std::optional<double> value) {
-    if (value) {
-      values_.emplace_back(printable(label), *value);
-    }
-  }
-
-  void tell(std::string_view what, Sentences& sentences) const {
-    if (values_.empty()) {
-      return;
-    }
-    std::vector<std::string> parts;
-    for (const auto& [label, value] : values_) {
-      parts.push_back(fmt::format("{} {}", label, format_short(value)));
-    }
-    if (parts.size() <= kMostListed) {
-      sentences.push_back(fmt::format("{}: {}.", what, fmt::join(parts, ", ")));
-      return;
-    }
-    const auto by_value = [](const auto& one) { return one.second; };
-    const auto [least, most] = std::ranges::minmax_element(values_, {}, by_value);
-    sentences.push_back(fmt::format("{}: from {} ({}) to {} ({}) in {} cases.",
-                                    what,
-                                    format_short(least->second),
-                                    least->first,
-                                    format_short(most->second),
-                                    most->first,
-                                    values_.size()));
-  }
-
- private:
-  std::vector<std::pair<std::string, double>> values_;
-};
-
-void add_ratios(const Analysis& analysis, Sentences& sentences) {
-  CaseValues ratios;
-  CaseValues with_friction;
-  CaseValues with_losses;
-  std::string unit;
-  for (const CaseAnalysis& one : analysis.cases) {
-    if (one.ratios) {
-      const RatioInUnits ratio =
-          ratios_in_units(one, analysis.mechanism, analysis.description.units).ratio;
-      ratios.add(one.which.label, ratio.value);
-      unit = ratio.unit.empty() ? unit : fmt::format(" [{}]", ratio.unit);
-    }
-    if (one.power) {
-      with_friction.add(one.which.label, one.power->efficiency);
-    }
-    if (one.efficiency) {
-      with_losses.add(one.which.label,
-                      analysis.mechanism.loss_model == LossModel::carrier
-                          ? one.efficiency->carrier.value
-                          : one.efficiency->absolute.value);
-    }
-  }
-  ratios.tell(fmt::format("Ratio, input to output{}", unit), sentences);
-  with_losses.tell("Efficiency with the losses of meshes", sentences);
-  with_friction.tell("Efficiency with friction alone", sentences);
-}
-
 void add_circulation(const Analysis& analysis, Sentences& sentences) {
   std::vector<std::string> labels;
   for (const CaseAnalysis& one : analysis.cases) {
@@ -266,7 +201,6 @@ void add_motion(const MotionTable& motion, Sentences& sentences) {
 std::vector<std::string> result_sentences(const FilePage& page) {
   Sentences sentences;
   if (page.analysis) {
-    add_ratios(*page.analysis, sentences);
     add_circulation(*page.analysis, sentences);
     if (page.analysis->shift) {
       add_shift(*page.analysis->shift, sentences);

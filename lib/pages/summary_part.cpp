@@ -1,6 +1,7 @@
 // The first screen of a page: the mechanism, moving if it does, and what was found.
 #include <fmt/format.h>
 
+#include "cases/report/case_text.hpp"
 #include "pages/figures.hpp"
 #include "pages/motion_figure.hpp"
 #include "pages/moving_figure.hpp"
@@ -100,6 +101,9 @@ void add_summary_part(SectionWriter& section, const std::optional<Picture>& pict
   html.open("div", {{"class", "lead"}});
   add_main_figure(picture, section);
   html.open("div", {{"class", "results"}});
+  if (page.analysis) {
+    add_blocks(overview_blocks(*page.analysis), "Cases", html);
+  }
   add_sentences(results, html);
   if (page.motion) {
     add_blocks(motion_extremes(page.motion->table), "Extremes", html);

@@ -44,6 +44,10 @@ struct LargestActions {
 /// Of the couplings whose wrench equilibrium determines; zero where there is none.
 LargestActions largest_actions(const Mechanism& mechanism, const CaseAnalysis& one);
 
+/// A line a case with what people ask first, "-" where there is no number; columns without any are
+/// left out. Empty without cases.
+TextBlocks overview_blocks(const Analysis& analysis);
+
 /// What people ask first: ratio and torque ratio, or why there is none; efficiencies; the power of
 /// the inputs and the balance of all powers; the largest force and moment, and in which couplings.
 std::string results_text(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in);

@@ -36,6 +36,8 @@ const Mapping<TracePoint>& trace_point() {
         m.key("body", "The body that carries the point.")
             .needed(&TracePoint::body, body_name(), "coupler");
         m.key("at", "The point in the drawn position.").needed(&TracePoint::at, point());
+        m.key("name", "By which the report calls it; BODY.N, the N-th of all, without one.")
+            .may(&TracePoint::name, name_of("a new name"), "pen");
       });
   return mapping;
 }

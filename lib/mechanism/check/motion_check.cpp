@@ -44,6 +44,31 @@ void check_range(const DriveRange& range, bool must_move, const SectionContext& 
   }
 }
 
+// A name of a point is that of its columns, which those of bodies, couplings and actuators are too.
+void check_trace(const std::vector<TracePoint>& trace, const SectionContext& context) {
+  const DeclaredNames& names = context.names;
+  std::vector<Name> given;
+  for (const TracePoint& point : trace) {
+    names.bodies.check(point.body, "'trace' of 'motion' follows", context.found);
+    context.point(point.at);
+    if (!point.name) {
+      continue;
+    }
+    given.push_back(*point.name);
+    const std::string_view other = names.bodies.contains(point.name->text)      ? "a body"
+                                   : names.couplings.contains(point.name->text) ? "a coupling"
+                                   : names.actuators.contains(point.name->text) ? "an actuator"
+                                                                                : "";
+    if (!other.empty()) {
+      context.found.error("E0307",
+                          point.name->where,
+                          fmt::format("'{}' is the name of {} too", point.name->text, other),
+                          "give the point another one");
+    }
+  }
+  context.repeats(given, "'trace' of 'motion'");
+}
+
 }  // namespace
 
 void check_motion(const SectionContext& context) {
@@ -61,10 +86,7 @@ void check_motion(const SectionContext& context) {
   if (motion.label) {
     context.names.cases.check(*motion.label, "'motion' takes its speeds from", context.found);
   }
-  for (const TracePoint& point : motion.trace) {
-    context.names.bodies.check(point.body, "'trace' of 'motion' follows", context.found);
-    context.point(point.at);
-  }
+  check_trace(motion.trace, context);
   check_report_names(motion.report, motion_report_words(), "motion", context);
 }
 

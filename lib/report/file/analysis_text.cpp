@@ -5,10 +5,7 @@
 
 #include "cases/report/case_text.hpp"
 #include "cases/report/planet_fit_record.hpp"
-#include "core/utf8.hpp"
-#include "report/column_table.hpp"
 #include "report/file/file_report.hpp"
-#include "report/number_format.hpp"
 #include "report/report_parts.hpp"
 #include "report/table.hpp"
 #include "studies/motion/report/motion_text.hpp"
@@ -17,44 +14,6 @@
 namespace kinestat {
 
 namespace {
-
-const std::string kNoNumber = "-";
-
-// Where the cases are not those of a shift table, which tells the gears one below the other.
-TextBlocks overview_blocks(const Analysis& analysis) {
-  if (analysis.shift || analysis.cases.size() < 2) {
-    return {};
-  }
-  const InUnits in(analysis.description.units);
-  const FileUnits& units = in.units();
-  const auto with_unit = [&](const char* what, QuantityKind kind) {
-    return fmt::format("{} [{}]", what, units.text(kind));
-  };
-  std::vector<TextColumn> columns = {
-      {.head = "Case", .cells = {}},
-      {.head = "ratio", .cells = {}},
-      {.head = "efficiency", .cells = {}},
-      {.head = with_unit("input power", QuantityKind::power), .cells = {}},
-      {.head = with_unit("largest force", QuantityKind::force), .cells = {}},
-      {.head = with_unit("largest moment", QuantityKind::moment), .cells = {}}};
-  const auto action_cell = [&](const LargestAction& one) {
-    return one.size > 0.0 ? format_short(in.action(one.size, one.is_couple)) : kNoNumber;
-  };
-  for (const CaseAnalysis& one : analysis.cases) {
-    const LargestActions largest = largest_actions(analysis.mechanism, one);
-    columns[0].cells.push_back(printable(one.which.label));
-    columns[1].cells.push_back(ratio_cell(one, analysis.mechanism, in));
-    columns[2].cells.push_back(efficiency_cell(one, analysis.mechanism));
-    columns[3].cells.push_back(one.power ? format_short(in.power(one.power->input)) : kNoNumber);
-    columns[4].cells.push_back(action_cell(largest.force));
-    columns[5].cells.push_back(action_cell(largest.moment));
-  }
-  std::erase_if(columns, [](const TextColumn& column) {
-    return std::ranges::all_of(column.cells,
-                               [](const std::string& cell) { return cell == kNoNumber; });
-  });
-  return columns.size() > 1 ? TextBlocks(std::move(columns)) : TextBlocks();
-}
 
 // The spatial order leads: in the minimal one a planar linkage looks perfectly constrained.
 TextBlocks counts_blocks(const Mechanism& mechanism, const MobilityCounts& counts) {
@@ -99,7 +58,10 @@ TextBlocks counts_blocks(const Mechanism& mechanism, const MobilityCounts& count
 
 TextBlocks analysis_text(const Analysis& analysis, const MotionTable* motion) {
   TextBlocks text(title_text(analysis.file, analysis.description) + "\n");
-  text += overview_blocks(analysis);
+  // A shift table tells the gears one below the other.
+  if (!analysis.shift && analysis.cases.size() > 1) {
+    text += overview_blocks(analysis);
+  }
   const std::string planets =
       planet_fit_text(find_planet_fits(analysis.description), InUnits(analysis.description.units));
   text += planets.empty() ? "" : planets + "\n";

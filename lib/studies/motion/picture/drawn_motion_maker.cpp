@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "studies/motion/configuration.hpp"
 #include "studies/motion/moved_mechanism.hpp"
 
@@ -15,10 +13,7 @@ std::vector<TracedPath> empty_paths(const FoundMotion& motion, const Topology& t
   std::vector<TracedPath> paths;
   for (std::size_t p = 0; p < motion.plan.trace.size(); ++p) {
     const TracedPoint& point = motion.plan.trace[p];
-    paths.push_back({.name = fmt::format("{}.{}", topology.body(point.body).name, p + 1),
-                     .points = {},
-                     .body = point.body,
-                     .drawn = point.at});
+    paths.push_back({.name = point.name, .points = {}, .body = point.body, .drawn = point.at});
   }
   return paths;
 }

@@ -203,9 +203,8 @@ class ReadingList {
   }
 
   void add_traces() {
-    for (std::size_t t = 0; t < plan_.trace.size(); ++t) {
-      const TracedPoint point = plan_.trace[t];
-      const std::string name = topology_.body(point.body).name + "." + std::to_string(t + 1);
+    for (const TracedPoint& point : plan_.trace) {
+      const std::string& name = point.name;
       add_place(name, point.body, point.at);
       if (detail_.velocity) {
         add_vector(
