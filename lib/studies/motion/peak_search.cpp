@@ -9,14 +9,16 @@ namespace kinestat {
 
 namespace {
 
-// Each parabola squares the error of the one before. A fold is mostly nearer than a thousandth of
-// what it was, or the trial tells that it lies on the other side.
-constexpr int kMostTrials = 6;
+// Parabolas come nearer with the power 1.3 of what is off, three or four suffice for most tops. A
+// fold is mostly nearer than a thousandth of what it was, or the trial tells that it lies on the
+// other side.
+constexpr int kMostTrials = 10;
 constexpr int kMostFoldTrials = 12;
 
 // A trial that comes nearer to a fold comes at least so much nearer.
 constexpr double kNearerShare = 0.25;
 
+// By more than rounding, which must not decide between what is equal.
 bool is_more(double value, double than) {
   return value - than > kSameValue * std::max(std::abs(value), std::abs(than));
 }
@@ -99,7 +101,7 @@ void PeakClimb::aim_at_fold() {
     const Parabola parabola(unfolded);
     const double way = parabola.way_to_zero(side);
     const bool is_between = way != 0.0 && std::abs(way) < std::abs(beyond.share - by_[1].share);
-    if (std::abs(parabola.bend) < least && is_between && trials_ < kMostFoldTrials) {
+    if (is_more(least, std::abs(parabola.bend)) && is_between && trials_ < kMostFoldTrials) {
       least = std::abs(parabola.bend);
       promise_ = {.share = by_[1].share + way, .value = *height_};
       fold_ = {.below = *height_ - best_.value,
@@ -163,7 +165,7 @@ void PeakSearch::add(const PeakTriple& steps) {
     return;
   }
   std::size_t at = count_;
-  while (at > 0 && promise->value > climbs_[at - 1].promise()->value) {
+  while (at > 0 && is_more(promise->value, climbs_[at - 1].promise()->value)) {
     --at;
   }
   if (at == kMostClimbs) {
