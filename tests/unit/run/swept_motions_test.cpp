@@ -248,6 +248,67 @@ TEST(SweptMotions, LoseNoDeadPointsThatLieNearEachOther) {
   }
 }
 
+// Between long steps, wherever they fall, of every extreme that no dead point shows.
+TEST(SweptMotions, ClimbToTheExtremesOfWholeMotions) {
+  for (const int steps : {2, 3, 7, 16, 41}) {
+    SCOPED_TRACE(steps);
+    std::string text = kCrankRocker;
+    text.replace(text.find("steps: 72"), 9, fmt::format("steps: {}", steps));
+    expect_whole_motions(
+        text.c_str(),
+        "{vary: {r: {from: 0.7, to: 2.8, step: 0.7}, k: {from: 4, to: 7, step: 1}, "
+        "o: {from: 3, to: 6, step: 1}, phi: [10 deg, 77 deg, 200 deg]}, "
+        "report: [c.wz.position.range, transmission_angle.least, "
+        "b.wz.position.peak, transmission_angle.greatest]}",
+        0.97);
+  }
+}
+
+TEST(SweptMotions, ClimbWithoutDeadPoints) {
+  std::string text = kSixBar;
+  text.replace(text.find("steps: 90"), 9, "steps: 20");
+  expect_whole_motions(text.c_str(),
+                       "{vary: {x: {from: -8, to: 8, step: 1}, y: {from: -8, to: 8, step: 4}}, "
+                       "report: [transmission_angle.least, transmission_angle.range]}",
+                       0.7);
+}
+
+// The angle between coupler and rocker is extreme where crank and frame are in line; folded, it is
+// greatest at a right angle if it passes one, and least at one of the two.
+TEST(SweptMotions, FindExtremesOfTransmissionBetweenLongSteps) {
+  constexpr double kFrame = 6.0;
+  constexpr double kCoupler = 5.0;
+  std::string text = kCrankRocker;
+  text.replace(text.find("steps: 72"), 9, "steps: 25");
+  SweptFile file(text.c_str(),
+                 "{vary: {r: {from: 0.5, to: 2.5, step: 0.25}, o: [4, 5, 6.5], "
+                 "phi: [10 deg, 95 deg]}, report: [transmission_angle.least, "
+                 "transmission_angle.greatest, c.wz.position.range]}");
+  const std::vector<Row> rows = rows_of(file.task(), kLanes);
+  EXPECT_EQ(rows.size(), 54U);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double crank = 0.5 + 0.25 * static_cast<double>(i / 6);
+    const double rocker = std::array{4.0, 5.0, 6.5}[i / 2 % 3];
+    const auto angle = [&](double reach) {
+      return std::acos((kCoupler * kCoupler + rocker * rocker - reach * reach) /
+                       (2.0 * kCoupler * rocker));
+    };
+    const double narrow = angle(kFrame - crank);
+    const double wide = angle(kFrame + crank);
+    const double right = std::acos(0.0);
+    const bool passes = narrow < right && wide > right;
+    const double least = std::min(narrow, 2.0 * right - wide);
+    const double greatest = passes ? right
+                                   : std::max(std::min(narrow, 2.0 * right - narrow),
+                                              std::min(wide, 2.0 * right - wide));
+    EXPECT_EQ(rows[i].status, "solved") << i;
+    EXPECT_NEAR(rows[i].values[0], least, 1e-11) << i;
+    EXPECT_NEAR(rows[i].values[1], greatest, 1e-11) << i;
+    EXPECT_NEAR(rows[i].values[2], wide - narrow, 1e-11) << i;
+  }
+  EXPECT_EQ(followed_states(file.task()), rows.size());
+}
+
 // At 84.375 degrees and near it, between two dead points, where the rate neither is clear nor rises
 // clearly, it must be looked closer: it turns back four times a turn.
 TEST(SweptMotions, LoseNoDeadPointsBesideAStep) {
@@ -265,7 +326,8 @@ TEST(SweptMotions, LoseNoDeadPointsBesideAStep) {
 TEST(SweptMotions, HaveTheSameBitsWithAnyNeighbours) {
   SweptFile file(kCrankRocker,
                  "{vary: {r: {from: 0.6, to: 3, step: 0.3}, k: {from: 3, to: 7, step: 0.8}}, "
-                 "report: [d.wz.position.range, transmission_angle.least, dead_points]}");
+                 "report: [d.wz.position.range, transmission_angle.least, dead_points, "
+                 "transmission_angle.greatest, c.wz.position.range]}");
   const std::vector<Row> all = rows_of(file.task(), kLanes);
   for (std::ptrdiff_t begin = 1; begin < 4; ++begin) {
     const std::vector<Row> later = rows_of(file.task(), kLanes, static_cast<std::uint64_t>(begin));

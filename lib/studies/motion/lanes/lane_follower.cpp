@@ -33,7 +33,7 @@ constexpr LaneGroup kAllLanes = [] {
 }  // namespace
 
 LaneFollower::LaneFollower(LaneLinkage linkage, LaneQuestion question, const Geometry& geometry)
-    : linkage_(std::move(linkage)), question_(std::move(question)) {
+    : linkage_(std::move(linkage)), question_(std::move(question)), climbs_(question_) {
   const auto unknowns = at(linkage_.unknown_count());
   const std::size_t joints = linkage_.joints.size();
   const double way = std::abs(question_.drive.to - question_.drive.from) /
@@ -74,9 +74,10 @@ LaneFollower::LaneFollower(LaneLinkage linkage, LaneQuestion question, const Geo
   for (Groups* one : {&turn_.values, &turn_.rates, &turn_.bends}) {
     one->resize(watched_.size());
   }
-  for (Groups* one : {&least_, &greatest_, &sums_}) {
-    one->resize(places_.size());
+  for (Groups* one : {&least_, &greatest_}) {
+    one->resize(places_.size() + 1);
   }
+  sums_.resize(places_.size());
   counts_.resize(watched_.size());
   in(cosines_[0]) = LaneNumbers{} + 1.0;
   for (std::size_t lane = 0; lane < kMotionLanes; ++lane) {
@@ -238,29 +239,46 @@ void LaneFollower::follow() {
     find_turns();
     go_to_turns();
   }
+  if (question_.transmission) {
+    find_transmission_angles();
+  }
+  if (!climbs_.targets.empty()) {
+    go_to_peaks();
+  }
 }
 
 void LaneFollower::keep(int part) {
   const bool is_step = part % parts_ == 0;
-  if (!is_step && watched_.empty()) {
-    return;
+  if (is_step || !watched_.empty()) {
+    find_frames();
   }
-  find_frames();
   if (!watched_.empty()) {
     look(add_look());
+  } else if (!climbs_.targets.empty()) {
+    LaneLook& here = add_look();
+    here.drive = drive_;
+    here.point = now_;
   }
   if (!is_step) {
     return;
   }
+  const std::size_t step = at(part / parts_);
   const bool is_first = part == 0;
   const double weight = is_first || part == parts_ * question_.steps ? 0.5 : 1.0;
   in(active_) = LaneNumbers{} + 1.0;
   for (std::size_t p = 0; p < places_.size(); ++p) {
     add_value(p, is_first);
     in(sums_[p]) += weight * in(value_);
+    if (!climbs_.values[p].empty()) {
+      climbs_.values[p][step] = value_;
+    }
   }
   if (question_.transmission) {
+    find_transmission();
     add_transmission(is_first);
+    if (!climbs_.angles.empty()) {
+      climbs_.angles[step] = angle_;
+    }
   }
 }
 
@@ -295,10 +313,7 @@ int LaneFollower::dead_points(std::size_t watched, std::size_t lane) const {
 }
 
 std::array<double, 2> LaneFollower::transmission_angles(std::size_t lane) const {
-  const auto angle = [lane](const Angle& one) {
-    return std::atan2(std::abs(one.along.numbers[lane]), std::abs(one.across.numbers[lane]));
-  };
-  return {angle(least_angle_), angle(greatest_angle_)};
+  return {least_.back().numbers[lane], greatest_.back().numbers[lane]};
 }
 
 }  // namespace kinestat

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "studies/motion/lanes/lane_climbs.hpp"
 #include "studies/motion/lanes/lane_group.hpp"
 #include "studies/motion/lanes/lane_question.hpp"
 #include "studies/motion/lanes/lane_turn.hpp"
@@ -34,7 +35,7 @@ class LaneFollower {
   /// Of the watched freedom of that index.
   int dead_points(std::size_t watched, std::size_t lane) const;
 
-  /// Least and greatest at the steps [rad].
+  /// Least and greatest [rad].
   std::array<double, 2> transmission_angles(std::size_t lane) const;
 
  private:
@@ -52,12 +53,6 @@ class LaneFollower {
   struct Place {
     int joint = -1;  // of the tree
     int closing = -1;
-  };
-
-  struct Angle {
-    Group share;  // its squared sine
-    Group along;
-    Group across;
   };
 
   Place place_of(int freedom) const;
@@ -79,6 +74,7 @@ class LaneFollower {
   void find_swing(const LaneClosing& closing, Group& first, Group& second);
   void find_bends();
   void find_rate(const Place& place, Group& rate, Group& bend);
+  void find_transmission();
   void add_transmission(bool is_first);
   LaneLook& add_look();
   void look(LaneLook& at);
@@ -92,6 +88,11 @@ class LaneFollower {
   void go_to_turn(std::size_t index, bool is_last, Group& which);
   void go_between(std::size_t lane, const LaneStretch& stretch, double part);
   void settle(const Group& which);
+  void find_transmission_angles();
+  PeakSearch search_for(const LaneTarget& target, std::size_t lane) const;
+  void go_to_peaks();
+  void go_to(double share, std::size_t lane);
+  void take_values(const Group& which);
 
   LaneLinkage linkage_;
   LaneQuestion question_;
@@ -133,12 +134,14 @@ class LaneFollower {
   std::vector<LaneLook> looks_;  ///< at each part, then nearer to each other
   std::size_t look_count_ = 0;
   LaneLook turn_;  ///< on the way to a dead point
-  Groups least_;   ///< of each place
+  Groups least_;   ///< of each place, then of the transmission angle
   Groups greatest_;
   Groups sums_;
-  Groups counts_;  ///< dead points of each watched freedom
-  Angle least_angle_;
-  Angle greatest_angle_;
+  Groups counts_;    ///< dead points of each watched freedom
+  LaneAngle angle_;  ///< of transmission: the last one
+  LaneAngle least_angle_;
+  LaneAngle greatest_angle_;
+  LaneClimbs climbs_;
   std::array<std::vector<LaneStretch>, kMotionLanes> doubtful_;
   std::array<std::vector<LaneTurn>, kMotionLanes> turns_of_lane_;
 };

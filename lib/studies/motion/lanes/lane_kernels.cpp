@@ -284,7 +284,7 @@ KINESTAT_FOR_EACH_MACHINE void LaneFollower::add_value(std::size_t place, bool i
          greatest);
 }
 
-KINESTAT_FOR_EACH_MACHINE void LaneFollower::add_transmission(bool is_first) {
+KINESTAT_FOR_EACH_MACHINE void LaneFollower::find_transmission() {
   const LaneTransmission& one = *question_.transmission;
   const auto place = [&](int frame, int freedom, Numbers& x, Numbers& y)
       __attribute__((always_inline)) {
@@ -316,12 +316,18 @@ KINESTAT_FOR_EACH_MACHINE void LaneFollower::add_transmission(bool is_first) {
   const Numbers force_y = far_y - near_y;
   const Numbers along = force_x * arm_x + force_y * arm_y;
   const Numbers across = force_x * arm_y - force_y * arm_x;
-  const Numbers share = along * along / (along * along + across * across);
+  in(angle_.share) = along * along / (along * along + across * across);
+  in(angle_.along) = along;
+  in(angle_.across) = across;
+}
+
+KINESTAT_FOR_EACH_MACHINE void LaneFollower::add_transmission(bool is_first) {
+  const Numbers& share = in(angle_.share);
   const Flags first = is_first ? ~Flags{} : Flags{};
-  const auto take = [&](const Flags& which, Angle& to) __attribute__((always_inline)) {
+  const auto take = [&](const Flags& which, LaneAngle& to) __attribute__((always_inline)) {
     choose(which, share, in(to.share), in(to.share));
-    choose(which, along, in(to.along), in(to.along));
-    choose(which, across, in(to.across), in(to.across));
+    choose(which, in(angle_.along), in(to.along), in(to.along));
+    choose(which, in(angle_.across), in(to.across), in(to.across));
   };
   take((share < in(least_angle_.share)) | first, least_angle_);
   take((share > in(greatest_angle_.share)) | first, greatest_angle_);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -370,6 +371,7 @@ class ReadingList {
       add(output_name(), "transmission_angle", MotionKind::angle, [](const MotionPosition& at) {
         return at.transmission_angle;
       });
+      readings_.back().fold = std::numbers::pi / 2.0;
     }
     if (!report().ratio && !report().mechanical_advantage) {
       return;

@@ -17,6 +17,7 @@ struct MotionReading {
   MotionColumn column;
   MotionKind kind = MotionKind::number;
   std::function<std::optional<double>(const MotionPosition&)> value;
+  std::optional<double> fold = {};  ///< at which values are folded: none is above it
 };
 
 /// What must be worked out for the report of a plan.

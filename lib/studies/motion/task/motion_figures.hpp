@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "studies/motion/report/motion_table.hpp"
 
@@ -15,9 +16,17 @@ namespace kinestat {
 using BetweenSteps =
     std::function<std::optional<double>(std::size_t column, std::size_t row, double share)>;
 
+/// A column whose extremes are looked for between the steps.
+struct ClimbedColumn {
+  std::optional<double> fold = {};  ///< at which its values are folded, as an angle at 90 degrees
+};
+
 /// Fills the figures of a table whose rows stand at those shares of the ranges and whose events are
-/// known. Extremes are looked for between the steps, by parabolas through the three positions
-/// around each; without `between` they are those of the steps and of positions at dead points.
-void add_figures(std::span<const double> shares, const BetweenSteps& between, MotionTable& table);
+/// known. Extremes are those of the steps, of positions at dead points too; in the columns that are
+/// climbed, which may be fewer than all, they are looked for between the steps.
+void add_figures(std::span<const double> shares,
+                 const std::vector<std::optional<ClimbedColumn>>& climbed,
+                 const BetweenSteps& between,
+                 MotionTable& table);
 
 }  // namespace kinestat

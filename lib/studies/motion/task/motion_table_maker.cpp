@@ -18,6 +18,14 @@ namespace kinestat {
 
 namespace {
 
+// Of more columns extremes are those of the steps: to look between them takes several positions
+// each.
+constexpr std::size_t kMostClimbed = 400;
+
+bool is_among(const std::vector<std::string>& names, const std::string& name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
 bool is_rate(MotionKind kind) {
   return kind == MotionKind::angular_velocity || kind == MotionKind::velocity;
 }
@@ -351,17 +359,27 @@ class TableMaker {
   }
 
   void add_column_figures() {
-    if (!scope_.between_steps || readings_.empty()) {
-      add_figures(solution_.shares, {}, table_);
+    if (readings_.empty() || (!scope_.extremes && table_.columns.size() > kMostClimbed)) {
+      add_figures(solution_.shares, {}, {}, table_);
       return;
+    }
+    table_.looks_between_steps = true;
+    std::vector<std::optional<ClimbedColumn>> climbed(table_.drives.size());  // the drives are not
+    for (const MotionReading& one : readings_) {
+      climbed.emplace_back();
+      if (!scope_.extremes || is_among(*scope_.extremes, one.column.name())) {
+        climbed.back() = {.fold = one.fold ? std::optional(in_unit(one.kind, *one.fold))
+                                           : std::nullopt};
+      }
     }
     MotionPositions positions(mechanism_, plan_, motion_.network, motion_.drawn, detail_);
     WayBetween way(motion_.network, solution_.drives);
     const std::size_t first = table_.drives.size();
     add_figures(
         solution_.shares,
+        climbed,
         [&](std::size_t column, std::size_t row, double share) -> std::optional<double> {
-          if (column - first >= readings_.size() || share <= solution_.shares[row]) {
+          if (share <= solution_.shares[row]) {
             return std::nullopt;
           }
           const auto there = way.follow(

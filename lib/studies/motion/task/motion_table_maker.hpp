@@ -15,7 +15,8 @@ namespace kinestat {
 struct MotionScope {
   std::optional<std::vector<std::string>> columns = {};  ///< these by their names; empty: all
   bool dead_points = true;
-  bool between_steps = true;  ///< extremes are looked for there too
+  std::optional<std::vector<std::string>> extremes = {};  ///< of these they are looked for between
+                                                          ///< the steps; empty: of all that can be
 };
 
 /// The table of what was found. What there is to say of its rows is added to `found`.

@@ -50,13 +50,20 @@ int freedom_of(std::string_view column, std::string_view quantity, const Topolog
   return -1;
 }
 
-std::size_t place_in(std::vector<int>& places, int freedom) {
-  const auto at = std::ranges::find(places, freedom);
-  const auto place = static_cast<std::size_t>(at - places.begin());
-  if (at == places.end()) {
-    places.push_back(freedom);
+std::size_t place_in(LaneQuestion& question, int freedom) {
+  const auto at = std::ranges::find(question.places, freedom);
+  const auto place = static_cast<std::size_t>(at - question.places.begin());
+  if (at == question.places.end()) {
+    question.places.push_back(freedom);
+    question.sides.emplace_back();
   }
   return place;
+}
+
+void add_sides(LaneSides& all, MotionFigure figure) {
+  const bool needs_both = figure == MotionFigure::range || figure == MotionFigure::peak;
+  all.least = all.least || needs_both || figure == MotionFigure::least;
+  all.greatest = all.greatest || needs_both || figure == MotionFigure::greatest;
 }
 
 }  // namespace
@@ -130,7 +137,12 @@ bool LaneMotions::find_sources(const Mechanism& mechanism,
         }
       }
     } else if (const int f = freedom_of(one.column, "/position", topology); f >= 0) {
-      source.place = static_cast<int>(place_in(question.places, f));
+      const std::size_t place = place_in(question, f);
+      source.place = static_cast<int>(place);
+      // Its dead points are its extremes between the steps.
+      if (std::ranges::find(question.watched, f) == question.watched.end()) {
+        add_sides(question.sides[place], one.figure);
+      }
     } else if (one.column.ends_with("/transmission_angle") && one.figure != MotionFigure::mean) {
       const Case& which = mechanism.cases[static_cast<std::size_t>(asked.cases.front())];
       question.transmission =
@@ -138,6 +150,7 @@ bool LaneMotions::find_sources(const Mechanism& mechanism,
       if (!question.transmission) {
         return false;
       }
+      add_sides(question.transmission_sides, one.figure);
     } else {
       return false;
     }

@@ -101,8 +101,9 @@ MotionColumnSearch::MotionColumnSearch(const MechanismDescription& description,
       make_motion_network(mechanism, bind_drawn_couplings(description, mechanism), driven);
   positions_ = freedom_positions(network, mechanism, drawn_configuration(network));
   watched_ = watched_freedoms(mechanism, network);
-  asked_.scope = {
-      .columns = std::vector<std::string>(), .dead_points = false, .between_steps = false};
+  asked_.scope = {.columns = std::vector<std::string>(),
+                  .dead_points = false,
+                  .extremes = std::vector<std::string>()};
   asked_.cases = std::move(cases);
   for (const int which : asked_.cases) {
     candidates_.push_back(candidates_of(which));
@@ -188,6 +189,9 @@ std::optional<SweepColumn> MotionColumnSearch::find(const Name& name) {
   const bool is_extreme = asked.figure != MotionFigure::mean;
   asked_.scope.dead_points = asked_.scope.dead_points || (is_extreme && !needs_case(column->needs));
   asked_.scope.columns->push_back(column->name);
+  if (is_extreme) {
+    asked_.scope.extremes->push_back(column->name);
+  }
   return add(name, {.column = column->name, .figure = asked.figure}, column->unit);
 }
 

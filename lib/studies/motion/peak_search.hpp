@@ -1,0 +1,102 @@
+// Where a value of a motion is greatest between its steps.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+namespace kinestat {
+
+/// A value at a share of the ranges of the drives, with its sign turned where the least is looked
+/// for.
+struct PeakSample {
+  double share = 0.0;
+  double value = 0.0;
+};
+
+/// Of three positions, one after the other.
+using PeakTriple = std::array<PeakSample, 3>;
+
+/// Whether the value may be greatest by the middle one of three steps: there, or beside a step at
+/// an end of the motion.
+inline bool may_be_peak(double before, double there, double behind, bool is_first, bool is_last) {
+  return (before <= there || is_first) && (there > behind || is_last);
+}
+
+/// A climb from three steps to the peak among them: by the vertices of parabolas, or to the place
+/// where a value is folded, as an angle at 90 degrees, to which it comes in straight lines from
+/// both sides.
+class PeakClimb {
+ public:
+  PeakClimb() = default;
+  PeakClimb(const PeakTriple& steps, const std::optional<double>& fold);
+
+  /// Where to look next, and what is promised there. Empty where the last value was as promised, or
+  /// nothing is.
+  const std::optional<PeakSample>& promise() const { return promise_; }
+
+  /// The value there.
+  void take(double value);
+
+  const PeakSample& best() const { return best_; }
+
+ private:
+  // What the best position is below the fold, how fast that changes, and on which side the fold is
+  // thought to be.
+  struct Fold {
+    double below = 0.0;
+    double slope = 0.0;
+    double side = 1.0;
+    bool has_tried_both = false;
+  };
+
+  void aim();
+  void aim_at_vertex();
+  void aim_at_fold();
+  void approach_fold(const PeakSample& before, const PeakSample& next);
+  void narrow(const PeakSample& next);
+
+  PeakTriple by_ = {};
+  PeakSample best_;
+  std::optional<PeakSample> promise_;
+  std::optional<double> height_;  // of the fold that there may be
+  std::optional<Fold> fold_;      // while that is where it goes
+  int trials_ = 0;
+  int vertex_trials_ = 0;
+};
+
+/// The most promising climbs of one value, one after the other.
+class PeakSearch {
+ public:
+  /// `found`: the greatest value that is known; `fold`: at which the value is folded, none is
+  /// above.
+  PeakSearch(double found, std::optional<double> fold)
+      : fold_(fold), found_{.share = 0.0, .value = found} {}
+
+  void add(const PeakTriple& steps);
+
+  /// Where to look next; empty where all climbs have ended.
+  std::optional<double> next();
+
+  /// The value there; empty where it has none.
+  void take(const std::optional<double>& value);
+
+  /// Where the value is greater than what was known; empty where nowhere.
+  std::optional<PeakSample> better() const {
+    return is_better_ ? std::optional(found_) : std::nullopt;
+  }
+
+ private:
+  static constexpr std::size_t kMostClimbs = 3;
+
+  void end_climb();
+
+  std::array<PeakClimb, kMostClimbs> climbs_;  // what promises most first
+  std::size_t count_ = 0;
+  std::size_t now_ = 0;
+  std::optional<double> fold_;
+  PeakSample found_;
+  bool is_better_ = false;
+};
+
+}  // namespace kinestat

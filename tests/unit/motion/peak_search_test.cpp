@@ -1,0 +1,127 @@
+// Peaks of closed forms between steps that miss them.
+#include "studies/motion/peak_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace kinestat {
+namespace {
+
+struct Found {
+  std::optional<PeakSample> top;
+  int looks = 0;
+};
+
+Found search(const std::function<double(double)>& value,
+             int steps,
+             const std::optional<double>& fold) {
+  std::vector<PeakSample> known;
+  for (int i = 0; i <= steps; ++i) {
+    const double share = static_cast<double>(i) / steps;
+    known.push_back({.share = share, .value = value(share)});
+  }
+  PeakSearch peaks(std::ranges::max(known, {}, &PeakSample::value).value, fold);
+  for (std::size_t i = 1; i + 1 < known.size(); ++i) {
+    if (may_be_peak(known[i - 1].value,
+                    known[i].value,
+                    known[i + 1].value,
+                    i == 1,
+                    i + 2 == known.size())) {
+      peaks.add({known[i - 1], known[i], known[i + 1]});
+    }
+  }
+  Found found;
+  while (const std::optional<double> share = peaks.next()) {
+    peaks.take(value(*share));
+    ++found.looks;
+  }
+  found.top = peaks.better();
+  return found;
+}
+
+// A turn of a crank, drawn at some angle.
+double turn(double share, double drawn) {
+  return 2.0 * std::numbers::pi * share + drawn;
+}
+
+TEST(PeakSearch, ClimbsToTheTopOfASmoothValue) {
+  for (const int steps : {36, 72}) {
+    for (double drawn = 0.01; drawn < 6.2; drawn += 0.1) {
+      const Found found = search(
+          [&](double share) {
+            const double angle = turn(share, drawn);
+            return std::sin(angle) + 0.3 * std::cos(2.0 * angle);
+          },
+          steps,
+          std::nullopt);
+      // The slope is zero where sin = 1/1.2.
+      ASSERT_TRUE(found.top) << drawn;
+      EXPECT_NEAR(found.top->value, 1.0 / 1.2 + 0.3 * (1.0 - 2.0 / 1.44), 1e-11) << drawn;
+    }
+  }
+}
+
+// Of links 2, 5 and 5 and a frame of 6 the angle between coupler and rocker passes 90 degrees.
+TEST(PeakSearch, GoesToTheFoldOfAnAngle) {
+  for (const int steps : {12, 36, 72}) {
+    for (double drawn = 0.01; drawn < 6.2; drawn += 0.1) {
+      const Found found = search(
+          [&](double share) {
+            const double square = 40.0 - 24.0 * std::cos(turn(share, drawn));
+            const double angle = std::acos((50.0 - square) / 50.0);
+            return std::min(angle, std::numbers::pi - angle);
+          },
+          steps,
+          std::numbers::pi / 2.0);
+      ASSERT_TRUE(found.top) << drawn;
+      EXPECT_NEAR(found.top->value, std::numbers::pi / 2.0, 2e-12) << drawn;
+      EXPECT_NEAR(std::cos(turn(found.top->share, drawn)), -10.0 / 24.0, 1e-9) << drawn;
+      EXPECT_LE(found.looks, 12) << drawn;
+    }
+  }
+}
+
+// Below the fold it stays: a top like any other.
+TEST(PeakSearch, TakesNoTopBelowAFoldForOne) {
+  for (const double top : {60.0, 80.0, 89.0}) {
+    for (double drawn = 0.01; drawn < 6.2; drawn += 0.1) {
+      const Found found = search(
+          [&](double share) { return top - 20.0 + 20.0 * std::sin(turn(share, drawn)); }, 36, 90.0);
+      ASSERT_TRUE(found.top) << drawn;
+      EXPECT_NEAR(found.top->value, top, 1e-9) << drawn;
+    }
+  }
+}
+
+TEST(PeakSearch, FindsATopBetweenTheLastSteps) {
+  const Found first = search([](double share) { return -std::pow(share - 0.03, 2); }, 10, {});
+  const Found last = search([](double share) { return -std::pow(share - 0.97, 2); }, 10, {});
+  ASSERT_TRUE(first.top && last.top);
+  EXPECT_NEAR(first.top->share, 0.03, 1e-12);
+  EXPECT_NEAR(last.top->share, 0.97, 1e-12);
+}
+
+TEST(PeakSearch, LooksNowhereOnASlope) {
+  const Found found = search([](double share) { return std::exp(share); }, 10, {});
+  EXPECT_FALSE(found.top);
+  EXPECT_EQ(found.looks, 0);
+}
+
+// Where there is no value the climb ends with what it has.
+TEST(PeakSearch, EndsWhereThereIsNoValue) {
+  PeakSearch peaks(1.0, std::nullopt);
+  peaks.add({PeakSample{0.0, 0.5}, PeakSample{0.1, 1.0}, PeakSample{0.2, 0.9}});
+  ASSERT_TRUE(peaks.next());
+  peaks.take(std::nullopt);
+  EXPECT_FALSE(peaks.next());
+  EXPECT_FALSE(peaks.better());
+}
+
+}  // namespace
+}  // namespace kinestat
