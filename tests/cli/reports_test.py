@@ -141,6 +141,8 @@ def shift_value(shift: Any, row: dict[str, str]) -> Any:
     if row["quantity"].startswith("worst_"):
         worst = state[row["quantity"].removesuffix("/force")]
         return worst and worst["force"]
+    if row["quantity"].startswith("reaction/"):
+        return state["reactions"][row["element"]][row["quantity"].removeprefix("reaction/")]
     if row["quantity"].startswith("limits/"):
         return state["limits"][row["element"]][row["quantity"].removeprefix("limits/")]
     return at(state["elements"][row["element"]] if row["element"] else state, row["quantity"])
