@@ -170,6 +170,17 @@ class FourBar(FiguresTest):
             with self.subTest(steps=steps):
                 self.assertLess(abs(found["least"] - least), VALUE * least)
 
+    def test_an_angle_that_passes_90_degrees_is_greatest_there(self) -> None:
+        b, c, d = self.LINKS
+        across = math.hypot(abs(c - b), abs(c - d))  # from b to d, of a right angle
+        self.assertLess(abs(d) - abs(b), across)
+        self.assertGreater(abs(d) + abs(b), across)
+        for steps in (24, 50, 97):
+            found = self.figures(run(FOUR_BAR, "--steps", str(steps)), "load/transmission_angle")
+            with self.subTest(steps=steps):
+                self.assertLess(abs(found["greatest"] - 90.0), VALUE * 90.0)
+                self.assertLess(abs(self.angle(found["greatest_at"]) - 90.0), 1e-6)
+
     def test_a_traced_point_goes_as_far_as_its_curve(self) -> None:
         motion = run(FOUR_BAR, "--steps", "30")
         self.holds(motion, "coupler.1/at/x", lambda t: self.traced(t).real)

@@ -63,6 +63,10 @@ APART = FOUR_BAR.replace('at: [r + x, "sqrt(max(k^2 - x^2, 0))"]',
                          "at: {coupler: [r + k, 0], rocker: [base, o]}")
 
 
+# A column that no linkage among several has.
+BODIES = {FOUR_BAR: "coupler.at.x.mean", SLIDER_CRANK: "rod.at.x.mean"}
+
+
 def swept(text: str, sweep: str, *options: str) -> tuple[list[dict], str]:
     """The rows, and what the program said."""
     done = program.call("sweep", *options, "-", text=f"{text}\nsweep: {sweep}\n")
@@ -295,6 +299,29 @@ class EveryState(ReferenceTest):
                         if "\nparameters:\n" in text else f"{text}\nparameters: {{p: 0}}\n")
             with self.subTest(path):
                 self.compare(text, parameter, values, words)
+
+    def test_linkages_together_say_what_each_says_alone(self) -> None:
+        """With a column of a body beside them, figures are those of whole motions."""
+        for text, vary, columns, steps in (
+                (FOUR_BAR, "r: {from: 0.5, to: 3}, k: {from: 3, to: 7.5}, o: {from: 3, to: 7.5}",
+                 "b.wz.position.least, c.wz.position.range, d.wz.position.range, "
+                 "transmission_angle.least, transmission_angle.greatest", "steps: 72"),
+                (SLIDER_CRANK, "r: {from: 0.5, to: 3}, l: {from: 3, to: 7}, "
+                               "e: {from: -1.5, to: 1.5}",
+                 "b.wz.position.peak, c.wz.position.range, s.vx.position.range, "
+                 "transmission_angle.least, transmission_angle.greatest", "steps: 72")):
+            for count in (6, 13, 40):
+                sweep = (f"{{vary: {{{vary}}}, cases: [{'turn' if 'turn' in text else 'push'}], "
+                         "sample: {count: 150, method: random, seed: 7}, report: [COLUMNS]}")
+                moved = text.replace(steps, f"steps: {count}")
+                together, _ = swept(moved, sweep.replace("COLUMNS", columns))
+                alone, _ = swept(moved, sweep.replace("COLUMNS", f"{columns}, {BODIES[text]}"))
+                self.assertGreater(sum(row["status"] == "solved" for row in alone), 40)
+                for one, other in zip(together, alone, strict=True):
+                    self.assertEqual(one["status"], other["status"])
+                    for name, value in one.items():
+                        if isinstance(value, float):
+                            self.assertAlmostEqual(value, other[name], delta=1e-10, msg=name)
 
     def compare(self, text: str, parameter: str, values: tuple, words: tuple) -> None:
         report = [option for word in words for option in ("--report", word)]

@@ -62,7 +62,10 @@ struct Parabola {
 }  // namespace
 
 PeakClimb::PeakClimb(const PeakTriple& steps, const std::optional<double>& fold)
-    : by_(steps), best_(*std::ranges::max_element(steps, {}, &PeakSample::value)), height_(fold) {
+    : by_(steps), best_(steps[1]), height_(fold) {
+  for (const PeakSample& one : steps) {
+    best_ = is_more(one.value, best_.value) ? one : best_;
+  }
   aim();
 }
 
@@ -107,6 +110,7 @@ void PeakClimb::aim_at_fold() {
       fold_ = {.below = *height_ - best_.value,
                .slope = std::abs(parabola.slope + 2.0 * parabola.bend * way),
                .side = side,
+               .is_from_best = false,
                .has_tried_both = false};
     }
   }
@@ -134,7 +138,7 @@ void PeakClimb::approach_fold(const PeakSample& before, const PeakSample& next) 
   if (below < kNearerShare * fold.below) {
     fold.below = below;
     fold.has_tried_both = false;
-  } else if (trials_ > 1 && !fold.has_tried_both && next.value <= before.value) {
+  } else if (fold.is_from_best && !fold.has_tried_both && next.value <= before.value) {
     fold.slope = std::abs((below - fold.below) / (next.share - before.share));
     fold.side = -fold.side;
     fold.has_tried_both = true;
@@ -142,6 +146,7 @@ void PeakClimb::approach_fold(const PeakSample& before, const PeakSample& next) 
     aim();
     return;
   }
+  fold.is_from_best = true;
   const double share = best_.share + fold.side * fold.below / fold.slope;
   if (trials_ < kMostFoldTrials && share > by_[0].share && share < by_[2].share) {
     promise_ = {.share = share, .value = *height_};

@@ -47,6 +47,7 @@ class PeakClimb {
     double below = 0.0;
     double slope = 0.0;
     double side = 1.0;
+    bool is_from_best = false;  // the last trial began there
     bool has_tried_both = false;
   };
 
