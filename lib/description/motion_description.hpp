@@ -19,7 +19,7 @@ struct DriveRange {
 struct TracePoint {
   Name body;
   PointDescription at;
-  std::optional<Name> name;  ///< empty: BODY.N, the N-th of all
+  std::optional<Name> name = {};  ///< empty: BODY.N, the N-th of all
 };
 
 /// Where the file does not say how many.

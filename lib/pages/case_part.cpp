@@ -108,9 +108,15 @@ class CasePart {
     add_blocks(TextBlocks(blocks.known + blocks.results), "Case", html_);
     section_.add_pictures(pictures_of_case(index));
     const auto add_pass = [&](const char* title, const TextBlocks& pass, PicturePlace place) {
-      if (!pass.is_empty()) {
-        html_.element(section_.level(2), title, {{"class", "pass-title"}});
-        section_.add_pair(pass, title, pictures_at(place, section_.source(index)));
+      const std::vector<Picture> pictures = pictures_at(place, section_.source(index));
+      if (pass.is_empty() && pictures.empty()) {
+        return;
+      }
+      html_.element(section_.level(2), title, {{"class", "pass-title"}});
+      if (pass.is_empty()) {
+        section_.add_pictures(pictures);
+      } else {
+        section_.add_pair(pass, title, pictures);
       }
     };
     add_pass("Velocities", blocks.motion, PicturePlace::velocities);

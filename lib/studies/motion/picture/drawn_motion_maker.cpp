@@ -9,7 +9,7 @@ namespace kinestat {
 
 namespace {
 
-std::vector<TracedPath> empty_paths(const FoundMotion& motion, const Topology& topology) {
+std::vector<TracedPath> empty_paths(const FoundMotion& motion) {
   std::vector<TracedPath> paths;
   for (std::size_t p = 0; p < motion.plan.trace.size(); ++p) {
     const TracedPoint& point = motion.plan.trace[p];
@@ -24,8 +24,7 @@ DrawnMotion make_drawn_motion(const FoundMotion& motion,
                               const MotionSolution& solution,
                               const std::vector<std::size_t>& shown,
                               const Mechanism& mechanism) {
-  DrawnMotion result{
-      .positions = {}, .shares = {}, .paths = empty_paths(motion, mechanism.topology)};
+  DrawnMotion result{.positions = {}, .shares = {}, .paths = empty_paths(motion)};
   const bool is_planar = mechanism.space == Space::planar;
   Mechanism moved = mechanism;
   for (std::size_t i = 0; i < solution.shares.size(); ++i) {
