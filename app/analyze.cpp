@@ -12,6 +12,7 @@ void add_analyze(CLI::App& command, Job& job) {
   AnalyseOptions& analyse = options->analyse;
   add_files(command, *options);
   add_format(command, *options);
+  add_layout(command, *options);
   add_accuracy(command, analyse.accuracy);
   add_output(command,
              analyse,

@@ -48,6 +48,7 @@ void add_motion(CLI::App& command, Job& job) {
   AnalyseOptions& analyse = flags->files.analyse;
   add_files(command, flags->files);
   add_format(command, flags->files);
+  add_layout(command, flags->files);
   add_motion_choice(command, flags->choice);
   add_output(command,
              analyse,

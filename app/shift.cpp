@@ -20,6 +20,7 @@ void add_shift(CLI::App& command, Job& job) {
   auto flags = std::make_shared<ShiftFlags>();
   add_files(command, flags->files);
   add_format(command, flags->files);
+  add_layout(command, flags->files);
   add_accuracy(command, flags->files.analyse.accuracy);
   add_strict(command, flags->files);
   add_flag(

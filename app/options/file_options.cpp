@@ -105,6 +105,15 @@ void add_format(CLI::App& command, FileOptions& options) {
       "json of several files is one line a file");
 }
 
+void add_layout(CLI::App& command, FileOptions& options) {
+  add_choice<TableLayout>(command,
+                          "--layout",
+                          {{"long", TableLayout::tidy}, {"wide", TableLayout::wide}},
+                          options.analyse.output.layout,
+                          "of CSV: long is a row a value, wide a row a case,\n"
+                          "or a step of a motion");
+}
+
 void add_fail_fast(CLI::App& command, FileOptions& options) {
   add_flag(
       command,

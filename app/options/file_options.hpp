@@ -31,6 +31,9 @@ void add_diagnostics_form(CLI::App& command, DiagnosticsForm& form);
 /// Declares --format.
 void add_format(CLI::App& command, FileOptions& options);
 
+/// Declares --layout.
+void add_layout(CLI::App& command, FileOptions& options);
+
 /// Declares --fail-fast.
 void add_fail_fast(CLI::App& command, FileOptions& options);
 

@@ -77,6 +77,14 @@ Outcome for_each_file(const std::vector<std::string>& paths,
     add_diagnostics({}, found, options.strictness, outcome);
     return outcome;
   }
+  const bool has_tables = options.format == StreamFormat::csv || !options.output.folder.empty();
+  if (options.output.layout != TableLayout::tidy && !has_tables) {
+    add_message("E0101",
+                "--layout is that of tables, and none are written",
+                "give --format csv, or --out FOLDER",
+                outcome);
+    return outcome;
+  }
   for (const std::string& path : paths) {
     try {
       job(path, outcome);
@@ -88,6 +96,9 @@ Outcome for_each_file(const std::vector<std::string>& paths,
     if (options.fail_fast && outcome.status != ExitStatus::done) {
       break;
     }
+  }
+  if (options.format == StreamFormat::csv) {
+    outcome.out = laid_out(outcome.out, options.output.layout);
   }
   return outcome;
 }

@@ -38,6 +38,10 @@ bool check_distinct(const std::vector<std::string>& paths, Diagnostics& found) {
   return is_good;
 }
 
+std::string laid_out(const std::string& tidy, TableLayout layout) {
+  return layout == TableLayout::wide ? wide_table(tidy) : tidy;
+}
+
 bool write_report(const FileReport& report,
                   const std::string& stem,
                   const OutputOptions& options,
@@ -48,7 +52,7 @@ bool write_report(const FileReport& report,
                    .signature = std::string(json_signature())});
   for (const NamedTable& table : report.csv) {
     files.push_back({.path = fmt::format("{}/{}.{}.csv", options.folder, stem, table.pass),
-                     .content = table.text,
+                     .content = laid_out(table.text, options.layout),
                      .signature = std::string(csv_signature())});
   }
   return write_files(files, options.overwrite, found);

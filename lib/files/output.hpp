@@ -7,6 +7,7 @@
 #include "core/diagnostic.hpp"
 #include "io/atomic_file.hpp"
 #include "report/report_forms.hpp"
+#include "report/tables/wide_table.hpp"
 
 namespace kinestat {
 
@@ -14,6 +15,7 @@ namespace kinestat {
 struct OutputOptions {
   std::string folder;
   Overwrite overwrite = Overwrite::own_only;
+  TableLayout layout = TableLayout::tidy;  ///< of tables, also on standard output
 };
 
 /// The name of the files of a report: the input's file name without its folder and ".yaml";
@@ -22,6 +24,9 @@ std::string report_stem(const std::string& path);
 
 /// Complains about inputs whose reports would have the same name.
 bool check_distinct(const std::vector<std::string>& paths, Diagnostics& found);
+
+/// A tidy table in that layout.
+std::string laid_out(const std::string& tidy, TableLayout layout);
 
 /// Writes <stem>.report.json and <stem>.<pass>.csv, all or none.
 bool write_report(const FileReport& report,

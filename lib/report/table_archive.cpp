@@ -1,20 +1,26 @@
 #include "report/table_archive.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "expression/unit_quotient.hpp"
 #include "report/csv.hpp"
 #include "report/number_format.hpp"
+#include "report/tables/component_name.hpp"
 
 namespace kinestat {
 
-TableArchive::TableArchive(std::string mechanism, const FileUnits& units, MissingNumber missing)
-    : mechanism_(std::move(mechanism)), units_(units), missing_(missing) {}
+TableArchive::TableArchive(std::string mechanism,
+                           const FileUnits& units,
+                           MissingNumber missing,
+                           std::string_view parameters)
+    : mechanism_(std::move(mechanism)), units_(units), missing_(missing), parameters_(parameters) {}
 
 namespace {
+
+constexpr std::string_view kParameterColumn = ",parameter";
 
 // What all numbers of a value measure; empty where they are bare, or of several kinds.
 std::optional<QuantityKind> kind_of(const Shape& shape) {
@@ -35,6 +41,10 @@ bool TableArchive::begin(const Property& property) {
     return false;
   }
   properties_.push_back(&property);
+  if (has_parameters(property)) {
+    names_parameters_ = true;
+    return true;
+  }
   begin_tables(property);
   switch (property.table_role) {
     case TableRole::quantity:
@@ -67,6 +77,11 @@ bool TableArchive::begin(const Property& property) {
 
 void TableArchive::end(const Property& property) {
   properties_.pop_back();
+  if (has_parameters(property)) {
+    names_parameters_ = false;
+    parameter_.clear();
+    return;
+  }
   switch (property.table_role) {
     case TableRole::quantity:
     case TableRole::word:
@@ -93,6 +108,8 @@ void TableArchive::end(const Property& property) {
 void TableArchive::element(std::string_view name, std::string_view status) {
   if (!open_.empty() && open_.back().kind == Open::Kind::cases) {
     case_ = name;
+  } else if (names_parameters_) {
+    parameter_ = name;
   } else if (!element_keys_.empty()) {
     if (std::exchange(open_.back().names_path, true)) {
       path_.pop_back();
@@ -145,9 +162,8 @@ void TableArchive::quantity(const std::optional<double>& si, QuantityKind kind) 
 std::string TableArchive::unit_of(QuantityKind kind) const {
   const auto at = std::find_if(
       open_.rbegin(), open_.rend(), [](const Open& one) { return !one.reference.empty(); });
-  return is_magnitude(kind) && at != open_.rend()
-             ? fmt::format("{} per {}", units_.text(kind), at->reference)
-             : units_.text(kind);
+  return is_magnitude(kind) && at != open_.rend() ? unit_quotient(units_.text(kind), at->reference)
+                                                  : units_.text(kind);
 }
 
 void TableArchive::number(const std::optional<double>& value, std::string_view unit) {
@@ -200,14 +216,31 @@ void TableArchive::word(const std::string& ending, const char* value) {
   end_item(is_item);
 }
 
+bool TableArchive::has_parameters(const Property& property) const {
+  return !parameters_.empty() && property.key == parameters_;
+}
+
+// What the record says of the value that comes next.
+const Shape* TableArchive::next_shape() const {
+  const std::size_t before = open_.empty() ? 0 : open_.back().properties;
+  if (properties_.size() > before) {
+    return &properties_.back()->shape;
+  }
+  const Shape* above = open_.empty() ? nullptr : open_.back().shape;
+  return above == nullptr || above->items.empty() ? nullptr : &above->items.front();
+}
+
 void TableArchive::open(Open::Kind kind) {
+  const Shape* shape = next_shape();
   const bool is_item = begin_item();
   open_.push_back({.kind = kind,
                    .next = 0,
                    .is_item = is_item,
                    .element = element_,
                    .own_status = own_status_,
-                   .reference = {}});
+                   .reference = {},
+                   .shape = shape,
+                   .properties = properties_.size()});
 }
 
 void TableArchive::close() {
@@ -216,12 +249,15 @@ void TableArchive::close() {
   end_item(is_item);
 }
 
-// An item of a list has its number in the path. Whether it is one.
+// An item of a list has its number in the path, a component its name. Whether it is one.
 bool TableArchive::begin_item() {
   if (open_.empty() || open_.back().kind != Open::Kind::list) {
     return false;
   }
-  path_.push_back(std::to_string(open_.back().next++));
+  Open& list = open_.back();
+  const auto index = static_cast<std::size_t>(list.next++);
+  path_.push_back(list.shape == nullptr ? std::to_string(index)
+                                        : component_name(*list.shape, index));
   return true;
 }
 
@@ -241,15 +277,18 @@ void TableArchive::row(const std::string& value, std::string_view unit) {
   if (pass_.empty() || quantity.empty() || is_left_out) {
     return;
   }
-  table(pass_).text +=
-      csv_line(std::array<std::string, 8>{mechanism_,
-                                          case_,
-                                          pass_,
-                                          element_,
-                                          quantity,
-                                          value,
-                                          std::string(unit),
-                                          own_status_.empty() ? status_ : own_status_});
+  std::vector<std::string> cells = {mechanism_,
+                                    case_,
+                                    pass_,
+                                    element_,
+                                    quantity,
+                                    value,
+                                    std::string(unit),
+                                    own_status_.empty() ? status_ : own_status_};
+  if (!parameters_.empty()) {
+    cells.push_back(parameter_);
+  }
+  table(pass_).text += csv_line(cells);
 }
 
 NamedTable& TableArchive::table(const std::string& pass) {
@@ -258,6 +297,9 @@ NamedTable& TableArchive::table(const std::string& pass) {
     return *at;
   }
   tables_.push_back({.pass = pass, .text = std::string(kCsvHeader)});
+  if (!parameters_.empty()) {
+    tables_.back().text.insert(kCsvHeader.size() - 1, kParameterColumn);
+  }
   return tables_.back();
 }
 

@@ -22,10 +22,12 @@ enum class MissingNumber { empty_cell, no_row };
 /// element, names below it are part of the quantity.
 class TableArchive : public Archive {
  public:
-  /// `mechanism` stands in the first cell of every row.
+  /// `mechanism` stands in the first cell of every row. What is below the key `parameters` has its
+  /// name in a column `parameter`, which the tables have then.
   TableArchive(std::string mechanism,
                const FileUnits& units,
-               MissingNumber missing = MissingNumber::empty_cell);
+               MissingNumber missing = MissingNumber::empty_cell,
+               std::string_view parameters = {});
 
   /// In the order in which they began. One that every report of the record has is there without
   /// rows, too.
@@ -51,15 +53,19 @@ class TableArchive : public Archive {
   // A value that is open.
   struct Open {
     enum class Kind { object, map, cases, list } kind = Kind::object;
-    int next = 0;             // of a list: the number of its next item
-    bool is_item = false;     // it is itself an item of a list
-    std::string element;      // of what contains it
-    std::string own_status;   // likewise
-    bool names_path = false;  // the name of its element ends the path
-    std::string reference;    // the unit for one of which its rates and actions are
+    int next = 0;                  // of a list: the number of its next item
+    bool is_item = false;          // it is itself an item of a list
+    std::string element;           // of what contains it
+    std::string own_status;        // likewise
+    bool names_path = false;       // the name of its element ends the path
+    std::string reference;         // the unit for one of which its rates and actions are
+    const Shape* shape = nullptr;  // its own; null where the record says none
+    std::size_t properties = 0;    // that were open before
   };
 
   void open(Open::Kind kind);
+  const Shape* next_shape() const;
+  bool has_parameters(const Property& property) const;
   void close();
   bool begin_item();
   void end_item(bool is_item);
@@ -82,8 +88,11 @@ class TableArchive : public Archive {
   std::vector<std::string> path_;            // of the quantity
   std::vector<const Property*> properties_;  // that are open
   std::vector<Open> open_;
-  bool names_cases_ = false;   // the next map or list
-  bool reads_status_ = false;  // the next text
+  std::string_view parameters_;  // the key whose map is one of parameters
+  std::string parameter_;
+  bool names_parameters_ = false;  // the map that is open
+  bool names_cases_ = false;       // the next map or list
+  bool reads_status_ = false;      // the next text
 };
 
 /// What a view shows, by its record.
@@ -92,8 +101,9 @@ std::vector<NamedTable> tables_of(const Record<View>& record,
                                   const View& view,
                                   const std::string& mechanism,
                                   const FileUnits& units,
-                                  MissingNumber missing = MissingNumber::empty_cell) {
-  TableArchive archive(mechanism, units, missing);
+                                  MissingNumber missing = MissingNumber::empty_cell,
+                                  std::string_view parameters = {}) {
+  TableArchive archive(mechanism, units, missing, parameters);
   record.write(view, archive);
   return archive.take();
 }

@@ -48,7 +48,7 @@ bool write_motion(const FileReport& report,
   const std::vector<OutputFile> files = {
       {.path = stem + ".json", .content = report.json, .signature = std::string(json_signature())},
       {.path = stem + ".csv",
-       .content = report.csv.front().text,
+       .content = laid_out(report.csv.front().text, options.layout),
        .signature = std::string(csv_signature())}};
   return write_files(files, options.overwrite, found);
 }

@@ -12,6 +12,7 @@
 #include "core/text.hpp"
 #include "core/utf8.hpp"
 #include "expression/parameters.hpp"
+#include "expression/unit_quotient.hpp"
 #include "files/each_file.hpp"
 #include "files/parameter_names.hpp"
 #include "mechanism/bind/derivatives.hpp"
@@ -34,10 +35,9 @@ std::pair<std::string, double> unit_of(const ReportedValue& value, const FileUni
   if (!value.per) {
     return {units.text(value.kind), units.factor(value.kind)};
   }
-  return {value.kind == *value.per
-              ? ""
-              : fmt::format("{} per {}", units.text(value.kind), units.text(*value.per)),
-          units.factor(value.kind) / units.factor(*value.per)};
+  return {
+      value.kind == *value.per ? "" : unit_quotient(units.text(value.kind), units.text(*value.per)),
+      units.factor(value.kind) / units.factor(*value.per)};
 }
 
 // A pulley where cables have friction, or would with other numbers: their derivatives are not

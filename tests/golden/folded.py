@@ -3,7 +3,7 @@
 A line is `elements | quantity | values | units` below a heading `[pass of cases, status]`, which
 names cases where there are some and the status where it is not "solved". What stands once in a
 line, and in the table once a row:
-- components: `a.Rx,Ry` of a coupling, `twist/0..5` of a screw, `points/0..199/0` of the abscissas
+- components: `a.Rx,Ry` of a coupling, `at/x,y,z` of a point, `points/0..199/x` of the abscissas
   of a curve, `position@0..72` of the steps of a motion, with a value each, and with a unit each
   where these differ;
 - elements and cases that have the same values;
@@ -23,14 +23,15 @@ DIGITS = 12
 NO_VALUE = "none"
 USUAL_STATUS = "solved"
 # Components of a quantity that stand a second time, as another.
-REPEATED = {f"{screw}/{i}": f"{part}/{i % 3}"
-            for screw, part, first in (("twist", "angular", 0), ("wrench", "force", 3))
-            for i in range(first, first + 3)}
+REPEATED = {f"{screw}{axis}": f"{part}/{axis}"
+            for screw, part in (("twist/w", "angular"), ("wrench/R", "force")) for axis in "xyz"}
 QUOTES = re.compile(r"['\"\\]")
 PLAIN_NAME = re.compile(r"[^\s'\"\\|\[\]]+")
 HEADING = re.compile(r"\[(\w+)(?: of (.*?))?(?:, (\w+))?\]")
-COMPONENTS = re.compile(r"(.*?)(?:([@/])([\d,.]+)(/\d+)?)?")
-LIST_OF_POINTS = re.compile(r"(.*)/(\d+)(/\d+)")
+NAME = re.compile(r"[wvTR]?[xyz]")  # of a component of a vector or a screw
+COMPONENTS = re.compile(rf"(.*?)(?:([@/])([\d,.]+|(?:{NAME.pattern},)*{NAME.pattern})"
+                        r"(/(?:\d+|[xyz]))?)?")
+LIST_OF_POINTS = re.compile(r"(.*)/(\d+)(/(?:\d+|[xyz]))")
 
 
 class Row(NamedTuple):
@@ -93,7 +94,7 @@ def axis_of(row: Row) -> Axis:
         stem, index, coordinate = points.groups()
         return Axis(row.element, stem, "/", coordinate, index)
     stem, slash, index = row.quantity.rpartition("/")
-    if slash and index.isdigit():
+    if slash and (index.isdigit() or NAME.fullmatch(index)):
         return Axis(row.element, stem, "/", "", index)
     stem, dot, label = row.element.rpartition(".")
     return Axis(stem if dot else row.element, row.quantity, dot, "", label if dot else "")

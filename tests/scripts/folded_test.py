@@ -9,6 +9,8 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "golden"))
 from folded import Row, fold, unfold  # noqa: E402
 
+SCREW = ["Tx", "Ty", "Tz", "Rx", "Ry", "Rz"]
+
 
 def lines(*rows: Row) -> list[str]:
     return fold(rows).splitlines()
@@ -22,10 +24,10 @@ class Folded(unittest.TestCase):
 
     def test_components_of_a_screw_are_one_line(self) -> None:
         units = 3 * ["N*m"] + 3 * ["N"]
-        self.check([Row("1", "statics", "hook", f"load/wrench/{i}", str(i), unit)
+        self.check([Row("1", "statics", "hook", f"load/wrench/{SCREW[i]}", str(i), unit)
                     for i, unit in enumerate(units)],
                    "[statics of 1]",
-                   "hook | load/wrench/0..5 | 0 1 2 3 4 5 | N*m N*m N*m N N N")
+                   "hook | load/wrench/Tx,Ty,Tz,Rx,Ry,Rz | 0 1 2 3 4 5 | N*m N*m N*m N N N")
 
     def test_actions_of_a_coupling_are_one_line(self) -> None:
         self.check([Row("1", "statics", f"a.{label}", "action", value, "N")
@@ -33,10 +35,10 @@ class Folded(unittest.TestCase):
                    "[statics of 1]", "a.Rx,Ry | action | 3 -4 | N")
 
     def test_points_of_a_curve_are_a_line_for_each_coordinate(self) -> None:
-        self.check([Row("0", "synthesis", "curves", f"points/{i}/{k}", str(10 * i + k), "m")
+        self.check([Row("0", "synthesis", "curves", f"points/{i}/{'xy'[k]}", str(10 * i + k), "m")
                     for i in range(3) for k in range(2)],
-                   "[synthesis of 0]", "curves | points/0..2/0 | 0 10 20 | m",
-                   "curves | points/0..2/1 | 1 11 21 | m")
+                   "[synthesis of 0]", "curves | points/0..2/x | 0 10 20 | m",
+                   "curves | points/0..2/y | 1 11 21 | m")
 
     def test_steps_of_a_motion_are_one_line(self) -> None:
         rows = [Row("", "motion", "a.wz", "position", str(i), "rad", step=str(i)) for i in range(3)]
@@ -64,15 +66,17 @@ class Folded(unittest.TestCase):
                 self.assertEqual(sorted(unfold(fold([one, other]))), sorted([one, other]))
 
     def test_what_repeats_a_screw_is_told_once(self) -> None:
-        wrench = [Row("1", "statics", "a", f"wrench/{i}", str(i), "N") for i in range(6)]
-        force = [Row("1", "statics", "a", f"force/{i}", str(3 + i), "N") for i in range(3)]
-        self.check(wrench + force, "[statics of 1]", "a | wrench/0..5 | 0 1 2 3 4 5 | N")
+        wrench = [Row("1", "statics", "a", f"wrench/{SCREW[i]}", str(i), "N") for i in range(6)]
+        force = [Row("1", "statics", "a", f"force/{'xyz'[i]}", str(3 + i), "N") for i in range(3)]
+        self.check(wrench + force, "[statics of 1]",
+                   "a | wrench/Tx,Ty,Tz,Rx,Ry,Rz | 0 1 2 3 4 5 | N")
 
     def test_what_should_repeat_a_screw_and_does_not_is_told(self) -> None:
-        wrench = [Row("1", "statics", "a", f"wrench/{i}", str(i), "N") for i in range(6)]
-        force = [Row("1", "statics", "a", f"force/{i}", "8", "N") for i in range(3)]
-        self.check(wrench + force, "[statics of 1]", "a | wrench/0..5 | 0 1 2 3 4 5 | N",
-                   "a | force/0..2 | 8 8 8 | N")
+        wrench = [Row("1", "statics", "a", f"wrench/{SCREW[i]}", str(i), "N") for i in range(6)]
+        force = [Row("1", "statics", "a", f"force/{axis}", "8", "N") for axis in "xyz"]
+        self.check(wrench + force, "[statics of 1]",
+                   "a | wrench/Tx,Ty,Tz,Rx,Ry,Rz | 0 1 2 3 4 5 | N",
+                   "a | force/x,y,z | 8 8 8 | N")
 
     def test_a_value_that_does_not_exist_is_none(self) -> None:
         self.check([Row("", "shift", "", "span", "")], "[shift]", "'' | span | none")

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "expression/unit_quotient.hpp"
 #include "mechanism/label_kind.hpp"
 
 namespace kinestat {
@@ -19,7 +20,7 @@ RatioInUnits converted(const std::optional<double>& value,
     result.value = input == output ? *value : *value * units.factor(output) / units.factor(input);
   }
   if (input != output) {
-    result.unit = units.text(input) + " per " + units.text(output);
+    result.unit = unit_quotient(units.text(input), units.text(output));
   }
   return result;
 }

@@ -11,7 +11,7 @@ namespace kinestat {
 /// A ratio and its unit; the unit is empty where input and output are of one kind.
 struct RatioInUnits {
   std::optional<double> value;
-  std::string unit;  ///< for example "rad/s per mm/s"
+  std::string unit;  ///< for example "rad/s/(mm/s)"
 };
 
 struct RatiosInUnits {

@@ -1,9 +1,11 @@
 #include "studies/compare/compare_csv.hpp"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <map>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -24,6 +26,32 @@ namespace kinestat {
 
 namespace {
 
+// Tables of versions up to 0.2.0 have numbers for the components of vectors and screws.
+std::string with_named_component(const std::string& quantity) {
+  static const std::map<std::string_view, std::span<const std::string_view>> names = [] {
+    static constexpr std::array<std::string_view, 3> kVector = {"x", "y", "z"};
+    static constexpr std::array<std::string_view, 6> kTwist = {"wx", "wy", "wz", "vx", "vy", "vz"};
+    static constexpr std::array<std::string_view, 6> kWrench = {"Tx", "Ty", "Tz", "Rx", "Ry", "Rz"};
+    std::map<std::string_view, std::span<const std::string_view>> result = {{"twist", kTwist},
+                                                                            {"wrench", kWrench}};
+    for (const std::string_view vector :
+         {"angular", "linear", "at", "force", "moment", "direction", "point", "shift"}) {
+      result.emplace(vector, kVector);
+    }
+    return result;
+  }();
+  const std::size_t slash = quantity.rfind('/');
+  if (slash == std::string::npos || slash + 2 != quantity.size()) {
+    return quantity;
+  }
+  const std::string_view above = std::string_view(quantity).substr(0, slash);
+  const auto of = names.find(above.substr(above.rfind('/') + 1));
+  const auto index = static_cast<std::size_t>(quantity.back() - '0');
+  return of == names.end() || index >= of->second.size()
+             ? quantity
+             : quantity.substr(0, slash + 1).append(of->second[index]);
+}
+
 // Those of a motion tell the step too, those of several files the file.
 std::vector<std::string> known_columns(const CsvRow& header) {
   const auto has = [&](const char* column) {
@@ -33,6 +61,9 @@ std::vector<std::string> known_columns(const CsvRow& header) {
       CsvReader(has("step") ? kMotionCsvHeader : kCsvHeader).next()->cells;
   if (has("file")) {
     known.insert(known.begin(), "file");
+  }
+  if (has("parameter")) {
+    known.emplace_back("parameter");
   }
   return known;
 }
@@ -154,7 +185,10 @@ class TableReader {
     for (const char* column : {"mechanism", "case", "pass", "element"}) {
       place = place_below(place, cell(row, column));
     }
-    return place + "/" + cell(row, "quantity");
+    if (columns_.contains("parameter")) {
+      place = place_below(place + "/by", cell(row, "parameter"));
+    }
+    return place + "/" + with_named_component(cell(row, "quantity"));
   }
 
   // Below that of its quantity its step; several events may lie in one, and come in their order.

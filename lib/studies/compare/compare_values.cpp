@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <utility>
+
+#include "expression/unit_quotient.hpp"
 
 namespace kinestat {
 
@@ -77,22 +80,38 @@ ValueUnit bare_unit(std::string kind) {
 
 ValueUnit unit_per(const ValueUnit& above, const ValueUnit& below) {
   return {.kind = "ratio",
-          .text = above.text + " per " + below.text,
+          .text = unit_quotient(above.text, below.text),
           .scale = above.scale / below.scale,
           .dimension = above.dimension / below.dimension,
           .assumes = above.assumes + below.assumes};
 }
 
+namespace {
+
+// A ratio of two kinds has a unit of two, "rad/s/(mm/s)". Versions up to 0.2.0 wrote it "rad/s per
+// mm/s", and its derivative "rad/s per mm/s per mm", in which each divides all before it.
+std::optional<std::pair<std::string_view, std::string_view>> parts_of_quotient(
+    std::string_view text) {
+  constexpr std::string_view kPer = " per ";
+  if (const std::size_t per = text.rfind(kPer); per != std::string_view::npos) {
+    return std::pair(text.substr(0, per), text.substr(per + kPer.size()));
+  }
+  const std::size_t over = text.ends_with(')') ? text.rfind("/(") : std::string_view::npos;
+  if (over == std::string_view::npos) {
+    return std::nullopt;
+  }
+  return std::pair(text.substr(0, over), text.substr(over + 2, text.size() - over - 3));
+}
+
+}  // namespace
+
 std::variant<ValueUnit, ExpressionError> read_unit(std::string_view text) {
   if (text.empty() || text == "1") {
     return bare_unit("number");
   }
-  // A ratio of two kinds has a unit of two, "rad/s per mm/s"; its derivative one more,
-  // "rad/s per mm/s per mm", in which each divides all before it.
-  constexpr std::string_view kPer = " per ";
-  if (const std::size_t per = text.rfind(kPer); per != std::string_view::npos) {
-    const auto above = read_unit(text.substr(0, per));
-    const auto below = read_unit(text.substr(per + kPer.size()));
+  if (const auto parts = parts_of_quotient(text)) {
+    const auto above = read_unit(parts->first);
+    const auto below = read_unit(parts->second);
     for (const auto* part : {&above, &below}) {
       if (const auto* error = std::get_if<ExpressionError>(part)) {
         return *error;
@@ -102,7 +121,18 @@ std::variant<ValueUnit, ExpressionError> read_unit(std::string_view text) {
   }
   auto parsed = parse_unit(text);
   if (const auto* error = std::get_if<ExpressionError>(&parsed)) {
-    return *error;
+    // Units of one dimension, "mm/m" or "N*m/N/mm", are none to a file.
+    const std::size_t over = text.ends_with(')') ? std::string_view::npos : text.rfind('/');
+    if (over == std::string_view::npos || over == 0) {
+      return *error;
+    }
+    const auto above = read_unit(text.substr(0, over));
+    const auto below = read_unit(text.substr(over + 1));
+    const bool are_units =
+        std::holds_alternative<ValueUnit>(above) && std::holds_alternative<ValueUnit>(below);
+    return are_units ? std::variant<ValueUnit, ExpressionError>(
+                           unit_per(std::get<ValueUnit>(above), std::get<ValueUnit>(below)))
+                     : std::variant<ValueUnit, ExpressionError>(*error);
   }
   const auto& unit = std::get<UnitExpression>(parsed);
   return ValueUnit{.kind = kind_of(unit.dimension),

@@ -43,6 +43,9 @@ double allowed(double a, double b, const std::string& in, const Tolerances& by, 
 TEST(ReadUnit, DividesByOneUnitAfterTheOther) {
   EXPECT_DOUBLE_EQ(unit("rad/s per mm/s per mm").scale.to_si(1.0), 1e6);
   EXPECT_EQ(unit("rad/s per mm/s per mm").dimension, unit("rad/m^2").dimension);
+  EXPECT_DOUBLE_EQ(unit("rad/s/(mm/s)/mm").scale.to_si(1.0), 1e6);
+  EXPECT_EQ(unit("rad/s/(mm/s)/mm").dimension, unit("rad/m^2").dimension);
+  EXPECT_DOUBLE_EQ(unit("1/mm").scale.to_si(1.0), 1e3);
 }
 
 TEST(Tolerance, IsAShareOfTheLargerValueByDefault) {

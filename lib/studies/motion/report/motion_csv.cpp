@@ -6,6 +6,7 @@
 
 #include "report/csv.hpp"
 #include "report/number_format.hpp"
+#include "report/tables/component_name.hpp"
 
 namespace kinestat {
 
@@ -76,8 +77,8 @@ class MotionCsv {
   void add_corrections() {
     for (const BodyCorrection& one : motion_.corrections) {
       for (int i = 0; i < 3; ++i) {
-        fixed_line({one.body, "correction/shift/" + std::to_string(i), motion_.length_unit},
-                   one.shift[i]);
+        const std::string axis = axis_name(static_cast<std::size_t>(i));
+        fixed_line({one.body, "correction/shift/" + axis, motion_.length_unit}, one.shift[i]);
       }
       fixed_line({one.body, "correction/angle", motion_.angle_unit}, one.angle);
     }

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "expression/unit_quotient.hpp"
 #include "math/numbers/settled.hpp"
 
 namespace kinestat {
@@ -72,7 +73,7 @@ EndKinds kinds_of_ends(const Case& which, const Mechanism& mechanism) {
 }
 
 std::string unit_of_quotient(const FileUnits& units, QuantityKind above, QuantityKind below) {
-  return above == below ? "" : units.text(above) + " per " + units.text(below);
+  return above == below ? "" : unit_quotient(units.text(above), units.text(below));
 }
 
 // Action of the output over that of the input; in a case without actions the ratio of their rates,

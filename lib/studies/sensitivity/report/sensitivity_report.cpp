@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "expression/unit_quotient.hpp"
 #include "report/number_format.hpp"
 #include "report/report_parts.hpp"
 #include "report/table.hpp"
@@ -73,10 +74,7 @@ TextBlocks text_of(const MechanismDescription& description,
 }  // namespace
 
 std::string derivative_unit(const SensitivityValue& value, const SensitivityParameter& parameter) {
-  if (parameter.unit.empty()) {
-    return value.unit;
-  }
-  return fmt::format("{} per {}", value.unit.empty() ? "1" : value.unit, parameter.unit);
+  return unit_quotient(value.unit, parameter.unit);
 }
 
 std::optional<double> relative_sensitivity(const SensitivityValue& value,
@@ -116,7 +114,15 @@ FileReport make_sensitivity_report(const std::string& file,
                                    .parameters = parameters,
                                    .cases = cases,
                                    .found = &found};
-  add_forms(sensitivity_report_record, view, forms, report);
+  add_json(sensitivity_report_record, view, description.units, forms, report);
+  if (forms.csv) {
+    report.csv = tables_of(sensitivity_report_record(),
+                           view,
+                           name_in_tables(file, description),
+                           description.units,
+                           MissingNumber::empty_cell,
+                           "by");
+  }
   if (forms.text) {
     report.text = text_of(description, file, cases, parameters);
   }

@@ -11,16 +11,10 @@ namespace kinestat {
 
 namespace {
 
-// Of the title of a column: "N*m", "rad/s per mm/s", or empty.
+// Of the title of a column: "N*m", "rad/s/(mm/s)", or empty.
 Quantity unit_named(std::string_view text) {
-  constexpr std::string_view kPer = " per ";
   if (text.empty()) {
     return {.value = 1.0, .dimension = {}};
-  }
-  if (const std::size_t per = text.find(kPer); per != std::string_view::npos) {
-    const Quantity above = unit_named(text.substr(0, per));
-    const Quantity below = unit_named(text.substr(per + kPer.size()));
-    return {.value = above.value / below.value, .dimension = above.dimension / below.dimension};
   }
   const auto parsed = parse_unit(text);
   KINESTAT_EXPECTS(std::holds_alternative<UnitExpression>(parsed));
