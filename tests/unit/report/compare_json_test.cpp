@@ -154,20 +154,17 @@ TEST(JsonReport, SaysWhereItDoesNotTellTheUnit) {
 }
 
 TEST(JsonReport, CountsARatioInTheUnitThatItsCaseNames) {
-  const ReportValues values = json_values(json_report(R"(,
+  const ReportValues values = json_values(json_report(R"json(,
     "cases": {"turns": {"ratio": 2.0},
               "slides": {"ratio": 2.0, "ratio_unit": "rad/s/(mm/s)"},
-              "older": {
-  "ratio" : 2.0, "ratio_unit" : "rad/s per mm/s"
-}
-})"));
+              "older": {"ratio": 2.0, "ratio_unit": "rad/s per mm/s"}})json"));
 
   EXPECT_EQ(unit_at("/cases/turns/ratio", values), "ratio ");
-EXPECT_EQ(unit_at("/cases/slides/ratio", values), "ratio rad/s/(mm/s)");
-EXPECT_EQ(unit_at("/cases/older/ratio", values), "ratio rad/s/(mm/s)");
-const ValueUnit& unit = values.unit_of(*values.find("/cases/slides/ratio"));
-EXPECT_EQ(unit.scale.to_si(1.0), 1000.0);  // 1 rad/s per 0.001 m/s
-EXPECT_EQ(unit.assumes, "");
+  EXPECT_EQ(unit_at("/cases/slides/ratio", values), "ratio rad/s/(mm/s)");
+  EXPECT_EQ(unit_at("/cases/older/ratio", values), "ratio rad/s/(mm/s)");
+  const ValueUnit& unit = values.unit_of(*values.find("/cases/slides/ratio"));
+  EXPECT_EQ(unit.scale.to_si(1.0), 1000.0);  // 1 rad/s per 0.001 m/s
+  EXPECT_EQ(unit.assumes, "");
 }
 
 TEST(JsonReport, CountsCoefficientsPerUnitOfTheParameter) {
