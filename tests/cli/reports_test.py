@@ -35,7 +35,8 @@ TASKS = ROOT / "mechanisms" / "synthesis"
 SECTIONS = {
     "kinematics": {"rate": "freedoms", None: "bodies"},
     "statics": {"action": "actions", "load": "loads", "friction": "friction",
-                "planet": "planets", "contact": "contacts", None: "couplings"},
+                "planet": "planets", "contact": "contacts", "converter": "converters",
+                None: "couplings"},
     "power": {"into_head": "couplings", "supplied": "supplied", "actuator": "actuators",
               "load": "loads", "friction": "friction", "body": "bodies", "mesh": "meshes"},
 }
@@ -168,7 +169,10 @@ def shift_values(shift: Any) -> list[Any]:
     for state in shift["states"].values():
         found += state["engaged"]
         for key, value in state.items():
-            found += numbers(value) if key != "direction" else []
+            found += numbers(value) if key not in ("direction", "speed_shares", "torque_shares",
+                                                   "reactions") else []
+        for reaction in state.get("reactions", {}).values():
+            found += [reaction["speed"], reaction["torque"]]
     return found
 
 
