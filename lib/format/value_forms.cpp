@@ -136,14 +136,25 @@ Form<Name> body_name() {
   return reference(text_shape("body_name"));
 }
 
-Form<Name> new_body_name(std::string what) {
-  Form<Name> form = body_name();
+namespace {
+
+Form<Name> made_new(Form<Name> form, std::string what) {
   form.read = [what = std::move(what),
                read = form.read](const FileValue& value) -> std::optional<Name> {
     auto name = read(value);
     return name && check_name(*name, what, value.found) ? name : std::nullopt;
   };
   return form;
+}
+
+}  // namespace
+
+Form<Name> new_body_name(std::string what) {
+  return made_new(body_name(), std::move(what));
+}
+
+Form<Name> new_name(std::string what) {
+  return made_new(reference(text_shape("name")), std::move(what));
 }
 
 Form<Name> coupling_name() {

@@ -24,6 +24,9 @@ Form<Name> coupling_name();
 /// Likewise, where a body is declared; `what` names it in messages: "a body".
 Form<Name> new_body_name(std::string what);
 
+/// The same of something else.
+Form<Name> new_name(std::string what);
+
 /// Something that no pattern describes.
 Form<Name> free_name();
 

@@ -37,7 +37,7 @@ const Mapping<TracePoint>& trace_point() {
             .needed(&TracePoint::body, body_name(), "coupler");
         m.key("at", "The point in the drawn position.").needed(&TracePoint::at, point());
         m.key("name", "By which the report calls it; BODY.N, the N-th of all, without one.")
-            .may(&TracePoint::name, name_of("a new name"), "pen");
+            .may(&TracePoint::name, new_name("a traced point"), "pen");
       });
   return mapping;
 }
