@@ -6,6 +6,7 @@
 #include "couplings/cable_geometry.hpp"
 #include "description/mechanism_description.hpp"
 #include "expression/parameters.hpp"
+#include "screw/local_origin.hpp"
 
 namespace kinestat {
 
