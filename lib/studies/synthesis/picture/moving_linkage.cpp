@@ -55,7 +55,6 @@ class LinkageMover {
  public:
   LinkageMover(const SynthesisAnalysis& analysis, const SynthesisTask& task)
       : analysis_(analysis),
-        task_(task),
         best_(task.linkages.front()),
         first_(pose_of(task.positions.front())),
         dyads_{{{.dyad = best_.linkage.one, .letter = 'A'},
@@ -323,7 +322,6 @@ class LinkageMover {
   }
 
   const SynthesisAnalysis& analysis_;
-  const SynthesisTask& task_;
   const LinkageCandidate& best_;
   Pose first_;
   std::array<DyadBody, 2> dyads_;
