@@ -82,6 +82,12 @@ class SpinOfARod(ReferenceTest):
         values = program.run("sensitivity", "-", text=TEXT)["cases"]["go"]["sensitivity"]
         self.near(values["d.wx"]["by"]["r"]["derivative"], 60 / 3000, "derivative")
 
+    def test_what_is_not_determined_has_no_derivative(self) -> None:
+        for value in ("b.wx", "kinematics/bodies/rod/angular/0"):
+            done = program.call("sensitivity", "--of", value, "-", text=TEXT)
+            self.assertNotEqual(done.returncode, 0, value)
+            self.assertNotIn('"derivative"', done.stdout, value)
+
     def test_what_more_bodies_feel_is_still_an_error(self) -> None:
         text = TEXT.replace("motion: {motor: 1 rad/s}", "motion: {}")
         done = program.call("analyze", "-", text=text)

@@ -9,11 +9,13 @@ std::optional<ReportedValue> find_kinematic_value(const DualCase& values, const 
   if (parts.size() == 3 && parts[1] == "freedoms") {
     const auto f = index_where(
         topology.freedoms.size(), parts[2], [&](int i) { return topology.freedom_name(i); });
-    return f ? as_value(kind_of(topology.freedoms[*f]), values.rate(*f)) : std::nullopt;
+    return f && values.motion()->knows_rate(static_cast<int>(*f))
+               ? as_value(kind_of(topology.freedoms[*f]), values.rate(*f))
+               : std::nullopt;
   }
   const auto b = parts[1] == "bodies" && parts.size() == 5 ? index_of(topology.bodies, parts[2])
                                                            : std::nullopt;
-  if (!b) {
+  if (!b || !values.motion()->knows_body(BodyId{static_cast<int>(*b)})) {
     return std::nullopt;
   }
   const LocalOrigin& origin = values.mechanism().geometry.origin;
