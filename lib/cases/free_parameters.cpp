@@ -98,14 +98,17 @@ BoundedNumber rounded_anew(const BoundedNumber& number) {
   return {.value = number.value, .bound = number.bound + kDataRounding * std::abs(number.value)};
 }
 
-// The rates of a case at one probe.
+// The rates of a case at one probe; one that no other body feels and nobody gives is no number, and
+// so is not affine.
 Magnitudes rates_of(const CaseAnalysis& one) {
   if (!one.motion || one.motion->rates.empty()) {
     return std::nullopt;
   }
   std::vector<BoundedNumber> rates;
   for (int f = 0; f < static_cast<int>(one.motion->rates.size()); ++f) {
-    rates.push_back(rounded_anew(bounded_rate(*one.motion, f)));
+    rates.push_back(one.motion->knows_rate(f)
+                        ? rounded_anew(bounded_rate(*one.motion, f))
+                        : BoundedNumber{.value = std::numeric_limits<double>::quiet_NaN()});
   }
   return rates;
 }

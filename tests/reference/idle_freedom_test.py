@@ -88,6 +88,14 @@ class SpinOfARod(ReferenceTest):
             self.assertNotEqual(done.returncode, 0, value)
             self.assertNotIn('"derivative"', done.stdout, value)
 
+    def test_a_free_speed_moves_what_is_determined_alone(self) -> None:
+        text = TEXT.replace("{r: 40}", "{speed: {free: 1 rad/s}}").replace("[r, 0, 0]", "[40, 0, 0]")
+        text = text.replace("motor: 1 rad/s", "motor: speed")
+        affine = program.run("analyze", "-", text=text)["cases"]["go"]["affine"]
+        self.near(affine["d.wx"]["speed"], lever_speed(40), "lever")
+        for name in ("b.wy", "b.wz", "c.wx", "c.wy", "c.wz"):
+            self.assertIsNone(affine.get(name), name)
+
     def test_what_more_bodies_feel_is_still_an_error(self) -> None:
         text = TEXT.replace("motion: {motor: 1 rad/s}", "motion: {}")
         done = program.call("analyze", "-", text=text)
