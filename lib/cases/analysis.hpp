@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "core/made_once.hpp"
+#include "dynamics/case_dynamics.hpp"
+#include "dynamics/spring_force.hpp"
 #include "kinematics/kinematic_solution.hpp"
 #include "mechanism/mechanism.hpp"
 #include "power/power_flow.hpp"
@@ -61,6 +63,10 @@ struct CaseAnalysis {
   std::optional<PowerGraph> power_graph;             ///< beside `power`
   std::optional<TransmissionEfficiency> efficiency;  ///< beside `power`, where meshes lose any
   std::optional<Ratios> ratios;
+  std::vector<SpringState> springs;               ///< in the order of the mechanism's
+  std::optional<SpringObstacle> spring_obstacle;  ///< why they are not known; then no `action`
+  std::optional<CaseDynamics> dynamics;  ///< of a case with inertia whose accelerations are known
+  std::optional<InertiaObstacle> inertia_obstacle;  ///< why they are not; then it has no `action`
 };
 
 /// The magnitudes of one case that depend on a free parameter.

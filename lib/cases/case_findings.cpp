@@ -10,6 +10,7 @@
 #include "cases/known_side.hpp"
 #include "cases/limit_findings.hpp"
 #include "core/text.hpp"
+#include "core/tolerance.hpp"
 
 namespace kinestat {
 
@@ -88,6 +89,109 @@ std::string converter_text(const JudgedFile& file, const CaseAnalysis& one) {
       side.name(search.action),
       in_unit(search.least),
       in_unit(search.greatest));
+}
+
+// Why the forces of inertia of a case are not known; a motion that is not determined has its own
+// finding.
+void add_inertia_obstacle(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
+  const InertiaObstacle& obstacle = *one.inertia_obstacle;
+  switch (obstacle.kind) {
+    case InertiaObstacle::Kind::unknown_motion:
+      return;
+    case InertiaObstacle::Kind::unmovable:
+      found.error(
+          "E0511",
+          file.mechanism.topology.coupling(obstacle.coupling->coupling).where,
+          fmt::format("case '{}' has no forces of inertia, since how fast coupling '{}' speeds up "
+                      "is not known: {}",
+                      one.which.label,
+                      file.mechanism.topology.coupling(obstacle.coupling->coupling).name,
+                      reason_of(obstacle.coupling->why)),
+          "'kinestat help dynamics' says what each type needs; without 'acceleration' the case is "
+          "solved as statics");
+      return;
+    case InertiaObstacle::Kind::singular:
+      found.error("E0511",
+                  one.which.where,
+                  fmt::format("case '{}' has no forces of inertia, since its position is singular: "
+                              "speeds of its drives determine no accelerations there",
+                              one.which.label),
+                  "draw the mechanism a little beside that position, or drive it by another "
+                  "coupling");
+      return;
+  }
+}
+
+// Bodies that turn and whose turning asks for nothing.
+void add_point_masses(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
+  std::vector<std::string> names;
+  for (const BodyDynamics& body : one.dynamics->bodies) {
+    const BodyMass& mass = file.mechanism.masses[static_cast<std::size_t>(body.body.value)];
+    const Vec3& turns = one.motion->bodies[static_cast<std::size_t>(body.body.value)].angular;
+    const bool turns_at_all = !turns.isZero(0.0) || !body.angular_acceleration.isZero(0.0);
+    if (turns_at_all && !mass.has_inertia) {
+      names.push_back(fmt::format("'{}'", file.mechanism.topology.body(body.body).name));
+    }
+    if (mass.polar_axis && !turns.cross(*mass.polar_axis).isZero(kRotorAxis * turns.norm())) {
+      found.error("E0323",
+                  mass.where,
+                  fmt::format("body '{}' turns about another axis than that of its 'polar' inertia "
+                              "in case '{}'",
+                              file.mechanism.topology.body(body.body).name,
+                              one.which.label),
+                  "give its three moments of inertia or the rows of its tensor");
+    }
+  }
+  if (!names.empty()) {
+    found.warning("W0310",
+                  one.which.where,
+                  fmt::format("{} {} in case '{}' and {} no 'inertia': counted as {}",
+                              plain_list(names),
+                              names.size() == 1 ? "turns" : "turn",
+                              one.which.label,
+                              names.size() == 1 ? "has" : "have",
+                              names.size() == 1 ? "a point mass" : "point masses"),
+                  "give 'inertia' about the centre of mass; write 0 where that is meant");
+  }
+}
+
+void add_spring_obstacle(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
+  const SpringObstacle& obstacle = *one.spring_obstacle;
+  const Spring& spring = file.mechanism.springs[obstacle.spring];
+  switch (obstacle.kind) {
+    case SpringObstacle::Kind::no_length:
+      found.error(
+          "E0324",
+          spring.where,
+          fmt::format("spring '{}' has no direction, since its two points meet", spring.name),
+          "give points that are apart, or make it a spring of a coupling");
+      return;
+    case SpringObstacle::Kind::past_stroke:
+      found.error("E0324",
+                  spring.where,
+                  fmt::format("gas spring '{}' is past its stroke", spring.name),
+                  "'length' is that of the extended spring, from which 'stroke' is pushed in; "
+                  "correct these or its points, or let the motion end before");
+      return;
+    case SpringObstacle::Kind::no_position:
+      found.error("E0324",
+                  spring.where,
+                  fmt::format("spring '{}' is of a freedom that has no position", spring.name),
+                  "balls, contacts and cables have none: give the spring two points");
+      return;
+  }
+}
+
+void add_inertia_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
+  if (one.inertia_obstacle) {
+    add_inertia_obstacle(file, one, found);
+  }
+  if (one.spring_obstacle) {
+    add_spring_obstacle(file, one, found);
+  }
+  if (one.dynamics && one.motion) {
+    add_point_masses(file, one, found);
+  }
 }
 
 void add_motion_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
@@ -255,6 +359,7 @@ CaseFindings find_case_findings(const JudgedFile& file,
   if (one.motion) {
     add_motion_findings(file, one, found);
   }
+  add_inertia_findings(file, one, found);
   if (one.action && !is_open_gear(file, one)) {
     add_action_status_findings(file, one, found);
   }

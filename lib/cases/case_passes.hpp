@@ -1,30 +1,24 @@
 // Cases solved as far as somebody reads them.
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "cases/analysis.hpp"
 
 namespace kinestat {
 
-/// How much of a case is worked out.
-enum class CasePasses {
-  magnitudes,  ///< rates and actions alone
-  row,         ///< what a row of a motion holds and is judged by: no power graph, unless the losses
-               ///< of meshes need it
-  all
+/// Of all cases the rates and actions alone.
+std::vector<CaseAnalysis> solve_magnitudes(const Mechanism& mechanism);
+
+/// What is known of a position beside the case.
+struct KnownState {
+  const KinematicSolution* motion = nullptr;  ///< its motion, or why it has none
+  const InertialMotion* inertial = nullptr;   ///< of a case with inertia
+  const SpringPlace* springs = nullptr;       ///< of a mechanism with springs
 };
 
-/// As solve_some_cases.
-std::vector<CaseAnalysis> solve_case_passes(const Mechanism& mechanism,
-                                            std::span<const Case> cases,
-                                            CasePasses passes);
-
-/// One case whose motion is known already, or why it has none.
-CaseAnalysis solve_case_in_motion(const Mechanism& mechanism,
-                                  const Case& which,
-                                  const KinematicSolution& motion,
-                                  CasePasses passes);
+/// What a row of a motion holds and is judged by: no power graph, unless the losses of meshes need
+/// it.
+CaseAnalysis solve_row(const Mechanism& mechanism, const Case& which, const KnownState& known);
 
 }  // namespace kinestat

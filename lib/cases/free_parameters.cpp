@@ -88,8 +88,7 @@ std::optional<Probe> solve_at(const MechanismDescription& description,
   if (!mechanism) {
     return std::nullopt;
   }
-  std::vector<CaseAnalysis> cases =
-      solve_case_passes(*mechanism, mechanism->cases, CasePasses::magnitudes);
+  std::vector<CaseAnalysis> cases = solve_magnitudes(*mechanism);
   return Probe{.mechanism = *std::move(mechanism), .cases = std::move(cases)};
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <variant>
 
 #include "cases/case_passes.hpp"
 #include "cases/converter_slip.hpp"
@@ -118,6 +119,13 @@ CoordinateBasis basis_for(const Mechanism& mechanism,
                          : action_basis(mechanism.geometry, mechanism.static_order, outside);
 }
 
+// How much of a case is worked out.
+enum class CasePasses {
+  magnitudes,  // rates and actions alone
+  row,         // no power graph, unless the losses of meshes need it
+  all
+};
+
 // What is asked of a case beside its own numbers.
 struct CaseRequest {
   const Case& which;
@@ -127,14 +135,16 @@ struct CaseRequest {
   CaseCertainty* certainty = nullptr;      // filled in beside `exact_input`
   CasePasses passes = CasePasses::all;
   const KinematicSolution* motion = nullptr;  // null: to be solved
+  const InertialMotion* inertial = nullptr;   // of a case with inertia; null: as drawn
+  const SpringPlace* springs = nullptr;       // null: as drawn
 };
 
 // Friction is followed in doubles: there is no bound for it.
 StaticSolution solve_statics(const Mechanism& mechanism,
                              const CoordinateBasis& common,
-                             const CaseRequest& request,
+                             const Case& which,
+                             const AccuracyRequest& accuracy,
                              const KinematicSolution* motion) {
-  const Case& which = request.which;
   const std::vector<BodyWrench> loads = wrenches_of(which.loads);
   Frictions frictions = find_frictions(mechanism, which, motion);
   const CoordinateBasis basis = basis_for(mechanism, common, loads, frictions.laws);
@@ -144,7 +154,7 @@ StaticSolution solve_statics(const Mechanism& mechanism,
   }
   StaticSolution solution =
       frictions.laws.empty()
-          ? solve_action(mechanism, basis, which.actions, loads, request.accuracy)
+          ? solve_action(mechanism, basis, which.actions, loads, accuracy)
           : solve_with_friction(mechanism, basis, which.actions, loads, frictions.laws);
   return resolve_indeterminacy(mechanism, basis, which.actions, loads, std::move(solution));
 }
@@ -175,7 +185,8 @@ std::vector<int> find_coast_flanks(const Geometry& geometry, const LoadedFlanks&
 
 LoadedFlanks solve_on_flanks(const Mechanism& drawn,
                              const Bases& bases,
-                             const CaseRequest& request,
+                             const Case& which,
+                             const AccuracyRequest& accuracy,
                              const KinematicSolution* motion,
                              std::vector<int> turned) {
   LoadedFlanks result{.turned = std::move(turned), .mechanism = {}, .basis = bases.action};
@@ -184,8 +195,8 @@ LoadedFlanks solve_on_flanks(const Mechanism& drawn,
     load_coast_flanks(result.turned, result.mechanism->geometry);
     result.basis = action_basis(result.mechanism->geometry, drawn.static_order);
   }
-  result.action =
-      solve_statics(result.mechanism ? *result.mechanism : drawn, result.basis, request, motion);
+  result.action = solve_statics(
+      result.mechanism ? *result.mechanism : drawn, result.basis, which, accuracy, motion);
   return result;
 }
 
@@ -194,16 +205,17 @@ LoadedFlanks solve_on_flanks(const Mechanism& drawn,
 // nothing move.
 LoadedFlanks solve_on_loaded_flanks(const Mechanism& drawn,
                                     const Bases& bases,
-                                    const CaseRequest& request,
+                                    const Case& which,
+                                    const AccuracyRequest& accuracy,
                                     const KinematicSolution* motion) {
-  LoadedFlanks result = solve_on_flanks(drawn, bases, request, motion, {});
+  LoadedFlanks result = solve_on_flanks(drawn, bases, which, accuracy, motion, {});
   const std::size_t most_rounds = 2 * drawn.geometry.other_flanks.size();
   for (std::size_t i = 0; i < most_rounds && !result.action.magnitudes.empty(); ++i) {
     std::vector<int> turned = find_coast_flanks(drawn.geometry, result);
     if (turned == result.turned) {
       return result;
     }
-    result = solve_on_flanks(drawn, bases, request, motion, std::move(turned));
+    result = solve_on_flanks(drawn, bases, which, accuracy, motion, std::move(turned));
   }
   const bool fits = result.action.magnitudes.empty() || most_rounds == 0 ||
                     find_coast_flanks(drawn.geometry, result) == result.turned;
@@ -261,6 +273,52 @@ std::optional<CaseAnalysis> solve_by_converter(const Mechanism& drawn,
   return result;
 }
 
+// What speeds the bodies up, for a case with inertia whose motion is solved; its forces of inertia
+// become loads. Empty where they are not known: then nothing can be said of its actions.
+std::optional<InertialMotion> add_inertia(const Mechanism& drawn,
+                                          const CaseRequest& request,
+                                          CaseAnalysis& result) {
+  std::variant<InertialMotion, InertiaObstacle> found =
+      request.inertial != nullptr ? std::variant<InertialMotion, InertiaObstacle>(*request.inertial)
+                                  : find_drawn_motion(drawn, result.which, *result.motion);
+  if (const auto* obstacle = std::get_if<InertiaObstacle>(&found)) {
+    result.inertia_obstacle = *obstacle;
+    return std::nullopt;
+  }
+  auto& motion = std::get<InertialMotion>(found);
+  for (Load& load : inertial_loads(drawn, motion)) {
+    result.which.loads.push_back(std::move(load));
+  }
+  return std::move(motion);
+}
+
+// As drawn, where springs feel the speeds of the case.
+SpringPlace drawn_place(const KinematicSolution* motion) {
+  SpringPlace place;
+  if (motion != nullptr) {
+    place.twists = motion->bodies;
+    place.rates.assign(motion->rates.begin(), motion->rates.end());
+  }
+  return place;
+}
+
+// The forces of springs become loads, unless nothing can be said of one.
+void add_springs(const Mechanism& mechanism,
+                 const CaseRequest& request,
+                 const KinematicSolution* motion,
+                 CaseAnalysis& result) {
+  const SpringPlace place = request.springs != nullptr ? *request.springs : drawn_place(motion);
+  auto found = spring_states(mechanism, place);
+  if (const auto* obstacle = std::get_if<SpringObstacle>(&found)) {
+    result.spring_obstacle = *obstacle;
+    return;
+  }
+  result.springs = std::get<std::vector<SpringState>>(std::move(found));
+  for (Load& load : spring_loads(mechanism, place, result.springs)) {
+    result.which.loads.push_back(std::move(load));
+  }
+}
+
 CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const CaseRequest& request) {
   CaseAnalysis result;
   result.which = request.which;
@@ -278,10 +336,16 @@ CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const CaseRe
         request.exact_input->improve(request.index, *result.motion);
   }
   const KinematicSolution* motion = is_solved(result.motion) ? &*result.motion : nullptr;
+  if (which.asks_actions && !drawn.springs.empty()) {
+    add_springs(drawn, request, motion, result);
+  }
+  const std::optional<InertialMotion> inertial =
+      which.has_inertia() ? add_inertia(drawn, request, result) : std::nullopt;
   LoadedFlanks flanks;
-  if (which.asks_actions) {
-    flanks = solve_on_loaded_flanks(drawn, bases, request, motion);
-    if (request.exact_input != nullptr && find_frictions(drawn, which, motion).laws.empty()) {
+  if (which.asks_actions && !result.inertia_obstacle && !result.spring_obstacle) {
+    flanks = solve_on_loaded_flanks(drawn, bases, which, request.accuracy, motion);
+    if (request.exact_input != nullptr && !which.has_inertia() && drawn.springs.empty() &&
+        find_frictions(drawn, which, motion).laws.empty()) {
       request.certainty->has_exact_input_action =
           request.exact_input->improve(request.index, flanks.turned, flanks.action);
     }
@@ -292,6 +356,10 @@ CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const CaseRe
     return result;
   }
   const Mechanism& mechanism = flanks.mechanism ? *flanks.mechanism : drawn;
+  if (inertial) {
+    result.dynamics =
+        find_dynamics(mechanism, which, *inertial, result.action ? &*result.action : nullptr);
+  }
   if (has_answer(result.action)) {
     result.contacts = find_cable_contact_states(
         mechanism, *result.action, is_solved(result.motion) ? &*result.motion : nullptr);
@@ -354,27 +422,27 @@ std::vector<CaseAnalysis> solve_some_cases(const Mechanism& mechanism,
   return cases;
 }
 
-std::vector<CaseAnalysis> solve_case_passes(const Mechanism& mechanism,
-                                            std::span<const Case> wanted,
-                                            CasePasses passes) {
+std::vector<CaseAnalysis> solve_magnitudes(const Mechanism& mechanism) {
   const Bases bases = bases_of(mechanism);
   const AccuracyRequest usual;
   std::vector<CaseAnalysis> cases;
-  for (const Case& which : wanted) {
-    cases.push_back(
-        solve_case(mechanism, bases, {.which = which, .accuracy = usual, .passes = passes}));
+  for (const Case& which : mechanism.cases) {
+    cases.push_back(solve_case(
+        mechanism, bases, {.which = which, .accuracy = usual, .passes = CasePasses::magnitudes}));
   }
   return cases;
 }
 
-CaseAnalysis solve_case_in_motion(const Mechanism& mechanism,
-                                  const Case& which,
-                                  const KinematicSolution& motion,
-                                  CasePasses passes) {
+CaseAnalysis solve_row(const Mechanism& mechanism, const Case& which, const KnownState& known) {
   const AccuracyRequest usual;
   return solve_case(mechanism,
                     bases_of(mechanism),
-                    {.which = which, .accuracy = usual, .passes = passes, .motion = &motion});
+                    {.which = which,
+                     .accuracy = usual,
+                     .passes = CasePasses::row,
+                     .motion = known.motion,
+                     .inertial = known.inertial,
+                     .springs = known.springs});
 }
 
 CaseAnalysis solve_certified_case(const MechanismDescription& description,

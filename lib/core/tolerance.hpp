@@ -105,4 +105,25 @@ inline constexpr double kDrawnContact = 0.01;
 /// the stress could do: below it, it would hardly give way, and another position might not need it.
 inline constexpr double kWorkingFreedom = 1e-4;
 
+/// By this share the largest moment of inertia of a body may exceed the sum of the two others:
+/// what is typed is rounded to some figures.
+inline constexpr double kTriangleRounding = 1e-3;
+
+/// Radii of gyration are no larger than the mechanism, and not so many times smaller, unless a unit
+/// is wrong.
+inline constexpr double kLeastGyration = 1e-3;
+
+/// By this share of the places the end of a motion that a file gives may differ from the one that
+/// follows from its time: both are typed.
+inline constexpr double kSameEnd = 1e-6;
+
+/// The sine of the angle by which a body may turn about another axis than that of its inertia.
+inline constexpr double kRotorAxis = 1e-9;
+
+/// The points of a spring that are nearer than this share of the mechanism's size meet.
+inline constexpr double kNoSpringLength = 1e-12;
+
+/// By this share of its stroke a gas spring may be past its ends: what is typed is rounded.
+inline constexpr double kPastStroke = 1e-9;
+
 }  // namespace kinestat

@@ -15,6 +15,7 @@
 #include "description/loss_description.hpp"
 #include "description/motion_description.hpp"
 #include "description/shift_description.hpp"
+#include "description/spring_description.hpp"
 #include "description/sweep_description.hpp"
 #include "description/synthesis_description.hpp"
 #include "expression/file_units.hpp"
@@ -75,6 +76,7 @@ struct MechanismDescription {
   std::vector<ActuatorDescription> actuators;
   std::vector<LoadDescription> loads;
   SourceRange loads_where;
+  std::vector<SpringDescription> springs;
   std::optional<PointDescription> gravity;  ///< vector [acceleration]
   std::optional<LossDescription> losses;
   IndeterminateChoice indeterminate = IndeterminateChoice::report;

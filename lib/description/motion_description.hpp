@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "description/drive_law.hpp"
 #include "description/value.hpp"
 
 namespace kinestat {
@@ -12,7 +13,8 @@ namespace kinestat {
 struct DriveRange {
   Name actuator;
   std::optional<Value> from;
-  std::optional<Value> to;
+  std::optional<Value> to;  ///< may be missing where the motion has a time
+  SourceRange where = {};   ///< of one of several
 };
 
 /// A point of a body whose path is reported.
@@ -28,7 +30,10 @@ inline constexpr int kUsualSteps = 100;
 struct MotionDescription {
   std::vector<DriveRange> drives;
   std::optional<Value> steps;
-  std::optional<Name> label;  ///< of the case that gives speeds and loads
+  std::optional<Value> time = {};    ///< the whole: then steps are equal in time
+  std::optional<DriveLaw> law = {};  ///< of all drives; needs a time
+  std::optional<Value> ramp = {};    ///< of a trapezoid
+  std::optional<Name> label;         ///< of the case that gives speeds and loads
   std::vector<TracePoint> trace;
   std::vector<Name> report;  ///< `velocity`, `acceleration`, … or coupling.freedom
   SourceRange where;

@@ -42,6 +42,7 @@ struct ShiftDescription {
   std::vector<Name> reacts;    ///< actuators whose torque follows from that of the others
   std::vector<InputValue> input_motion;
   std::vector<InputValue> input_action;
+  std::vector<InputValue> input_acceleration = {};  ///< then the gears have inertia
   std::vector<GearLabel> names;
   ShiftCombinations combinations = ShiftCombinations::all;
   std::optional<ShiftLimitsDescription> limits;

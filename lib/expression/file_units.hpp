@@ -16,7 +16,8 @@ struct NamedUnit {
   UnitScale scale;   ///< in SI
 };
 
-/// One unit for every kind of quantity. Defaults: m, rad, s, kg, N, N*m, rad/s, W, N/m. Unless they
+/// One unit for every kind of quantity. Defaults: m, rad, s, kg, kg*m^2, N, N*m, rad/s, rad/s^2, W,
+/// N/m. Unless they
 /// are set, velocity and acceleration follow length and time, pitch (length per radian) and lead
 /// (length per turn) follow the length, angular stiffness follows the moment (per radian).
 class FileUnits {

@@ -31,6 +31,12 @@ constexpr std::array<KindRow, kQuantityKindCount> list_rows() {
       {angle, {0, 0, 0, 1}, "angle", "an angle", "angle", "30 deg or 0.52 rad"},
       {time, {0, 0, 1, 0}, "time", "a time", "time", "2 s or 0.5 min"},
       {mass, {0, 1, 0, 0}, "mass", "a mass", "mass", "2 kg or 500 g"},
+      {inertia,
+       {2, 1, 0, 0},
+       "moment of inertia",
+       "a moment of inertia",
+       "inertia",
+       "0.002 kg*m^2 or 2000 kg*mm^2"},
       {force, {1, 1, -2, 0}, "force", "a force", "force", "100 N or 0.1 kN"},
       {moment, {2, 1, -2, 0}, "moment", "a moment", "moment", "5 N*m or 5000 N*mm"},
       {velocity, {1, 0, -1, 0}, "velocity", "a velocity", "velocity", "1 m/s or 20 mm/s"},
@@ -41,6 +47,12 @@ constexpr std::array<KindRow, kQuantityKindCount> list_rows() {
        "angular_velocity",
        "1 rad/s or 1500 rpm"},
       {acceleration, {1, 0, -2, 0}, "acceleration", "an acceleration", "", "9.81 m/s^2"},
+      {angular_acceleration,
+       {0, 0, -2, 1},
+       "angular acceleration",
+       "an angular acceleration",
+       "",
+       "50 rad/s^2"},
       {power, {2, 1, -3, 0}, "power", "a power", "power", "500 W or 0.5 kW"},
       {energy, {2, 1, -2, 0}, "energy", "an energy", "energy", "5 J or 0.2 kWh"},
       {stiffness, {0, 1, -2, 0}, "stiffness", "a stiffness", "stiffness", "2e6 N/m"},
@@ -158,7 +170,9 @@ std::string phrase_of(const Dimension& dimension) {
 
 bool fits(const Dimension& dimension, QuantityKind kind) {
   const Dimension expected = dimension_of(kind);
-  const bool is_exact = kind == QuantityKind::angular_velocity || is_bare(without_angle(expected));
+  const bool is_exact = kind == QuantityKind::angular_velocity ||
+                        kind == QuantityKind::angular_acceleration ||
+                        is_bare(without_angle(expected));
   return is_exact ? dimension == expected : without_angle(dimension) == without_angle(expected);
 }
 

@@ -43,18 +43,21 @@ struct BasicQuantity {
 using Quantity = BasicQuantity<double>;
 
 /// What a place of a mechanism file expects. `pitch` is a length per radian, `lead` a length per
-/// turn; `stiffness` resists a translation, `angular_stiffness` a rotation.
+/// turn; `inertia` is a mass times a length squared; `stiffness` resists a translation,
+/// `angular_stiffness` a rotation.
 enum class QuantityKind {
   dimensionless,
   length,
   angle,
   time,
   mass,
+  inertia,
   force,
   moment,
   velocity,
   angular_velocity,
   acceleration,
+  angular_acceleration,
   power,
   energy,
   stiffness,
@@ -63,7 +66,7 @@ enum class QuantityKind {
   lead
 };
 
-inline constexpr std::size_t kQuantityKindCount = 16;
+inline constexpr std::size_t kQuantityKindCount = 18;
 
 /// Every kind, in the order of the enumeration.
 std::span<const QuantityKind> all_quantity_kinds();
@@ -94,7 +97,8 @@ std::string phrase_of(const Dimension& dimension);
 std::string si_unit_of(const Dimension& dimension);
 
 /// Whether a value of this dimension may stand where the kind is expected, its radians counting as
-/// one. An angle must be an angle and an angular velocity an angle per time; elsewhere the exponent
+/// one. An angle must be an angle, an angular velocity or acceleration an angle per time or its
+/// square; elsewhere the exponent
 /// of the angle is free: N*m/rad is a moment, 20 deg * 5 mm a length. A bare number fits only
 /// `dimensionless`; that it takes the unit of the file elsewhere is the business of fit.
 bool fits(const Dimension& dimension, QuantityKind kind);

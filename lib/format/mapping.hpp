@@ -65,13 +65,14 @@ class Mapping {
   }
 
   /// The keys of an item stand in this mapping itself if there is one item; several are the list
-  /// behind `list_key`, with that title of each.
+  /// behind `list_key`, with that title of each. In the list they may have a mapping of their own.
   template <class Item>
   void one_or_several(const Mapping<Item>& item,
                       std::vector<Item> T::*member,
                       FormKey list_key,
                       std::string_view title,
-                      std::string_view hint);
+                      std::string_view hint,
+                      const Mapping<Item>* of_list = nullptr);
 
   void example(std::string_view text) { shape_.examples.push_back(text); }  ///< another
 

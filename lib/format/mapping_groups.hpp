@@ -39,7 +39,8 @@ void Mapping<T>::one_or_several(const Mapping<Item>& item,
                                 std::vector<Item> T::*member,
                                 FormKey list_key,
                                 std::string_view title,
-                                std::string_view hint) {
+                                std::string_view hint,
+                                const Mapping<Item>* of_list) {
   SharedList<std::string_view> replaced;
   for (std::size_t i = 0; i < item.steps_.size(); ++i) {
     replaced.push_back(item.shape_.keys[i].key);
@@ -56,7 +57,8 @@ void Mapping<T>::one_or_several(const Mapping<Item>& item,
                                                      : std::nullopt;
                           }});
   }
-  const auto list = list_of(item.form(), std::string(title), std::string(hint));
+  const auto list =
+      list_of((of_list != nullptr ? *of_list : item).form(), std::string(title), std::string(hint));
   list_key.shape = list.shape;
   instead(list_key.key, std::move(replaced), hint);
   shape_.keys.push_back(std::move(list_key));

@@ -232,6 +232,21 @@ Form<Value> mass() {
                      kNotNegative);
 }
 
+Form<Value> moment_of_inertia() {
+  return number_form("moment_of_inertia",
+                     "A moment of inertia of at least zero: a bare number counts in the file's "
+                     "unit of inertia (default kg*m^2), or write the unit.",
+                     {"0.002", "2000 kg*mm^2"},
+                     kNotNegative);
+}
+
+Form<Value> product_of_inertia() {
+  return number_form("inertia_entry",
+                     "An entry of a tensor of inertia: a bare number counts in the file's unit of "
+                     "inertia (default kg*m^2), or write the unit.",
+                     {"-0.0001", "-100 kg*mm^2"});
+}
+
 Form<Value> force() {
   return number_form(
       "force",
@@ -262,6 +277,14 @@ Form<Value> speed() {
       "Rate of a freedom of the head relative to the tail: angular velocity (default "
       "rad/s) of a rotation, velocity (default m/s) of a translation. 0 holds it.",
       {"1 rad/s", "1500 rpm", "0.2 m/s", "0"});
+}
+
+Form<Value> speed_change() {
+  return number_form(
+      "acceleration_of_freedom",
+      "How fast the rate of a freedom changes: angular acceleration (rad/s^2) of a rotation, "
+      "acceleration (default m/s^2) of a translation. 0 keeps it steady.",
+      {"0", "50 rad/s^2", "1.2 m/s^2"});
 }
 
 Form<Value> drawn_position() {

@@ -59,10 +59,13 @@ Form<Value> viscous_force();
 Form<Value> acute_angle();
 Form<Value> angle();
 Form<Value> mass();
+Form<Value> moment_of_inertia();
+Form<Value> product_of_inertia();  ///< or moment, as an entry of a tensor
 Form<Value> force();
 Form<Value> moment();
 Form<Value> acceleration();
 Form<Value> speed();
+Form<Value> speed_change();
 Form<Value> drawn_position();
 Form<Value> increment();
 Form<Value> input_speed();

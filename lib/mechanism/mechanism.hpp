@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "couplings/drawn_coupling.hpp"
 #include "description/mechanism_description.hpp"
 #include "expression/file_units.hpp"
 #include "graph/coupling_graph.hpp"
@@ -13,6 +14,8 @@
 #include "mechanism/couplings/coupling_friction.hpp"
 #include "mechanism/gears/lossy_mesh.hpp"
 #include "mechanism/geometry.hpp"
+#include "mechanism/inertia/body_mass.hpp"
+#include "mechanism/springs/spring.hpp"
 #include "mechanism/topology.hpp"
 
 namespace kinestat {
@@ -35,6 +38,10 @@ struct Mechanism {
   std::vector<double> compliances;   ///< of each action [m/N or rad/(N·m)]; 0: rigid
   std::vector<int> planet_counts;    ///< of each action: how many equal planets share it
   std::vector<double> load_sharing;  ///< likewise: what the most loaded bears over the mean
+  std::vector<BodyMass> masses;      ///< of each body; empty if none has any
+  std::vector<DrawnCoupling> drawn_couplings;  ///< of each coupling, where a case has inertia: what
+                                               ///< accelerations follow from
+  std::vector<Spring> springs;
   std::vector<Case> cases;
 };
 

@@ -8,11 +8,28 @@
 #include <fmt/format.h>
 
 #include "core/contract.hpp"
+#include "core/tolerance.hpp"
 #include "mechanism/bind/evaluator.hpp"
 
 namespace kinestat {
 
 namespace {
+
+struct ReportWord {
+  std::string_view word;
+  bool MotionReport::*member;
+};
+
+constexpr ReportWord kReportWords[] = {
+    {"position", &MotionReport::position},
+    {"velocity", &MotionReport::velocity},
+    {"acceleration", &MotionReport::acceleration},
+    {"action", &MotionReport::action},
+    {"power", &MotionReport::power},
+    {"ratio", &MotionReport::ratio},
+    {"transmission_angle", &MotionReport::transmission_angle},
+    {"mechanical_advantage", &MotionReport::mechanical_advantage},
+    {"dynamics", &MotionReport::dynamics}};
 
 class MotionBinder {
  public:
@@ -32,6 +49,7 @@ class MotionBinder {
                            : std::nullopt;
     plan_.steps = static_cast<int>(std::lround(steps.value_or(kUsualSteps)));
     plan_.which = motion_.label ? case_of(*motion_.label) : -1;
+    plan_schedule();
     for (const TracePoint& point : motion_.trace) {
       const auto body =
           std::ranges::find(mechanism_.topology.bodies, point.body.text, &BodyTopology::name);
@@ -54,6 +72,112 @@ class MotionBinder {
     const auto at = std::ranges::find(mechanism_.cases, label.text, &Case::label);
     KINESTAT_EXPECTS(at != mechanism_.cases.end());
     return static_cast<int>(at - mechanism_.cases.begin());
+  }
+
+  const Case* which() const {
+    return plan_.which < 0 ? nullptr : &mechanism_.cases[static_cast<std::size_t>(plan_.which)];
+  }
+
+  static double value_of(const std::vector<Primary>& list, int freedom) {
+    const auto at = std::ranges::find(list, freedom, &Primary::index);
+    return at == list.end() ? 0.0 : at->value;
+  }
+
+  bool knows_speed(const PlannedDrive& drive) const {
+    return which() != nullptr &&
+           std::ranges::find(which()->motions, drive.freedom, &Primary::index) !=
+               which()->motions.end();
+  }
+
+  void complain(TimeProblem problem, std::size_t drive) {
+    plan_.time_problem = problem;
+    plan_.problem_drive = drive;
+  }
+
+  std::optional<double> duration() {
+    return motion_.time ? evaluator_.number(*motion_.time, QuantityKind::time) : std::nullopt;
+  }
+
+  void plan_schedule() {
+    const bool speeds_up = which() != nullptr && which()->has_inertia();
+    if (motion_.law) {
+      plan_law();
+    } else if (motion_.time || speeds_up) {
+      plan_steady_courses();
+    }
+  }
+
+  void plan_law() {
+    const double ramp =
+        motion_.ramp
+            ? evaluator_.number(*motion_.ramp, QuantityKind::dimensionless).value_or(kUsualRamp)
+            : kUsualRamp;
+    std::vector<DriveCourse> courses;
+    for (std::size_t d = 0; d < plan_.drives.size(); ++d) {
+      const PlannedDrive& drive = plan_.drives[d];
+      courses.push_back({.from = drive.from, .to = drive.to});
+      if (knows_speed(drive) && value_of(which()->motions, drive.freedom) != 0.0) {
+        complain(TimeProblem::two_speeds, d);
+      }
+    }
+    plan_.schedule.emplace(duration().value_or(1.0), std::move(courses), *motion_.law, ramp);
+  }
+
+  // By the speeds and accelerations of the case, from `from` on.
+  void plan_steady_courses() {
+    std::vector<DriveCourse> courses;
+    for (std::size_t d = 0; d < plan_.drives.size(); ++d) {
+      const PlannedDrive& drive = plan_.drives[d];
+      if (!knows_speed(drive)) {
+        if (motion_.time) {
+          complain(TimeProblem::no_speed, d);
+        }
+        return;  // then the case tells the speeds in each position
+      }
+      courses.push_back({.from = drive.from,
+                         .to = drive.to,
+                         .speed = value_of(which()->motions, drive.freedom),
+                         .acceleration = acceleration_of(*which(), drive.freedom)});
+    }
+    std::optional<double> time = duration();
+    for (std::size_t d = 0; d < courses.size() && !time; ++d) {
+      time = time_to_end(courses[d]);
+      if (!time && (courses[d].speed != 0.0 || courses[d].acceleration != 0.0)) {
+        complain(TimeProblem::never, d);
+        return;
+      }
+    }
+    if (!time) {
+      return;  // at rest, in every position
+    }
+    for (std::size_t d = 0; d < courses.size(); ++d) {
+      DriveCourse& course = courses[d];
+      const double end = course.from + *time * (course.speed + 0.5 * course.acceleration * *time);
+      const bool is_given = motion_.drives[d].to.has_value();
+      const double size = std::abs(end) + std::abs(course.to) + std::abs(course.from);
+      if (is_given && std::abs(end - course.to) > kSameEnd * size) {
+        complain(motion_.time ? TimeProblem::other_end : TimeProblem::other_time, d);
+        return;
+      }
+      course.to = is_given ? course.to : end;
+      plan_.drives[d].to = course.to;
+    }
+    plan_.schedule.emplace(*time, std::move(courses));
+  }
+
+  // When a drive with a steady acceleration is at the end of its range for the first time.
+  static std::optional<double> time_to_end(const DriveCourse& course) {
+    const double way = course.to - course.from;
+    const double half = 0.5 * course.acceleration;
+    const double root = course.speed * course.speed + 4.0 * half * way;
+    if (way == 0.0 || root < 0.0) {
+      return std::nullopt;
+    }
+    // way / (v + a t / 2), from the citardauq form, which loses no digits.
+    const double sense = way > 0.0 ? 1.0 : -1.0;
+    const double divisor = course.speed + sense * std::sqrt(root);
+    const double time = divisor == 0.0 ? -1.0 : 2.0 * way / divisor;
+    return time > 0.0 && std::isfinite(time) ? std::optional(time) : std::nullopt;
   }
 
   void add_drive(const DriveRange& range) {
@@ -110,17 +234,19 @@ class MotionBinder {
 }  // namespace
 
 bool* find_report_word(std::string_view word, MotionReport& report) {
-  const std::pair<std::string_view, bool*> words[] = {
-      {"position", &report.position},
-      {"velocity", &report.velocity},
-      {"acceleration", &report.acceleration},
-      {"action", &report.action},
-      {"power", &report.power},
-      {"ratio", &report.ratio},
-      {"transmission_angle", &report.transmission_angle},
-      {"mechanical_advantage", &report.mechanical_advantage}};
-  const auto* const at = std::ranges::find(words, word, &std::pair<std::string_view, bool*>::first);
-  return at == std::end(words) ? nullptr : at->second;
+  const auto* const at = std::ranges::find(kReportWords, word, &ReportWord::word);
+  return at == std::end(kReportWords) ? nullptr : &(report.*at->member);
+}
+
+std::span<const std::string> motion_report_words() {
+  static const std::vector<std::string> words = [] {
+    std::vector<std::string> result;
+    for (const ReportWord& one : kReportWords) {
+      result.emplace_back(one.word);
+    }
+    return result;
+  }();
+  return words;
 }
 
 std::optional<MotionPlan> bind_motion(const MechanismDescription& description,

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <optional>
+#include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/diagnostic.hpp"
+#include "mechanism/drive_schedule.hpp"
 #include "mechanism/mechanism.hpp"
 
 namespace kinestat {
@@ -36,6 +39,7 @@ struct MotionReport {
   bool ratio = false;
   bool transmission_angle = false;
   bool mechanical_advantage = false;
+  bool dynamics = false;       ///< energy, shaking and ground, equivalent inertia
   std::vector<int> positions;  ///< of these freedoms the position alone
   std::vector<int> freedoms;   ///< named one by one: their position, velocity and acceleration
   std::vector<int> actions;    ///< likewise
@@ -43,8 +47,22 @@ struct MotionReport {
   bool is_default = false;     ///< the file does not say what to report
 };
 
+/// Why a motion that is told in time has none.
+enum class TimeProblem {
+  none,
+  no_speed,    ///< the case does not give a drive a speed, nor a law
+  two_speeds,  ///< both do
+  at_rest,     ///< a drive does not move, and nothing says how long
+  never,       ///< a drive turns back before it comes to where it should end
+  other_end,   ///< a drive ends elsewhere than the time says
+  other_time   ///< drives come to their ends at unlike times
+};
+
 struct MotionPlan {
   std::vector<PlannedDrive> drives;
+  std::optional<DriveSchedule> schedule;  ///< of a motion in time
+  TimeProblem time_problem = TimeProblem::none;
+  std::size_t problem_drive = 0;  ///< whose
   int steps = 0;
   int which = -1;  ///< the case whose speeds and loads apply, index into Mechanism::cases; -1: none
   std::vector<TracedPoint> trace;
@@ -54,6 +72,9 @@ struct MotionPlan {
 
 /// What a word stands for that reports many quantities at once; null for any other.
 bool* find_report_word(std::string_view word, MotionReport& report);
+
+/// These words.
+std::span<const std::string> motion_report_words();
 
 /// Of a description that has been bound to this mechanism without an error; empty if it has no
 /// section `motion`.

@@ -6,6 +6,7 @@
 #include "core/contract.hpp"
 #include "mechanism/cases/case_binder.hpp"
 #include "mechanism/cases/load_binder.hpp"
+#include "mechanism/inertia/mass_binder.hpp"
 #include "mechanism/label_kind.hpp"
 
 namespace kinestat {
@@ -188,6 +189,9 @@ class GearDescriber {
                            .inputs = shift_.inputs,
                            .outputs = shift_.outputs};
     add_motions(gear, result);
+    if (!shift_.input_acceleration.empty()) {
+      add_accelerations(gear, result);
+    }
     if (plan_.asks_actions || has_loads_) {
       add_actions(gear, result);
     }
@@ -208,6 +212,17 @@ class GearDescriber {
     }
     for (const int e : gear.engaged) {
       result.motions.push_back(nothing(shift_.elements[static_cast<std::size_t>(e)].text, gear));
+    }
+  }
+
+  void add_accelerations(const GearCase& gear, CaseDescription& result) const {
+    result.has_inertia = true;
+    for (const int i : gear.moving) {
+      const Name& input = shift_.inputs[static_cast<std::size_t>(i)];
+      if (const Value* given = value_of(shift_.input_acceleration, input)) {
+        result.accelerations.push_back(
+            {.target = {.text = input.text, .where = gear.where}, .value = *given});
+      }
     }
   }
 
@@ -266,7 +281,7 @@ std::vector<Case> bind_described_cases(const MechanismDescription& description,
   evaluator.measure_from(mechanism.geometry.origin);
   std::vector<Case> cases = bind_cases(description, mechanism.topology, evaluator, said_before);
   KINESTAT_EXPECTS(!said_before.has_errors());
-  add_loads(bind_loads(context), cases);
+  add_loads(bind_loads(context, bind_masses(context)), cases);
   return cases;
 }
 

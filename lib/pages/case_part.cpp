@@ -122,6 +122,10 @@ class CasePart {
     add_pass("Velocities", blocks.motion, PicturePlace::velocities);
     add_pass("Actions", blocks.action, PicturePlace::actions);
     add_pass("Power", blocks.power, PicturePlace::power);
+    if (!blocks.dynamics.is_empty()) {
+      html_.element(section_.level(2), "Inertia", {{"class", "pass-title"}});
+      add_blocks(blocks.dynamics, "Inertia", html_);
+    }
     if (!blocks.affine.empty()) {
       html_.element(section_.level(2), "Free parameters", {{"class", "pass-title"}});
       add_blocks(TextBlocks(blocks.affine), "Free parameters", html_);

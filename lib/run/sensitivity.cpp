@@ -65,6 +65,22 @@ void warn_of_cables(const Analysis& analysis, Diagnostics& found) {
   }
 }
 
+// Forces of inertia and springs.
+bool has_moving_loads(const CaseAnalysis& one) {
+  return one.which.has_inertia() || !one.springs.empty();
+}
+
+void warn_of_moving_loads(const Analysis& analysis, Diagnostics& found) {
+  const auto one = std::ranges::find_if(analysis.cases, has_moving_loads);
+  if (one != analysis.cases.end()) {
+    found.warning("W0302",
+                  one->which.where,
+                  "derivatives of actions are not analysed yet in cases with 'acceleration' or "
+                  "springs",
+                  "compare two analyses with --set");
+  }
+}
+
 class SensitivityJob {
  public:
   SensitivityJob(const Analysis& analysis, const SensitivityChoice& choice, Diagnostics& found)
@@ -158,7 +174,7 @@ class SensitivityJob {
     const CaseAnalysis& one = analysis_.cases[case_index];
     const bool has_rates =
         one.motion && one.motion->status == SolveStatus::solved && !has_found_slip(one);
-    const bool has_actions = one.action && !has_found_slip(one) &&
+    const bool has_actions = one.action && !has_found_slip(one) && !has_moving_loads(one) &&
                              !one.action->magnitudes.empty() &&
                              cable_with_friction(analysis_.description) == nullptr;
     Mechanism mechanism = analysis_.mechanism;
@@ -279,6 +295,7 @@ Outcome sensitivity_files(const std::vector<std::string>& paths,
     add_findings(analysis, file.found);
     const std::optional<FoundSensitivity> answer = find_sensitivity(analysis, choice, file.found);
     warn_of_cables(analysis, file.found);
+    warn_of_moving_loads(analysis, file.found);
     if (!answer) {
       return std::nullopt;
     }

@@ -2,6 +2,8 @@
 
 #include "cases/free_parameters.hpp"
 #include "cases/report/ratio_in_units.hpp"
+#include "dynamics/dynamics_record.hpp"
+#include "dynamics/spring_record.hpp"
 #include "kinematics/kinematic_record.hpp"
 #include "mechanism/label_kind.hpp"
 #include "power/power_record.hpp"
@@ -216,6 +218,24 @@ void add_passes(Record<CaseView>& keys) {
                                .efficiency = v.one.efficiency ? &*v.one.efficiency : nullptr};
             })
       .only_if([](const CaseView& v) { return v.one.power.has_value(); })
+      .in_tables_is(TableRole::table);
+  keys.map("springs",
+           spring_record(),
+           "Springs by name; no key without any.",
+           [](const CaseView& v, const Each<SpringView>& each) {
+             for (std::size_t i = 0; i < v.one.springs.size(); ++i) {
+               each(v.analysis.mechanism.springs[i].name,
+                    {.mechanism = v.analysis.mechanism, .index = i, .state = v.one.springs[i]});
+             }
+           })
+      .only_if([](const CaseView& v) { return !v.one.springs.empty(); })
+      .not_in_tables();
+  keys.part("dynamics",
+            dynamics_record(),
+            [](const CaseView& v) {
+              return DynamicsView{.mechanism = v.analysis.mechanism, .dynamics = *v.one.dynamics};
+            })
+      .only_if([](const CaseView& v) { return v.one.dynamics.has_value(); })
       .in_tables_is(TableRole::table);
 }
 

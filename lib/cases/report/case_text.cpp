@@ -114,6 +114,9 @@ CaseBlocks case_blocks(const Analysis& analysis, const CaseAnalysis& one) {
   if (one.power) {
     blocks.power = power_blocks(mechanism, one, in);
   }
+  if (one.dynamics) {
+    blocks.dynamics = dynamics_blocks(mechanism, one, in);
+  }
   blocks.affine = affine_text(analysis, one);
   return blocks;
 }
@@ -127,6 +130,7 @@ TextBlocks case_text(const Analysis& analysis, const CaseAnalysis& one) {
   all += std::move(blocks.motion);
   all += std::move(blocks.action);
   all += std::move(blocks.power);
+  all += std::move(blocks.dynamics);
   all += blocks.affine;
   return all;
 }

@@ -16,6 +16,7 @@ struct CaseBlocks {
   TextBlocks motion;
   TextBlocks action;
   TextBlocks power;
+  TextBlocks dynamics;
   std::string affine;  ///< lines: the dependence on free parameters
 };
 
@@ -59,6 +60,10 @@ std::string efficiency_cell(const CaseAnalysis& one, const Mechanism& mechanism)
 
 /// Its power flow: what the teeth roll, and which power circulates; the case must have one.
 TextBlocks power_blocks(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in);
+
+/// Its inertia: accelerations and forces of the bodies, what the drives have to speed up; the case
+/// must have its dynamics.
+TextBlocks dynamics_blocks(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in);
 
 /// Its efficiencies with lossy meshes: a line for each model, and a word on what tells them apart
 /// where the teeth do not roll. Empty without lossy meshes.

@@ -78,6 +78,26 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "and to nothing else, so that it is a sleeve that may turn by itself, and the two others turn "
      "about that axis together. More often two points are the same by mistake. Give the couplings "
      "different points, or join the two other bodies directly."},
+    {"W0310",
+     done,
+     "body is counted as a point mass",
+     "A body with a mass and without 'inertia' turns in a case with 'acceleration'. Its mass "
+     "counts "
+     "as if it were all at the centre, so that turning it about that asks for nothing. Give "
+     "'inertia' about the centre of mass, or 0 where it is small enough to be left out."},
+    {"W0311",
+     done,
+     "inertia does not suit the mechanism",
+     "The radius of gyration, the root of inertia over mass, is the distance at which all the mass "
+     "would have that inertia. Here it is larger than the whole mechanism, or a thousand times "
+     "smaller. Most often the unit of the inertia is another one than was meant: bare numbers "
+     "count in the unit of inertia, kg*m^2 unless 'units' says otherwise, whatever the unit of "
+     "length is."},
+    {"W0312",
+     done,
+     "accelerations change nothing",
+     "A case has the key 'acceleration', so that the forces of inertia act, but no body has a mass "
+     "or an inertia. Give bodies 'mass', 'centre_of_mass' and 'inertia', or remove the key."},
     {"W0501",
      done,
      "rounding decides on a rank",
@@ -152,6 +172,13 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "The motion is followed all the same, each position as near to closed as it can be, if none "
      "misses by more than 1e-5 of the size; what is missed is in the report. Type more figures, "
      "or expressions; or let an uncertain link go, if one too many is drawn."},
+    {"W0511",
+     done,
+     "law whose speed jumps",
+     "With the law constant_speed a drive begins and ends at full speed, which would take an "
+     "infinite acceleration and an infinite force there. The rows at both ends have the values of "
+     "the steady motion between them. The laws polynomial_345 and cycloidal begin and end at rest "
+     "and without a jump of the acceleration; 'kinestat help motion' lists all."},
     {"W0601",
      done,
      "actions are statically indeterminate",

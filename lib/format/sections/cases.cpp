@@ -36,6 +36,13 @@ const Mapping<CaseDescription>& one_case() {
               "rad/s and m/s.")
             .may(&CaseDescription::motions, assignments(speed()), "{drive: 1 rad/s, d.wz: 0}")
             .noted(&CaseDescription::asks_motions);
+        m.key(
+             "acceleration",
+             "How fast the known motions change: with this key, be it empty, the forces of inertia "
+             "of all bodies with mass or inertia act. Motions that are not named here are steady.")
+            .may(
+                &CaseDescription::accelerations, assignments(speed_change()), "{drive: 50 rad/s^2}")
+            .noted(&CaseDescription::has_inertia);
         m.key("action",
               "The known actions: actuators or COUPLING.ACTION (c.Rx), of the tail on the head. "
               "Default units N*m and N.")
@@ -58,6 +65,11 @@ const Mapping<CaseDescription>& one_case() {
                 .message = "{} names neither motions nor actions",
                 .hint = "add 'motion: {…}' for velocities, 'action: {…}' or 'loads: {…}' for "
                         "forces, or both"});
+        m.rule({.kind = FormRule::Kind::together,
+                .key = "acceleration",
+                .others = {"motion"},
+                .message = "{} has accelerations but no motions",
+                .hint = "add 'motion: {NAME: 0}' for what is at rest and speeds up, or its speed"});
         m.rule({.kind = FormRule::Kind::together,
                 .key = "output",
                 .others = {"input"},

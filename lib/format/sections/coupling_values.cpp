@@ -47,24 +47,6 @@ bool check_points_of_bodies(const FileValue& value) {
   return false;
 }
 
-Form<std::vector<PointOfBody>> points_of_bodies() {
-  auto form = by_name(
-      &PointOfBody::first,
-      point(),
-      {.name_definition = "name",
-       .foreign = {.names = letters(), .instead = "Write a point as [x, y] or [x, y, z]."},
-       .least = 2,
-       .most = 2},
-      "{1}",
-      [](PointOfBody& one, PointDescription&& at) { one.second = std::move(at); },
-      [](const PointOfBody& one) -> const PointDescription& { return one.second; });
-  form.read = [read =
-                   form.read](const FileValue& value) -> std::optional<std::vector<PointOfBody>> {
-    return check_points_of_bodies(value) ? read(value) : std::nullopt;
-  };
-  return form;
-}
-
 // A coupling point of which one member is given.
 template <class Member, class Given>
 Form<CouplingPoint> point_given_by(Member CouplingPoint::*member, const Form<Given>& form) {
@@ -221,6 +203,24 @@ Form<std::vector<ScrewDescription>> screws_of(const Form<ScrewDescription>& one,
 }
 
 }  // namespace
+
+Form<std::vector<PointOfBody>> points_of_bodies() {
+  auto form = by_name(
+      &PointOfBody::first,
+      point(),
+      {.name_definition = "name",
+       .foreign = {.names = letters(), .instead = "Write a point as [x, y] or [x, y, z]."},
+       .least = 2,
+       .most = 2},
+      "{1}",
+      [](PointOfBody& one, PointDescription&& at) { one.second = std::move(at); },
+      [](const PointOfBody& one) -> const PointDescription& { return one.second; });
+  form.read = [read =
+                   form.read](const FileValue& value) -> std::optional<std::vector<PointOfBody>> {
+    return check_points_of_bodies(value) ? read(value) : std::nullopt;
+  };
+  return form;
+}
 
 bool is_pair(const YamlNode& node) {
   return node.kind == YamlKind::sequence && node.items.size() == 2;

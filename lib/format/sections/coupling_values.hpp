@@ -15,6 +15,9 @@ bool is_pair(const YamlNode& node);
 /// One point, a point for each of the two bodies, or a number along the axis.
 Form<CouplingPoint> coupling_point();
 
+/// {TAIL: point, HEAD: point}: one of each of two bodies.
+Form<std::vector<std::pair<Name, PointDescription>>> points_of_bodies();
+
 /// [tail, head].
 Form<std::vector<Name>> coupling_ends();
 

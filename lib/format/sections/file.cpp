@@ -183,6 +183,8 @@ void declare_loads(Mapping<File>& m) {
         "name.")
       .may(&File::loads, loads)
       .at(&File::loads_where);
+  m.key("springs", "Springs, dampers and gas springs by name; they act in every case.")
+      .may(&File::springs, springs);
   m.key("gravity",
         "The acceleration of gravity as a vector, [x, y] in the plane, [x, y, z] in space; it acts "
         "on bodies with a mass.")

@@ -1,4 +1,6 @@
 // The section `motion`.
+#include <fmt/format.h>
+
 #include "format/number_forms.hpp"
 #include "format/sections/sections.hpp"
 #include "format/value_forms.hpp"
@@ -10,21 +12,52 @@ namespace {
 constexpr const char* kDrivesHint =
     "write drives: [{drive: NAME, from: 0 deg, to: 90 deg}, …], or drive, from and to for one";
 
+void declare_drive(Mapping<DriveRange>& m) {
+  m.key("drive", "The actuator that drives.")
+      .needed(&DriveRange::actuator, name_of("an actuator"), "drive");
+  m.key("from", "Where the motion begins, measured from the drawn position.")
+      .may(&DriveRange::from, drawn_position(), "0 deg")
+      .usual("0");
+}
+
 const Mapping<DriveRange>& drive_range() {
   static const Mapping<DriveRange> mapping(
       "drive_range",
       "A drive and the range it runs through.",
       "{drive: drive, from: 0 deg, to: 360 deg}",
       [](auto& m) {
-        m.key("drive", "The actuator that drives.")
-            .needed(&DriveRange::actuator, name_of("an actuator"), "drive");
-        m.key("from", "Where the motion begins, measured from the drawn position.")
-            .may(&DriveRange::from, drawn_position(), "0 deg")
-            .usual("0");
+        declare_drive(m);
         m.key("to", "Where the motion ends, measured from the drawn position.")
             .needed(&DriveRange::to, drawn_position(), "360 deg");
       });
   return mapping;
+}
+
+// Of several drives; what they need beside each other is checked once all is read.
+const Mapping<DriveRange>& one_of_several() {
+  static const Mapping<DriveRange> mapping(
+      "one_drive_range",
+      "A drive of several and the range it runs through.",
+      "{drive: drive, from: 0 deg, to: 360 deg}",
+      [](auto& m) {
+        declare_drive(m);
+        m.key("to",
+              "Where the motion ends, measured from the drawn position; with 'time' and without a "
+              "law it follows from the speed.")
+            .may(&DriveRange::to, drawn_position(), "360 deg");
+      });
+  return mapping;
+}
+
+void check_drive_ends(const MotionDescription& motion, const FileValue& value) {
+  for (std::size_t d = 0; d < motion.drives.size() && !motion.time; ++d) {
+    if (!motion.drives[d].to) {
+      value.found.error("E0303",
+                        motion.drives[d].where,
+                        fmt::format("drive {} of 'motion' lacks the key 'to'", d + 1),
+                        "add for example 'to: 360 deg'");
+    }
+  }
 }
 
 const Mapping<TracePoint>& trace_point() {
@@ -42,10 +75,23 @@ const Mapping<TracePoint>& trace_point() {
   return mapping;
 }
 
+Form<DriveLaw> drive_law() {
+  return choice_of<DriveLaw>(
+      {{"constant_speed", "speed jumps at both ends"},
+       {"constant_acceleration", "speeds up for half of the time"},
+       {"trapezoid", "speeds up in 'ramp' of the time, then runs steadily"},
+       {"polynomial_345", "acceleration begins and ends at zero"},
+       {"polynomial_4567", "its derivative too"},
+       {"cycloidal", "acceleration is a sine"},
+       {"harmonic", "acceleration is a cosine"},
+       {"modified_trapezoid", "least largest acceleration of the smooth ones"},
+       {"modified_sine", "least largest torque of the smooth ones"}});
+}
+
 void declare_report(Mapping<MotionDescription>& m) {
   m.key("report",
         "What each step reports: position, velocity, acceleration, action, power, ratio, "
-        "transmission_angle, mechanical_advantage, an actuator, or COUPLING.FREEDOM and "
+        "transmission_angle, mechanical_advantage, dynamics, an actuator, or COUPLING.FREEDOM and "
         "COUPLING.ACTION.")
       .may(&MotionDescription::report, one_or_more(target()), "[velocity, d.wz]")
       .offer("position", "positions of the freedoms")
@@ -55,7 +101,8 @@ void declare_report(Mapping<MotionDescription>& m) {
       .offer("power", "the powers of the couplings")
       .offer("ratio", "input speed by output speed")
       .offer("transmission_angle", "how well the force on the output is aimed")
-      .offer("mechanical_advantage", "action of the output over that of the input");
+      .offer("mechanical_advantage", "action of the output over that of the input")
+      .offer("dynamics", "energy, shaking and ground forces, equivalent inertia");
 }
 
 }  // namespace
@@ -70,10 +117,27 @@ const Mapping<MotionDescription>& motion_section() {
              .meaning = "Several drives, each with its range, instead of 'drive', 'from' and 'to'.",
              .examples = {"[{drive: first, to: 360 deg}, {drive: second, to: 180 deg}]"}},
             "drive {0} of {1}",
-            kDrivesHint);
+            kDrivesHint,
+            &one_of_several());
+        m.check(check_drive_ends);
         m.key("steps", "Number of steps between beginning and end.")
             .may(&MotionDescription::steps, step_count(), "360")
             .usual(usual_number<kUsualSteps>());
+        m.key("time",
+              "How long the whole motion takes: steps are equal in time then. Without a 'law' the "
+              "speed and the acceleration of the case stay as they are, and 'to' may be left out.")
+            .may(&MotionDescription::time, duration(), "0.5 s");
+        m.key("law", "How all drives run from rest to rest in that time.")
+            .may(&MotionDescription::law, drive_law(), "polynomial_345");
+        m.key("ramp", "Of law trapezoid: the share of the time for speeding up, above 0 to 1/2.")
+            .may(&MotionDescription::ramp, above_zero(), "1/3")
+            .usual("1/3");
+        m.rule({.kind = FormRule::Kind::spares, .key = "time", .others = {"to"}});
+        m.rule({.kind = FormRule::Kind::together,
+                .key = "law",
+                .others = {"time"},
+                .message = "{} has a law but no time",
+                .hint = "add how long it takes, for example time: 0.5 s"});
         m.key("case", "The case whose speeds and loads apply.")
             .may(&MotionDescription::label, label(), "design point");
         m.key("trace", "Points of bodies whose paths are reported.")

@@ -81,6 +81,11 @@ const Mapping<ShiftDescription>& shift_section() {
         m.key("input_motion", "Speed of the input, for every input or by name; default unit rad/s.")
             .may(&ShiftDescription::input_motion, input_values(input_speed()), "1 rad/s")
             .example("{in: 1 rad/s}");
+        m.key("input_acceleration",
+              "How fast the input speeds up, beside its 'input_action': the gears have the forces "
+              "of inertia of their bodies then; default unit rad/s^2.")
+            .may(
+                &ShiftDescription::input_acceleration, input_values(speed_change()), "200 rad/s^2");
         m.key("input_action", "Torque of the input, for every input or by name; default unit N*m.")
             .may(&ShiftDescription::input_action, input_values(input_load()), "100 N*m")
             .example("{in: 100 N*m}");

@@ -72,6 +72,7 @@ const Mapping<FileUnits>& units_section() {
         {angle, "Unit of bare angles.", {"deg", "rad"}},
         {time, "Unit of bare times.", {"s", "min"}},
         {mass, "Unit of bare masses.", {"kg", "g"}},
+        {inertia, "Unit of bare moments of inertia.", {"kg*m^2", "kg*mm^2"}},
         {force, "Unit of bare forces.", {"N", "kN"}},
         {moment, "Unit of bare moments.", {"N*m", "N*mm", "kN*m"}},
         {velocity, "Unit of bare velocities; default length per time.", {"m/s", "mm/s"}},

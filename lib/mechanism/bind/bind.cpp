@@ -16,11 +16,14 @@
 #include "mechanism/cases/load_binder.hpp"
 #include "mechanism/check/geometry_check.hpp"
 #include "mechanism/check/section_checks.hpp"
+#include "mechanism/couplings/drawn_coupling_binder.hpp"
 #include "mechanism/couplings/internal/compliance_binder.hpp"
 #include "mechanism/gears/internal/gear_binder.hpp"
 #include "mechanism/gears/internal/gear_check.hpp"
 #include "mechanism/gears/internal/losses.hpp"
 #include "mechanism/gears/internal/planet_set.hpp"
+#include "mechanism/inertia/mass_binder.hpp"
+#include "mechanism/springs/spring_binder.hpp"
 #include "mechanism/unanalysed.hpp"
 
 namespace kinestat {
@@ -142,16 +145,50 @@ void report_unanalysed(const std::vector<Unanalysed>& list, Purpose purpose, Dia
   }
 }
 
+// What the forces of inertia of its cases follow from.
+void bind_inertia(const SectionContext& context, Mechanism& result) {
+  if (std::ranges::none_of(result.masses, &BodyMass::counts)) {
+    const auto one = std::ranges::find_if(context.description.cases, &CaseDescription::has_inertia);
+    context.found.warning("W0312",
+                          one != context.description.cases.end() ? one->label.where
+                                                                 : context.description.shift->where,
+                          "accelerations change nothing, because no body has mass or inertia",
+                          "give bodies 'mass', 'centre_of_mass' and 'inertia', or remove "
+                          "'acceleration'");
+  }
+  result.drawn_couplings = bind_drawn_couplings(context.description, result);
+}
+
+// Springs act in every case, as loads do.
+void ask_for_actions(const Mechanism& mechanism, std::vector<Case>& cases) {
+  for (Case& one : cases) {
+    one.asks_actions = one.asks_actions || one.has_inertia() || !mechanism.springs.empty();
+  }
+}
+
 // All sections beside the structure; the cases, where they are bound, get their loads.
-void bind_sections(const SectionContext& context, Mechanism& result) {
+void bind_sections(const SectionContext& context, bool has_structure, Mechanism& result) {
   const int errors_before = context.found.error_count();
   check_sections(context);
-  std::vector<std::vector<Load>> loads = bind_loads(context);
-  if (context.found.error_count() == errors_before && !result.cases.empty()) {
-    add_loads(std::move(loads), result.cases);
-    bind_load_ends(context, result.cases);
-    check_order_of_loads(context.description, result.cases, context.found);
+  const std::vector<BodyMass> masses = bind_masses(context);
+  std::vector<std::vector<Load>> loads = bind_loads(context, masses);
+  std::vector<Spring> springs = bind_springs(context, has_structure ? &result.topology : nullptr);
+  if (context.found.error_count() > errors_before || !has_structure) {
+    return;
   }
+  result.springs = std::move(springs);
+  if (std::ranges::any_of(masses, &BodyMass::counts)) {
+    result.masses = masses_of_bodies(context, result, masses);
+  }
+  add_loads(std::move(loads), result.cases);
+  bind_load_ends(context, result.cases);
+  check_order_of_loads(context.description, result.cases, context.found);
+  const auto& shift = context.description.shift;
+  if (std::ranges::any_of(result.cases, &Case::has_inertia) ||
+      (shift && !shift->input_acceleration.empty())) {
+    bind_inertia(context, result);
+  }
+  ask_for_actions(result, result.cases);
 }
 
 // Numbers of gears that are made of a parameter without a value have no complaint of their own.
@@ -190,6 +227,7 @@ std::optional<Mechanism> bind_for(Purpose purpose,
   const SectionContext context = {
       .description = description, .names = names, .evaluator = evaluator, .found = found};
   Mechanism result;
+  bool has_structure = false;
   const ScrewSpaces spaces = {.motions = description.space,
                               .actions = description.static_order == OrderChoice::spatial
                                              ? Space::spatial
@@ -200,6 +238,7 @@ std::optional<Mechanism> bind_for(Purpose purpose,
       check_cases(description, evaluator);
       check_case_names(context);
     } else if (bind_graph(description, found, result)) {
+      has_structure = true;
       result.cases = bind_cases(description, result.topology, evaluator, found);
       result.planet_counts = bind_planet_counts(description, result.topology, evaluator);
       result.load_sharing = bind_load_sharing(description, result.topology, evaluator);
@@ -210,7 +249,7 @@ std::optional<Mechanism> bind_for(Purpose purpose,
   } else {
     (void)check_gears(context);
   }
-  bind_sections(context, result);
+  bind_sections(context, has_structure, result);
   if (found.error_count() == errors_before && description.losses) {
     result.lossy_meshes = bind_losses(description, evaluator, found);
     result.loss_model = description.losses->model;

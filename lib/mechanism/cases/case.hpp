@@ -1,6 +1,7 @@
 // A case bound to numbers: what is known of the motions and actions, and what acts from outside.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,17 +26,35 @@ struct Case {
   bool asks_actions = false;  ///< actions are to be solved: the key is there, or loads act
   std::vector<Primary> motions;
   std::vector<Primary> actions;
-  std::vector<Load> loads;   ///< on moving bodies: those of the file, then the weights
+  std::optional<std::vector<Primary>> accelerations =
+      {};  ///< [rad/s² or m/s²] of some of `motions`, the others being steady: the forces of
+           ///< inertia act; empty: they do not
+  std::vector<Load> loads;   ///< on moving bodies: those of the file, then the weights, and once it
+                             ///< is solved the forces of inertia
   std::vector<int> inputs;   ///< actuators
   std::vector<int> outputs;  ///< likewise
   std::vector<std::size_t> input_loads = {};  ///< of `loads`: what drives as a weight that sinks
   std::vector<std::size_t> output_loads = {};
   SourceRange where;
 
+  bool has_inertia() const { return accelerations.has_value(); }
+
   /// Whether the file says where power goes in and where it comes out.
   bool names_both_ends() const {
     return !(inputs.empty() && input_loads.empty()) && !(outputs.empty() && output_loads.empty());
   }
 };
+
+/// How fast a known motion of the case speeds up [rad/s² or m/s²]: steady where nothing says so.
+inline double acceleration_of(const Case& which, int freedom) {
+  if (which.accelerations) {
+    for (const Primary& one : *which.accelerations) {
+      if (one.index == freedom) {
+        return one.value;
+      }
+    }
+  }
+  return 0.0;
+}
 
 }  // namespace kinestat

@@ -13,7 +13,7 @@ namespace kinestat {
 
 namespace {
 
-enum class Side { motion, action };
+enum class Side { motion, acceleration, action };
 
 // Names with their places in a list of the topology; of two alike the first counts.
 class Index {
@@ -63,10 +63,17 @@ class CaseBinder {
                 .asks_actions = description.asks_actions,
                 .motions = bind_side(description.motions, Side::motion),
                 .actions = bind_side(description.actions, Side::action),
+                .accelerations =
+                    description.has_inertia
+                        ? std::optional(bind_side(description.accelerations, Side::acceleration))
+                        : std::nullopt,
                 .loads = {},
                 .inputs = bind_actuators(description.inputs),
                 .outputs = bind_actuators(description.outputs),
                 .where = description.label.where};
+    if (result.accelerations) {
+      check_accelerations(description, result);
+    }
     check_ends(description);
     return result;
   }
@@ -75,6 +82,31 @@ class CaseBinder {
   void add_loads(const std::vector<LoadDescription>& loads) {
     for (const LoadDescription& load : loads) {
       loads_.add(load.name.text);
+    }
+  }
+
+  // What speeds up has a known speed.
+  void check_accelerations(const CaseDescription& description, const Case& result) {
+    for (const Primary& one : *result.accelerations) {
+      const bool is_known =
+          std::ranges::find(result.motions, one.index, &Primary::index) != result.motions.end();
+      if (is_known) {
+        continue;
+      }
+      std::vector<std::string> known;
+      for (const Primary& motion : result.motions) {
+        known.push_back(motion.given);
+      }
+      found_.error("E0502",
+                   one.where,
+                   fmt::format("case '{}' has an acceleration of '{}' but not its motion",
+                               printable(description.label.text),
+                               one.given),
+                   known.empty()
+                       ? fmt::format("add its speed to 'motion': {{{}: 0}}", one.given)
+                       : fmt::format("accelerations are of what 'motion' names, {}; add it there "
+                                     "or remove it here",
+                                     plain_list(known)));
     }
   }
 
@@ -118,7 +150,7 @@ class CaseBinder {
       const auto twin = std::ranges::find(primaries, *index, &Primary::index);
       if (twin != primaries.end()) {
         auto& problem = found_.error(
-            side == Side::motion ? "E0502" : "E0601",
+            side == Side::action ? "E0601" : "E0502",
             assignment.target.where,
             fmt::format("'{}' is already given as '{}'", assignment.target.text, twin->given),
             "keep one of the two");
@@ -138,6 +170,10 @@ class CaseBinder {
     if (side == Side::motion) {
       return rate_kind(topology_.freedoms[i].is_rotation);
     }
+    if (side == Side::acceleration) {
+      return topology_.freedoms[i].is_rotation ? QuantityKind::angular_acceleration
+                                               : QuantityKind::acceleration;
+    }
     return action_kind(topology_.actions[i].is_couple);
   }
 
@@ -145,9 +181,9 @@ class CaseBinder {
   std::optional<int> resolve(const Name& target, Side side) {
     if (const std::optional<int> actuator = actuators_.find(target.text)) {
       const auto& found = topology_.actuators[static_cast<std::size_t>(*actuator)];
-      return side == Side::motion ? found.freedom : found.action;
+      return side == Side::action ? found.action : found.freedom;
     }
-    const Index& index = side == Side::motion ? freedoms_ : actions_;
+    const Index& index = side == Side::action ? actions_ : freedoms_;
     const std::optional<int> at = index.find(target.text);
     if (!at && loads_.find(target.text)) {
       found_.error("E0313",
@@ -161,7 +197,7 @@ class CaseBinder {
   }
 
   void complain(const Name& target, Side side, const std::vector<std::string>& names) {
-    const std::string_view word = side == Side::motion ? "motion" : "action";
+    const std::string_view word = side == Side::action ? "action" : "motion";
     auto& problem = found_.error(
         "E0313",
         target.where,

@@ -21,7 +21,14 @@ struct BodyWrench {
 /// Before the body, in the name of its weight.
 inline constexpr std::string_view kWeightPrefix = "gravity.";
 
-/// A load of a case: one that the file names, or the weight of a body, named gravity.BODY.
+/// Likewise, of its force of inertia.
+inline constexpr std::string_view kInertiaPrefix = "inertia.";
+
+/// Likewise, of the force of a spring, which may be followed by a dot and the body.
+inline constexpr std::string_view kSpringPrefix = "spring.";
+
+/// A load of a case: one that the file names, the weight of a body, named
+/// gravity.BODY, or its force of inertia, named inertia.BODY.
 struct Load {
   std::string name;
   BodyWrench acts;

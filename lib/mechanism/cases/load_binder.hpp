@@ -6,6 +6,7 @@
 #include "mechanism/cases/case.hpp"
 #include "mechanism/cases/load.hpp"
 #include "mechanism/check/section_context.hpp"
+#include "mechanism/inertia/body_mass.hpp"
 
 namespace kinestat {
 
@@ -13,7 +14,8 @@ namespace kinestat {
 /// the case's own of its name, then the other ones of the case, then the weights. Places and
 /// wrenches are from the origin of the evaluator. Evaluates every load and complains; one on the
 /// ground, which does nothing, is left out with a warning.
-std::vector<std::vector<Load>> bind_loads(const SectionContext& context);
+std::vector<std::vector<Load>> bind_loads(const SectionContext& context,
+                                          const std::vector<BodyMass>& masses);
 
 /// Gives the cases their loads; one on which any acts asks for its actions.
 void add_loads(std::vector<std::vector<Load>> loads, std::vector<Case>& cases);
@@ -27,9 +29,9 @@ bool names_load(const Name& name, const CaseDescription& one, const SectionConte
 void bind_load_ends(const SectionContext& context, std::vector<Case>& cases);
 
 /// One load gravity.BODY for every body with a mass, at its centre of mass: mass · gravity, about
-/// the origin of the evaluator. None without gravity, though masses and centres are evaluated.
-/// Bodies without a mass are massless. A mass without a centre is an error, gravity without any
-/// mass a warning.
-std::vector<Load> bind_weights(const SectionContext& context);
+/// the origin of the evaluator. None without gravity; `masses` are those of the description's
+/// bodies. Bodies without a mass are massless. A mass without a centre is an error, gravity without
+/// any mass a warning.
+std::vector<Load> bind_weights(const SectionContext& context, const std::vector<BodyMass>& masses);
 
 }  // namespace kinestat

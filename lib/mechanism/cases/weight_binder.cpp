@@ -9,9 +9,6 @@ namespace kinestat {
 
 namespace {
 
-constexpr NumberRule kMass = {
-    .kind = QuantityKind::mass, .range = kNotNegative, .allowed = "a mass that is not negative"};
-
 void complain_of_missing_centre(const BodyDescription& body, const SectionContext& context) {
   const bool is_planar = context.description.space == Space::planar;
   context.found.error(
@@ -56,7 +53,7 @@ void warn_of_idle_gravity(const SectionContext& context) {
 
 }  // namespace
 
-std::vector<Load> bind_weights(const SectionContext& context) {
+std::vector<Load> bind_weights(const SectionContext& context, const std::vector<BodyMass>& masses) {
   const auto& gravity = context.description.gravity;
   const std::optional<Vec3> acceleration =
       gravity ? context.vector(gravity->coordinates, QuantityKind::acceleration) : std::nullopt;
@@ -65,21 +62,19 @@ std::vector<Load> bind_weights(const SectionContext& context) {
     warn_of_idle_gravity(context);
   }
   std::vector<Load> weights;
-  for (const BodyDescription& body : context.description.bodies) {
-    const std::optional<double> mass =
-        context.number(body.mass, kMass, fmt::format("'mass' of body '{}'", body.name.text));
-    const std::optional<Vec3> centre =
-        body.centre_of_mass ? context.evaluator.point(*body.centre_of_mass) : std::nullopt;
+  for (std::size_t b = 0; b < masses.size(); ++b) {
+    const BodyDescription& body = context.description.bodies[b];
     if (body.mass && gravity && !body.centre_of_mass) {
       complain_of_missing_centre(body, context);
     }
-    if (mass && centre && acceleration) {
-      const Vec3 force = *mass * *acceleration;
-      const Vec3 moment = moment_of_load(*centre, force, Vec3::Zero());
+    if (body.mass && body.centre_of_mass && acceleration) {
+      const Vec3& centre = masses[b].centre;
+      const Vec3 force = masses[b].mass * *acceleration;
+      const Vec3 moment = moment_of_load(centre, force, Vec3::Zero());
       weights.push_back({.name = std::string(kWeightPrefix) + body.name.text,
                          .acts = {.body = BodyId{context.names.bodies.find(body.name.text)},
                                   .wrench = {.moment = moment, .force = force}},
-                         .point = *centre,
+                         .point = centre,
                          .where = body.mass->where});
     }
   }

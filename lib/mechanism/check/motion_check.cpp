@@ -2,6 +2,7 @@
 
 #include "mechanism/check/report_name_check.hpp"
 #include "mechanism/check/section_checks.hpp"
+#include "mechanism/motion_plan.hpp"
 
 namespace kinestat {
 
@@ -10,6 +11,13 @@ namespace {
 constexpr NumberRule kStepCount = {.kind = QuantityKind::dimensionless,
                                    .range = kSteps,
                                    .allowed = "a whole number from 1 to 1000000"};
+
+constexpr NumberRule kDuration = {
+    .kind = QuantityKind::time, .range = kAboveZero, .allowed = "a time above zero"};
+
+constexpr NumberRule kRamp = {.kind = QuantityKind::dimensionless,
+                              .range = kAboveZero,
+                              .allowed = "a number above 0 and at most 0.5"};
 
 std::optional<double> position(const std::optional<Value>& value,
                                DriveKind kind,
@@ -35,7 +43,7 @@ void check_range(const DriveRange& range, bool must_move, const SectionContext& 
   const DriveKind kind = context.names.kind_of_actuator(range.actuator.text);
   const std::optional<double> from = position(range.from, kind, context);
   const std::optional<double> to = position(range.to, kind, context);
-  if (must_move && from && to && *from == *to) {
+  if (must_move && range.to && from && to && *from == *to) {
     context.found.error("E0305",
                         range.to->where,
                         fmt::format("drive '{}' ends where it begins", range.actuator.text),
@@ -83,6 +91,19 @@ void check_motion(const SectionContext& context) {
   }
   context.repeats(drives, "'drives' of 'motion'");
   context.number(motion.steps, kStepCount, "'steps' of 'motion'");
+  context.number(motion.time, kDuration, "'time' of 'motion'");
+  const std::optional<double> ramp = context.number(motion.ramp, kRamp, "'ramp' of 'motion'");
+  if (motion.ramp && motion.law != DriveLaw::trapezoid) {
+    context.found.error("E0305",
+                        motion.ramp->where,
+                        "'ramp' is of law trapezoid alone",
+                        "write law: trapezoid, or remove 'ramp'");
+  } else if (ramp && *ramp > 0.5) {
+    context.found.error("E0305",
+                        motion.ramp->where,
+                        "'ramp' is more than half of the time",
+                        "write a number above 0 and at most 0.5");
+  }
   if (motion.label) {
     context.names.cases.check(*motion.label, "'motion' takes its speeds from", context.found);
   }

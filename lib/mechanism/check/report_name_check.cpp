@@ -7,6 +7,7 @@
 
 #include "core/text.hpp"
 #include "mechanism/motion_figure.hpp"
+#include "mechanism/motion_plan.hpp"
 
 namespace kinestat {
 
@@ -68,18 +69,6 @@ bool names_motion_figure(const Name& name,
 }
 
 }  // namespace
-
-std::span<const std::string> motion_report_words() {
-  static const std::vector<std::string> kWords = {"position",
-                                                  "velocity",
-                                                  "acceleration",
-                                                  "action",
-                                                  "power",
-                                                  "ratio",
-                                                  "transmission_angle",
-                                                  "mechanical_advantage"};
-  return kWords;
-}
 
 std::span<const std::string> sweep_report_words() {
   static const std::vector<std::string> kWords = {

@@ -12,7 +12,6 @@
 namespace kinestat {
 
 /// Words that stand for more than one column, or for no coupling.
-std::span<const std::string> motion_report_words();
 std::span<const std::string> sweep_report_words();
 
 /// Each is a word, an actuator, or a quantity of a coupling: coupling.freedom, coupling.action; of

@@ -33,6 +33,8 @@ struct Sides {
 
 constexpr Sides kMotion = {.turning = QuantityKind::angular_velocity,
                            .sliding = QuantityKind::velocity};
+constexpr Sides kAcceleration = {.turning = QuantityKind::angular_acceleration,
+                                 .sliding = QuantityKind::acceleration};
 constexpr Sides kAction = {.turning = QuantityKind::moment, .sliding = QuantityKind::force};
 
 class ShiftCheck {
@@ -49,6 +51,13 @@ class ShiftCheck {
     check_elements();
     check_values(shift_.input_motion, kMotion, "'input_motion'");
     check_values(shift_.input_action, kAction, "'input_action'");
+    check_values(shift_.input_acceleration, kAcceleration, "'input_acceleration'");
+    if (!shift_.input_acceleration.empty() && shift_.input_action.empty()) {
+      context_.found.error("E0303",
+                           shift_.input_acceleration.front().value.where,
+                           "'input_acceleration' of 'shift' needs the key 'input_action'",
+                           "add the torque of the input, for example input_action: 100 N*m");
+    }
     check_limits();
     for (const GearLabel& gear : shift_.names) {
       check_label(gear);

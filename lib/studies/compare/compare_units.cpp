@@ -112,8 +112,8 @@ std::optional<std::string> ReportUnits::read_file_units(const Json& report) {
       continue;
     }
     const Json& text = member(units, std::string(key_of(kind)).c_str());
-    if (text.is_null() && kind == QuantityKind::energy) {
-      continue;  // reports of version 0.1.0 have no energies
+    if (text.is_null() && (kind == QuantityKind::energy || kind == QuantityKind::inertia)) {
+      continue;  // reports of version 0.1.0 have none
     }
     if (!text.is_string()) {
       return fmt::format("there is no unit at /mechanism/units/{}", key_of(kind));

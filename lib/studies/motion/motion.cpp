@@ -20,6 +20,7 @@ class MotionSolver {
   MotionSolver(const MotionNetwork& network, const MotionTask& task)
       : network_(network), task_(task), tracker_(network) {
     solution_.drives = task.drives;
+    solution_.path = task.path;
     solution_.coordinate_count = network.coordinate_count;
     solution_.angle_count = network.angle_count;
     for (const MotionDrive& drive : task.drives) {
@@ -46,10 +47,15 @@ class MotionSolver {
     if (tracker_.is_beside_change_point()) {
       tracker_ = PathTracker<Frames>(network_);  // There the last way would go on.
     }
-    tracker_.set_range(from_, to_);
     PathPoint now = tracker_.make_point();
     now.coordinates = start.coordinates;
     now.angles = start.angles;
+    if (task_.path) {
+      return go_on(now, start_share, share) == Arrival::reached
+                 ? std::optional(configuration_of(now))
+                 : std::nullopt;
+    }
+    tracker_.set_range(from_, to_);
     now.share = start_share;
     double moved = 0.0;
     if (!tracker_.close(now, moved)) {
@@ -74,6 +80,34 @@ class MotionSolver {
 
   static Configuration configuration_of(const PathPoint& point) {
     return {.coordinates = point.coordinates, .angles = point.angles};
+  }
+
+  // On a path, by the straight line between two of its places; shares of the point are of the path.
+  Arrival go_on(PathPoint& now, double start_share, double share) {
+    leg_ = {.from = start_share, .to = share};
+    std::vector<double> low;
+    std::vector<double> high;
+    for (std::size_t d = 0; d < task_.drives.size(); ++d) {
+      const double unit = unit_of(task_.drives[d].freedom);
+      low.push_back(task_.path(d, start_share) / unit);
+      high.push_back(task_.path(d, share) / unit);
+    }
+    Arrival arrival = Arrival::reached;
+    now.share = 1.0;
+    if (low != high) {
+      tracker_.set_range(low, high);
+      now.share = 0.0;
+      now.arrival_share = 0.0;
+      double moved = 0.0;
+      if (!tracker_.close(now, moved)) {
+        return Arrival::lost;
+      }
+      tracker_.find_rates(now);
+      PathPoint before = tracker_.make_point();
+      arrival = tracker_.advance(now, before, 1.0);
+    }
+    now.share = leg_->share(now.share);
+    return arrival;
   }
 
   // Closes the drawn position with the drives at zero.
@@ -208,9 +242,9 @@ class MotionSolver {
   // On the way to where the motion begins, or in it.
   std::vector<double> drive_values(double share, bool is_on_the_way) const {
     std::vector<double> values;
-    for (const MotionDrive& drive : solution_.drives) {
-      values.push_back(is_on_the_way ? share * drive.from
-                                     : drive.from + share * (drive.to - drive.from));
+    for (std::size_t d = 0; d < solution_.drives.size(); ++d) {
+      values.push_back(is_on_the_way ? share * solution_.drives[d].from
+                                     : solution_.drive_at(d, share));
     }
     return values;
   }
@@ -223,6 +257,9 @@ class MotionSolver {
   void note_special(int step, bool is_on_the_way) {
     for (SpecialPosition& one : tracker_.take_special()) {
       one.step = step;
+      if (leg_) {
+        one.share = leg_->share(one.share);
+      }
       one.drive_values = drive_values(one.share, is_on_the_way);
       solution_.special.push_back(std::move(one));
     }
@@ -257,8 +294,9 @@ class MotionSolver {
     keep(now);
     PathPoint before = tracker_.make_point();
     for (int k = 1; k <= task_.steps; ++k) {
-      const double share = k == task_.steps ? 1.0 : static_cast<double>(k) / task_.steps;
-      const Arrival arrival = tracker_.advance(now, before, share);
+      const double share = share_of(k);
+      const Arrival arrival = task_.path ? go_on(now, solution_.shares.back(), share)
+                                         : tracker_.advance(now, before, share);
       if (tracker_.has_special()) {
         note_special(k - 1, false);
       }
@@ -275,8 +313,24 @@ class MotionSolver {
     }
   }
 
+  double share_of(int step) const {
+    if (step == task_.steps) {
+      return 1.0;
+    }
+    return task_.shares.empty() ? static_cast<double>(step) / task_.steps : task_.shares[at(step)];
+  }
+
+  // A straight piece of a path.
+  struct Leg {
+    double from = 0.0;
+    double to = 0.0;
+
+    double share(double of_leg) const { return of_leg == 1.0 ? to : from + of_leg * (to - from); }
+  };
+
   const MotionNetwork& network_;
   const MotionTask& task_;
+  std::optional<Leg> leg_;
   PathTracker<Frames> tracker_;
   MotionSolution solution_;
   std::vector<double> from_;
@@ -298,8 +352,8 @@ MotionSolution solve_motion(const MotionNetwork& network, const MotionTask& task
 }
 
 struct WayBetween::Solver {
-  Solver(const MotionNetwork& network, std::vector<MotionDrive> drives)
-      : task{.drives = std::move(drives), .steps = 1} {
+  Solver(const MotionNetwork& network, const MotionSolution& motion)
+      : task{.drives = motion.drives, .steps = 1, .shares = {}, .path = motion.path} {
     if (network.space == Space::planar) {
       planar.emplace(network, task);
     } else {
@@ -312,8 +366,8 @@ struct WayBetween::Solver {
   std::optional<MotionSolver<SpatialFrames>> spatial;
 };
 
-WayBetween::WayBetween(const MotionNetwork& network, std::vector<MotionDrive> drives)
-    : solver_(std::make_unique<Solver>(network, std::move(drives))) {}
+WayBetween::WayBetween(const MotionNetwork& network, const MotionSolution& motion)
+    : solver_(std::make_unique<Solver>(network, motion)) {}
 
 WayBetween::~WayBetween() = default;
 

@@ -19,8 +19,8 @@ namespace kinestat {
 /// Follows the drives of a motion between its positions, again and again. One a thread.
 class WayBetween {
  public:
-  /// The network must outlive it.
-  WayBetween(const MotionNetwork& network, std::vector<MotionDrive> drives);
+  /// By the drives of the motion; the network must outlive it.
+  WayBetween(const MotionNetwork& network, const MotionSolution& motion);
   ~WayBetween();
   WayBetween(const WayBetween&) = delete;
   WayBetween& operator=(const WayBetween&) = delete;

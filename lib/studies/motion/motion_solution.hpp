@@ -1,6 +1,7 @@
 // A finite motion: what is asked, and the positions that were found.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -17,10 +18,15 @@ struct MotionDrive {
   double to = 0.0;
 };
 
-/// All drives run from `from` to `to` together, in equal steps: steps + 1 positions.
+/// Where each drive is at a share of its motion [rad or m].
+using DrivePath = std::function<double(std::size_t drive, double share)>;
+
+/// All drives run from `from` to `to` together: steps + 1 positions.
 struct MotionTask {
   std::vector<MotionDrive> drives;
   int steps = 360;
+  std::vector<double> shares = {};  ///< of each position, of the ranges; empty: equal steps
+  DrivePath path = {};              ///< instead of straight lines; then a share is of the path
 };
 
 enum class MotionStatus {
@@ -77,6 +83,7 @@ struct MotionSolution {
   MotionStatus status = MotionStatus::completed;
   Assembly assembly;
   std::vector<MotionDrive> drives;
+  DrivePath path;              ///< as in the task
   std::vector<double> shares;  ///< of each position found, rising from 0; the last is a limit
                                ///< or lift-off where the status says so
   std::vector<double> closure_errors;  ///< of each: largest, as share of the mechanism's size
@@ -92,10 +99,15 @@ struct MotionSolution {
 
   int position_count() const { return static_cast<int>(shares.size()); }
 
+  /// The position of a drive at a share of the motion [rad or m].
+  double drive_at(std::size_t drive, double share) const {
+    const MotionDrive& one = drives[drive];
+    return path ? path(drive, share) : one.from + share * (one.to - one.from);
+  }
+
   /// The position of a drive at one of the positions [rad or m].
   double drive_value(std::size_t drive, int position) const {
-    const MotionDrive& one = drives[drive];
-    return one.from + shares[static_cast<std::size_t>(position)] * (one.to - one.from);
+    return drive_at(drive, shares[static_cast<std::size_t>(position)]);
   }
 
   Configuration configuration_at(int position) const;

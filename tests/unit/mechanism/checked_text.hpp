@@ -10,6 +10,7 @@
 #include "mechanism/cases/load_binder.hpp"
 #include "mechanism/check/section_checks.hpp"
 #include "mechanism/gears/internal/gear_check.hpp"
+#include "mechanism/inertia/mass_binder.hpp"
 #include "support/read_text.hpp"
 
 namespace kinestat {
@@ -46,7 +47,7 @@ inline void check_all_sections(const MechanismDescription& description,
   (void)check_gears(context);
   (void)check_cables(context);
   check_sections(context);
-  (void)bind_loads(context);
+  (void)bind_loads(context, bind_masses(context));
 }
 
 /// Errors of the reader are a failed test.

@@ -21,17 +21,16 @@ const GearMember* find_member_with(std::optional<Value> GearMember::*key,
   return nullptr;
 }
 
-// Of each action what its planets have, 1 of all others.
+// Of each body what it has as a planet, 1 of all others.
 template <class T>
-std::vector<T> of_actions(T PlanetSet::*what,
-                          const MechanismDescription& description,
-                          const Topology& topology,
-                          Evaluator& evaluator) {
-  std::vector<T> result(topology.actions.size(), T{1});
-  if (!description.gears || !has_all_meshes(description)) {
-    return result;
-  }
+std::vector<T> of_bodies(T PlanetSet::*what,
+                         const MechanismDescription& description,
+                         const Topology& topology,
+                         Evaluator& evaluator) {
   std::vector<T> of_body(topology.bodies.size(), T{1});
+  if (!description.gears || !has_all_meshes(description)) {
+    return of_body;
+  }
   const GearTrain train = find_gear_train(description);
   for (const PlanetSet& set : bind_planet_sets(*description.gears, train, evaluator)) {
     for (const int p : set.planets) {
@@ -42,6 +41,17 @@ std::vector<T> of_actions(T PlanetSet::*what,
       }
     }
   }
+  return of_body;
+}
+
+// Of each action what its planets have, 1 of all others.
+template <class T>
+std::vector<T> of_actions(T PlanetSet::*what,
+                          const MechanismDescription& description,
+                          const Topology& topology,
+                          Evaluator& evaluator) {
+  const std::vector<T> of_body = of_bodies(what, description, topology, evaluator);
+  std::vector<T> result(topology.actions.size(), T{1});
   for (std::size_t a = 0; a < result.size(); ++a) {
     const CouplingTopology& coupling = topology.coupling(topology.actions[a].coupling);
     result[a] = std::max(of_body[static_cast<std::size_t>(coupling.tail.value)],
@@ -86,6 +96,12 @@ std::vector<int> bind_planet_counts(const MechanismDescription& description,
                                     const Topology& topology,
                                     Evaluator& evaluator) {
   return of_actions(&PlanetSet::count, description, topology, evaluator);
+}
+
+std::vector<int> bind_body_counts(const MechanismDescription& description,
+                                  const Topology& topology,
+                                  Evaluator& evaluator) {
+  return of_bodies(&PlanetSet::count, description, topology, evaluator);
 }
 
 std::vector<double> bind_load_sharing(const MechanismDescription& description,

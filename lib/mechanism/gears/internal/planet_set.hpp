@@ -29,7 +29,12 @@ std::vector<int> bind_planet_counts(const MechanismDescription& description,
                                     const Topology& topology,
                                     Evaluator& evaluator);
 
-/// Likewise, the load of the most loaded of these planets over the mean.
+/// Of each body, how many equal planets it stands for; 1 of all others.
+std::vector<int> bind_body_counts(const MechanismDescription& description,
+                                  const Topology& topology,
+                                  Evaluator& evaluator);
+
+/// Of each action, the load of the most loaded of these planets over the mean.
 std::vector<double> bind_load_sharing(const MechanismDescription& description,
                                       const Topology& topology,
                                       Evaluator& evaluator);

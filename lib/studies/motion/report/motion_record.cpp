@@ -124,9 +124,14 @@ const Record<FiguresView>& figures_record() {
     keys.number(
         "mean",
         ByContext::column,
-        "The mean over the way of the drives, by trapezoids; null where a step has no value "
-        "or the motion does not reach its end.",
+        "The mean over the way of the drives, of a motion in time over that, by trapezoids; null "
+        "where a step has no value or the motion does not reach its end.",
         [](const View& v) { return v.figures.mean; });
+    keys.number("rms",
+                ByContext::column,
+                "The root of the mean square in time, likewise; no key of a motion without time.",
+                [](const View& v) { return v.figures.rms; })
+        .only_if([](const View& v) { return v.figures.rms.has_value(); });
   });
   return record;
 }
@@ -134,7 +139,7 @@ const Record<FiguresView>& figures_record() {
 // But the drives, whose ranges the file gives, and the closure error.
 void emit_figures(const MotionTable& v, const Each<FiguresView>& each) {
   for (std::size_t c = v.drives.size(); c < v.figures.size(); ++c) {
-    if (v.columns[c].quantity != kClosureErrorColumn) {
+    if (v.columns[c].quantity != kClosureErrorColumn && v.columns[c].quantity != kTimeColumn) {
       each(v.columns[c].name(), {.column = v.columns[c], .figures = v.figures[c]});
     }
   }

@@ -26,6 +26,9 @@ std::string_view word_of(MotionEnd end);
 /// The quantity of the column that says how well a position closes.
 inline constexpr std::string_view kClosureErrorColumn = "closure_error";
 
+/// The quantity of the column of a motion in time that says when.
+inline constexpr std::string_view kTimeColumn = "time";
+
 /// One value of every position. The name is "a.wz/position": element, then quantity.
 struct MotionColumn {
   std::string element;   ///< coupling.freedom, coupling.action, actuator, body or traced point;
@@ -110,8 +113,10 @@ struct ColumnExtreme {
 struct ColumnFigures {
   std::optional<ColumnExtreme> least;  ///< empty where no position has a value
   std::optional<ColumnExtreme> greatest;
-  std::optional<double> mean;  ///< over the way of the drives; empty where some step has no value,
-                               ///< or the motion does not reach its end
+  std::optional<double> mean;  ///< over the way of the drives, or in time; empty where some step
+                               ///< has no value, or the motion does not reach its end
+  std::optional<double> rms;   ///< root of the mean square in time; likewise, and of a motion in
+                               ///< time alone
 };
 
 struct MotionTable {
@@ -132,6 +137,8 @@ struct MotionTable {
   std::vector<CouplingGap> drawn_gaps;      ///< of the drawn position, if it does not close
   std::vector<BodyCorrection> corrections;  ///< that closed it
   std::vector<CouplingGap> nearest_gaps;    ///< where nothing closes it: of the nearest position
+  std::optional<double> duration;           ///< of a motion in time, in the unit of time
+  std::string time_unit;
   std::string length_unit;
   std::string angle_unit;
 };

@@ -63,10 +63,12 @@ class MotionWriter {
                                      {"greatest", {}},
                                      {at, {}},
                                      {"range", {}},
-                                     {"mean", {}}};
+                                     {"mean", {}},
+                                     {"RMS", {}}};
     for (std::size_t c = motion_.drives.size(); c < column_count(); ++c) {
-      const auto& [least, greatest, mean] = motion_.figures[c];
-      if (!least || is_same(least->value, greatest->value)) {
+      const auto& [least, greatest, mean, rms] = motion_.figures[c];
+      const bool is_time = motion_.duration && motion_.columns[c].quantity == kTimeColumn;
+      if (!least || is_time || is_same(least->value, greatest->value)) {
         continue;
       }
       const std::array cells = {with_unit(motion_.columns[c].name(), motion_.columns[c].unit),
@@ -75,10 +77,14 @@ class MotionWriter {
                                 format_short(greatest->value),
                                 format_short(greatest->drive),
                                 format_short(greatest->value - least->value),
-                                shown(mean)};
+                                shown(mean),
+                                shown(rms)};
       for (std::size_t i = 0; i < cells.size(); ++i) {
         table[i].cells.push_back(cells[i]);
       }
+    }
+    if (!motion_.duration) {
+      table.pop_back();
     }
     return table[0].cells.empty() ? TextBlocks() : TextBlocks(std::move(table));
   }
@@ -97,14 +103,16 @@ class MotionWriter {
   std::string drives_text() const {
     std::string text;
     for (const DriveTravel& drive : motion_.drives) {
-      text += fmt::format("  {} ({}) from {} to {} in {} step{}{}\n",
-                          drive.name,
-                          drive.freedom,
-                          format_short(drive.from),
-                          amount(drive.to, drive.unit),
-                          motion_.steps,
-                          motion_.steps == 1 ? "" : "s",
-                          end_text(drive));
+      text += fmt::format(
+          "  {} ({}) from {} to {} in {} step{}{}{}\n",
+          drive.name,
+          drive.freedom,
+          format_short(drive.from),
+          amount(drive.to, drive.unit),
+          motion_.steps,
+          motion_.steps == 1 ? "" : "s",
+          motion_.duration ? " and " + amount(*motion_.duration, motion_.time_unit) : "",
+          end_text(drive));
     }
     return text;
   }

@@ -45,7 +45,11 @@ CaseSpeeds CaseSpeedSolver::find(const Configuration& configuration, StateDetail
   std::size_t driven = 0;
   for (const PlannedDrive& drive : plan_.drives) {
     const Primary* known = known_of(drive);
-    given.drives.push_back({.speed = known == nullptr ? 0.0 : known->value});
+    given.drives.push_back(
+        {.speed = known == nullptr ? 0.0 : known->value,
+         .acceleration = known == nullptr ? 0.0 : acceleration_of(which_, drive.freedom),
+         .speed_bound = 0.0,
+         .acceleration_bound = 0.0});
     driven += known == nullptr ? 0 : 1;
   }
   std::vector<const Primary*> known;
@@ -158,13 +162,16 @@ CaseSpeeds CaseSpeedSolver::solve(const std::vector<const Primary*>& known,
   for (std::size_t k = 0; k < known.size(); ++k) {
     const std::size_t freedom = at(known[k]->index);
     const double unit = unit_of(known[k]->index);
-    bend[static_cast<Eigen::Index>(k)] = -state.rate_rates[freedom].value_or(0.0) / unit;
+    bend[static_cast<Eigen::Index>(k)] =
+        (acceleration_of(which_, known[k]->index) - state.rate_rates[freedom].value_or(0.0)) / unit;
     bend_bound[static_cast<Eigen::Index>(k)] = state.bounds.rate_rates[freedom] / unit;
   }
   const VecX acceleration = inverse * bend;
   const VecX acceleration_bound = bound_of(acceleration, bend_bound);
   for (std::size_t d = 0; d < count; ++d) {
-    if (known_of(plan_.drives[d]) == nullptr) {
+    if (known_of(plan_.drives[d]) != nullptr) {
+      result.speeds.drives[d].acceleration = acceleration_of(which_, plan_.drives[d].freedom);
+    } else {
       const double unit = unit_of(plan_.drives[d].freedom);
       const auto i = static_cast<Eigen::Index>(d);
       result.speeds.drives[d].acceleration = unit * acceleration[i];

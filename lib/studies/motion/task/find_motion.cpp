@@ -31,11 +31,25 @@ std::optional<FoundMotion> follow_motion(const MechanismDescription& description
                                          Diagnostics& found) {
   FoundMotion motion;
   motion.plan = std::move(plan);
+  if (!check_time(motion.plan, mechanism, description.units, found)) {
+    return std::nullopt;
+  }
   MotionTask task{.drives = {}, .steps = motion.plan.steps};
   std::vector<int> driven;
   for (const PlannedDrive& drive : motion.plan.drives) {
     task.drives.push_back({.freedom = drive.freedom, .from = drive.from, .to = drive.to});
     driven.push_back(drive.freedom);
+  }
+  if (motion.plan.schedule) {
+    const DriveSchedule& schedule = *motion.plan.schedule;
+    for (int k = 0; k <= task.steps; ++k) {
+      task.shares.push_back(schedule.share_at(static_cast<double>(k) / task.steps));
+    }
+    if (!schedule.is_straight()) {
+      task.path = [schedule](std::size_t drive, double share) {
+        return schedule.at(drive, share).position;
+      };
+    }
   }
   motion.drawn = bind_drawn_couplings(description, mechanism);
   motion.network = make_motion_network(mechanism, motion.drawn, driven);

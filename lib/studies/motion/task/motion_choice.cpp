@@ -56,7 +56,7 @@ void replace_drive(const MotionChoice& choice, MotionDescription& motion, Diagno
   }
   replace("--from", choice.from, motion.drives.front().from, found);
   replace("--to", choice.to, motion.drives.front().to, found);
-  if (!motion.drives.front().to && !found.has_errors()) {
+  if (!motion.drives.front().to && !motion.time && !found.has_errors()) {
     found.error("E0101",
                 {},
                 fmt::format("the motion of '{}' has no end",

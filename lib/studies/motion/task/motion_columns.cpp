@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <numbers>
 #include <string>
@@ -10,6 +11,7 @@
 
 #include "expression/unit_quotient.hpp"
 #include "math/numbers/settled.hpp"
+#include "studies/motion/task/dynamic_columns.hpp"
 
 namespace kinestat {
 
@@ -100,12 +102,21 @@ class ReadingList {
         detail_(detail_of(plan, mechanism)) {}
 
   std::vector<MotionReading> run() {
+    if (plan_.schedule) {
+      add("", std::string(kTimeColumn), QuantityKind::time, [](const MotionPosition& at) {
+        return at.time;
+      });
+    }
     add_positions();
     add_traces();
     add_velocities();
     add_accelerations();
     add_actions();
     add_powers();
+    if (report().dynamics && plan_.which >= 0 && which().has_inertia()) {
+      std::vector<MotionReading> dynamics = dynamic_readings(units_, mechanism_, plan_);
+      std::ranges::move(dynamics, std::back_inserter(readings_));
+    }
     add_transmission();
     return std::move(readings_);
   }
@@ -113,10 +124,10 @@ class ReadingList {
  private:
   const MotionReport& report() const { return plan_.report; }
 
-  void add(std::string element, std::string quantity, MotionKind kind, Reader value) {
+  void add(std::string element, std::string quantity, QuantityKind kind, Reader value) {
     readings_.push_back({.column = {.element = std::move(element),
                                     .quantity = std::move(quantity),
-                                    .unit = unit_text(units_, kind)},
+                                    .unit = units_.text(kind)},
                          .kind = kind,
                          .value = std::move(value)});
   }
@@ -144,7 +155,7 @@ class ReadingList {
       if (is_asked && first_.freedoms[i]) {
         add(topology_.freedom_name(f),
             "position",
-            turns(f) ? MotionKind::angle : MotionKind::length,
+            turns(f) ? QuantityKind::angle : QuantityKind::length,
             [i](const MotionPosition& at) { return at.freedoms[i]; });
       }
     }
@@ -159,7 +170,7 @@ class ReadingList {
     const Vec3 reference = mechanism_.geometry.references[b];
     add_place(name, BodyId{body}, reference);
     if (mechanism_.space == Space::planar) {
-      add(name, "rotation/z", MotionKind::angle, [b](const MotionPosition& at) {
+      add(name, "rotation/z", QuantityKind::angle, [b](const MotionPosition& at) {
         return std::optional(at.turns[b]);
       });
       return;
@@ -167,7 +178,7 @@ class ReadingList {
     for (int i = 0; i < 3; ++i) {
       add(name,
           std::string("rotation/") + kAxes[static_cast<std::size_t>(i)],
-          MotionKind::angle,
+          QuantityKind::angle,
           [b, i](const MotionPosition& at) {
             return std::optional(settled(rotation_vector(at.state.poses[b].rotation)[i],
                                          at.state.bounds.bodies[b].turn));
@@ -178,7 +189,7 @@ class ReadingList {
   void add_place(const std::string& element, BodyId body, const Vec3& drawn) {
     add_vector(element,
                "at",
-               MotionKind::length,
+               QuantityKind::length,
                [body, drawn, origin = mechanism_.geometry.origin](const MotionPosition& at) {
                  const Vec3 place = point_position(at.state, body, drawn, origin);
                  return Vector{place.x(), place.y(), place.z()};
@@ -187,7 +198,7 @@ class ReadingList {
 
   void add_vector(const std::string& element,
                   const std::string& quantity,
-                  MotionKind kind,
+                  QuantityKind kind,
                   const std::function<Vector(const MotionPosition&)>& value) {
     // Worked out once a position, where its first component is read.
     const auto vector = std::make_shared<Vector>();
@@ -210,7 +221,7 @@ class ReadingList {
       add_place(name, point.body, point.at);
       if (detail_.velocity) {
         add_vector(
-            name, "velocity", MotionKind::velocity, [point](const MotionPosition& at) -> Vector {
+            name, "velocity", QuantityKind::velocity, [point](const MotionPosition& at) -> Vector {
               return has_motion(at) ? reported(point_velocity(at.state, point.body, point.at))
                                     : Vector{};
             });
@@ -218,7 +229,7 @@ class ReadingList {
       if (detail_.acceleration) {
         add_vector(name,
                    "acceleration",
-                   MotionKind::acceleration,
+                   QuantityKind::acceleration,
                    [point](const MotionPosition& at) -> Vector {
                      return has_acceleration(at)
                                 ? reported(point_acceleration(at.state, point.body, point.at))
@@ -234,7 +245,7 @@ class ReadingList {
         const auto i = static_cast<std::size_t>(f);
         add(topology_.freedom_name(f),
             "velocity",
-            turns(f) ? MotionKind::angular_velocity : MotionKind::velocity,
+            turns(f) ? QuantityKind::angular_velocity : QuantityKind::velocity,
             [i](const MotionPosition& at) {
               return has_motion(at) ? entry(at.state.rates, at.state.bounds.rates, i)
                                     : std::nullopt;
@@ -245,10 +256,10 @@ class ReadingList {
       const BodyId body{b};
       const Vec3 reference = mechanism_.geometry.references[static_cast<std::size_t>(b)];
       add_angular(
-          b, "angular", MotionKind::angular_velocity, &MotionState::twists, &BodyBounds::angular);
+          b, "angular", QuantityKind::angular_velocity, &MotionState::twists, &BodyBounds::angular);
       add_vector(topology_.bodies[static_cast<std::size_t>(b)].name,
                  "linear",
-                 MotionKind::velocity,
+                 QuantityKind::velocity,
                  [body, reference](const MotionPosition& at) -> Vector {
                    return has_motion(at) ? reported(point_velocity(at.state, body, reference))
                                          : Vector{};
@@ -258,7 +269,7 @@ class ReadingList {
 
   void add_angular(int body,
                    const std::string& quantity,
-                   MotionKind kind,
+                   QuantityKind kind,
                    std::vector<Twist> MotionState::*twists,
                    double BodyBounds::*bound) {
     const auto b = static_cast<std::size_t>(body);
@@ -281,7 +292,7 @@ class ReadingList {
       if ((report().acceleration || is_named(f)) && first_.freedoms[i]) {
         add(topology_.freedom_name(f),
             "acceleration",
-            turns(f) ? MotionKind::angular_acceleration : MotionKind::acceleration,
+            turns(f) ? QuantityKind::angular_acceleration : QuantityKind::acceleration,
             [i](const MotionPosition& at) {
               return has_motion(at) ? entry(at.state.rate_rates, at.state.bounds.rate_rates, i)
                                     : std::nullopt;
@@ -293,12 +304,12 @@ class ReadingList {
       const Vec3 reference = mechanism_.geometry.references[static_cast<std::size_t>(b)];
       add_angular(b,
                   "angular_acceleration",
-                  MotionKind::angular_acceleration,
+                  QuantityKind::angular_acceleration,
                   &MotionState::twist_rates,
                   &BodyBounds::angular_rate);
       add_vector(topology_.bodies[static_cast<std::size_t>(b)].name,
                  "linear_acceleration",
-                 MotionKind::acceleration,
+                 QuantityKind::acceleration,
                  [body, reference](const MotionPosition& at) -> Vector {
                    return has_acceleration(at)
                               ? reported(point_acceleration(at.state, body, reference))
@@ -321,7 +332,7 @@ class ReadingList {
         const auto i = static_cast<std::size_t>(a);
         add(topology_.action_name(a),
             "action",
-            topology_.actions[i].is_couple ? MotionKind::moment : MotionKind::force,
+            topology_.actions[i].is_couple ? QuantityKind::moment : QuantityKind::force,
             [i](const MotionPosition& at) -> std::optional<double> {
               if (!at.solved || !at.solved->action) {
                 return std::nullopt;
@@ -340,7 +351,7 @@ class ReadingList {
       if (report().power || is_named) {
         add(topology_.actuators[i].name,
             "power",
-            MotionKind::power,
+            QuantityKind::power,
             [i](const MotionPosition& at) -> std::optional<double> {
               return at.solved && at.solved->power ? std::optional(at.solved->power->actuators[i])
                                                    : std::nullopt;
@@ -354,13 +365,15 @@ class ReadingList {
     for (std::size_t i = 0; i < loads.size(); ++i) {
       add(loads[i].name,
           "power",
-          MotionKind::power,
+          QuantityKind::power,
           [i](const MotionPosition& at) -> std::optional<double> {
             return at.solved && at.solved->power ? std::optional(at.solved->power->loads[i])
                                                  : std::nullopt;
           });
     }
   }
+
+  const Case& which() const { return mechanism_.cases[static_cast<std::size_t>(plan_.which)]; }
 
   const std::string& output_name() const {
     const Case& which = mechanism_.cases[static_cast<std::size_t>(plan_.which)];
@@ -369,7 +382,7 @@ class ReadingList {
 
   void add_transmission() {
     if (report().transmission_angle) {
-      add(output_name(), "transmission_angle", MotionKind::angle, [](const MotionPosition& at) {
+      add(output_name(), "transmission_angle", QuantityKind::angle, [](const MotionPosition& at) {
         return at.transmission_angle;
       });
       readings_.back().fold = std::numbers::pi / 2.0;
@@ -399,7 +412,7 @@ class ReadingList {
         {.column = {.element = output_name(),
                     .quantity = quantity,
                     .unit = unit_of_quotient(units_, above, below)},
-         .kind = MotionKind::number,
+         .kind = QuantityKind::dimensionless,
          .value = [quotient, factor](const MotionPosition& at) -> std::optional<double> {
            const std::optional<double> value =
                at.solved && at.solved->ratios ? quotient(*at.solved) : std::nullopt;
@@ -417,7 +430,8 @@ class ReadingList {
 };
 
 bool knows_speed(const MotionPlan& plan, const Mechanism& mechanism) {
-  return plan.which >= 0 && !mechanism.cases[static_cast<std::size_t>(plan.which)].motions.empty();
+  return plan.which >= 0 &&
+         (plan.schedule || !mechanism.cases[static_cast<std::size_t>(plan.which)].motions.empty());
 }
 
 }  // namespace
@@ -427,12 +441,15 @@ MotionDetail detail_of(const MotionPlan& plan, const Mechanism& mechanism) {
   const bool has_speed = knows_speed(plan, mechanism);
   const bool has_case = plan.which >= 0;
   const bool has_names = !report.freedoms.empty() || !report.actuators.empty();
-  return {.velocity = has_speed &&
-                      (report.velocity || report.acceleration || report.is_default || has_names),
-          .acceleration = has_speed && (report.acceleration || has_names),
-          .statics = has_case && (report.action || report.power || report.ratio ||
-                                  report.mechanical_advantage || !report.actions.empty() ||
-                                  !report.actuators.empty()),
+  const bool has_statics =
+      has_case && (report.action || report.power || report.ratio || report.mechanical_advantage ||
+                   report.dynamics || !report.actions.empty() || !report.actuators.empty());
+  const bool has_inertia =
+      has_statics && mechanism.cases[static_cast<std::size_t>(plan.which)].has_inertia();
+  return {.velocity = has_speed && (report.velocity || report.acceleration || report.is_default ||
+                                    has_names || has_inertia),
+          .acceleration = has_speed && (report.acceleration || has_names || has_inertia),
+          .statics = has_statics,
           .transmission_angle = has_case && report.transmission_angle};
 }
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "expression/file_units.hpp"
 #include "studies/motion/report/motion_table.hpp"
-#include "studies/motion/task/motion_kind.hpp"
 #include "studies/motion/task/motion_position.hpp"
 
 namespace kinestat {
@@ -15,7 +15,7 @@ namespace kinestat {
 /// the other, the first of them first.
 struct MotionReading {
   MotionColumn column;
-  MotionKind kind = MotionKind::number;
+  QuantityKind kind = QuantityKind::dimensionless;
   std::function<std::optional<double>(const MotionPosition&)> value;
   std::optional<double> fold = {};  ///< at which values are folded: none is above it
 };

@@ -33,7 +33,7 @@ class DeadPointFinder {
         motion_(motion),
         watched_(watched_freedoms(mechanism, motion.network)),
         states_(motion.network, mechanism),
-        way_(motion.network, motion.solution.drives) {
+        way_(motion.network, motion.solution) {
     for (const MotionDrive& drive : motion.solution.drives) {
       const bool turns =
           mechanism_.topology.freedoms[static_cast<std::size_t>(drive.freedom)].is_rotation;
@@ -44,7 +44,8 @@ class DeadPointFinder {
   }
 
   DeadPoints run() {
-    if (watched_.empty()) {
+    // Where drives run by a path of their own, freedoms turn back with them.
+    if (watched_.empty() || motion_.solution.path) {
       return {};
     }
     std::optional<Place> before;
@@ -158,11 +159,12 @@ class DeadPointFinder {
 
   // Backwards, from a regular place to a singular position at which the motion begins.
   void leave(double share, Place to) {
-    std::vector<MotionDrive> drives = motion_.solution.drives;
-    for (MotionDrive& drive : drives) {
+    MotionSolution reversed;
+    reversed.drives = motion_.solution.drives;
+    for (MotionDrive& drive : reversed.drives) {
       std::swap(drive.from, drive.to);
     }
-    WayBetween backwards(motion_.network, std::move(drives));
+    WayBetween backwards(motion_.network, reversed);
     double left = to.share - share;
     for (int k = 0; k < kStretchesToSingular; ++k) {
       left *= kTowardsSingular;

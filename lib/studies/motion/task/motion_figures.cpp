@@ -16,8 +16,9 @@ class FigureMaker {
   FigureMaker(std::span<const double> shares,
               const std::vector<std::optional<ClimbedColumn>>& climbed,
               const BetweenSteps& between,
+              const std::function<double(double)>& drive_at,
               MotionTable& table)
-      : shares_(shares), climbed_(climbed), between_(between), table_(table) {
+      : shares_(shares), climbed_(climbed), between_(between), drive_at_(drive_at), table_(table) {
     for (const MotionRow& row : table.rows) {
       places_.push_back(&row.values);
     }
@@ -31,7 +32,11 @@ class FigureMaker {
   void run() {
     for (std::size_t c = 0; c < table_.columns.size(); ++c) {
       table_.figures.push_back(
-          {.least = extreme(c, -1.0), .greatest = extreme(c, 1.0), .mean = mean(c)});
+          {.least = extreme(c, -1.0),
+           .greatest = extreme(c, 1.0),
+           .mean = mean(c, [](double value) { return value; }),
+           .rms = table_.duration ? root(mean(c, [](double value) { return value * value; }))
+                                  : std::nullopt});
     }
   }
 
@@ -77,18 +82,18 @@ class FigureMaker {
       search.take(value ? std::optional(sign * *value) : std::nullopt);
     }
     if (const std::optional<PeakSample> top = search.better()) {
-      found = {.value = sign * top->value, .drive = drive_at(top->share)};
+      found = {.value = sign * top->value, .drive = drive_at_(top->share)};
     }
   }
 
-  // Of the first drive, in its unit.
-  double drive_at(double share) const {
-    const DriveTravel& drive = table_.drives.front();
-    return drive.from + share * (drive.to - drive.from);
+  static std::optional<double> root(const std::optional<double>& square) {
+    return square ? std::optional(std::sqrt(*square)) : std::nullopt;
   }
 
-  // Over the way of the drives: the trapezoids between the steps of a motion that reaches its end.
-  std::optional<double> mean(std::size_t column) const {
+  // Over the way of the drives, or in time: the trapezoids between the steps of a motion that
+  // reaches its end.
+  template <class Measure>
+  std::optional<double> mean(std::size_t column, const Measure& measure) const {
     const bool has_all = table_.end == MotionEnd::complete && table_.rows.size() > 1 &&
                          std::ranges::all_of(table_.rows, [&](const MotionRow& row) {
                            return row.values[column].has_value();
@@ -100,7 +105,7 @@ class FigureMaker {
     double sum = 0.0;
     double size = 0.0;
     for (std::size_t row = 0; row <= last; ++row) {
-      const double value = *table_.rows[row].values[column];
+      const double value = measure(*table_.rows[row].values[column]);
       const double term = row == 0 || row == last ? value / 2.0 : value;
       sum += term;
       size += std::abs(term);
@@ -111,6 +116,7 @@ class FigureMaker {
   std::span<const double> shares_;
   const std::vector<std::optional<ClimbedColumn>>& climbed_;
   const BetweenSteps& between_;
+  const std::function<double(double)>& drive_at_;
   MotionTable& table_;
   std::vector<const std::vector<std::optional<double>>*> places_;  // parallel to the columns
 };
@@ -120,8 +126,9 @@ class FigureMaker {
 void add_figures(std::span<const double> shares,
                  const std::vector<std::optional<ClimbedColumn>>& climbed,
                  const BetweenSteps& between,
+                 const std::function<double(double share)>& drive_at,
                  MotionTable& table) {
-  FigureMaker(shares, climbed, between, table).run();
+  FigureMaker(shares, climbed, between, drive_at, table).run();
 }
 
 }  // namespace kinestat

@@ -23,10 +23,12 @@ struct ClimbedColumn {
 
 /// Fills the figures of a table whose rows stand at those shares of the ranges and whose events are
 /// known. Extremes are those of the steps, of positions at dead points too; in the columns that are
-/// climbed, which may be fewer than all, they are looked for between the steps.
+/// climbed, which may be fewer than all, they are looked for between the steps. `drive_at` answers
+/// where the first drive is at a share, in its unit.
 void add_figures(std::span<const double> shares,
                  const std::vector<std::optional<ClimbedColumn>>& climbed,
                  const BetweenSteps& between,
+                 const std::function<double(double share)>& drive_at,
                  MotionTable& table);
 
 }  // namespace kinestat

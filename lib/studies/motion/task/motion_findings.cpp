@@ -12,8 +12,8 @@
 #include "core/motion_tolerance.hpp"
 #include "core/text.hpp"
 #include "core/utf8.hpp"
+#include "expression/file_units.hpp"
 #include "report/number_format.hpp"
-#include "studies/motion/task/motion_kind.hpp"
 
 namespace kinestat {
 
@@ -176,7 +176,7 @@ class Findings {
     const Vec3 in_world = mechanism_.geometry.origin.in_world(point);
     std::vector<std::string> coordinates;
     for (int i = 0; i < (is_planar() ? 2 : 3); ++i) {
-      coordinates.push_back(format_exact(in_file_unit(units_, MotionKind::length, in_world[i])));
+      coordinates.push_back(format_exact(units_.from_si(QuantityKind::length, in_world[i])));
     }
     return fmt::format("[{}]", fmt::join(coordinates, ", "));
   }
@@ -222,8 +222,7 @@ class Findings {
     for (std::size_t d = 0; d < table_.drives.size(); ++d) {
       positions.push_back(table_.rows[worst].values[d].value_or(0.0));
     }
-    const double length =
-        in_file_unit(units_, MotionKind::length, share * mechanism_.geometry.length);
+    const double length = units_.from_si(QuantityKind::length, share * mechanism_.geometry.length);
     found_.warning(
         "W0510",
         place_of_drive(),
@@ -354,7 +353,8 @@ bool check_report(const MotionPlan& plan,
   const MotionReport& report = plan.report;
   const bool needs_ends = report.ratio || report.transmission_angle || report.mechanical_advantage;
   const bool needs_motion = report.velocity || report.acceleration || report.power || needs_ends;
-  const bool needs_action = report.action || report.power || !report.actions.empty();
+  const bool needs_action =
+      report.action || report.power || report.dynamics || !report.actions.empty();
   if (plan.which < 0) {
     if (!needs_motion && !needs_action) {
       return true;
@@ -388,8 +388,14 @@ bool check_report(const MotionPlan& plan,
                   "'input' or 'output'",
                   "add input: NAME and output: NAME, actuators of the case");
   }
-  if ((report.velocity || report.acceleration) && which.motions.empty()) {
+  if ((report.velocity || report.acceleration) && which.motions.empty() && !plan.schedule) {
     return refuse("velocities", "'motion'", "add motion: {DRIVE: SPEED}, the speed of the drive");
+  }
+  if (report.dynamics && !which.has_inertia()) {
+    return refuse(
+        "the effects of inertia",
+        "'acceleration'",
+        "add acceleration: {}, or acceleration: {DRIVE: NUMBER} of a drive that speeds up");
   }
   if (needs_action && !which.asks_actions) {
     return refuse("actions", "'action'", "add action: {NAME: VALUE}, what is known of the actions");

@@ -16,6 +16,12 @@ bool check_report(const MotionPlan& plan,
                   Diagnostics& found,
                   CasePlace place = CasePlace::motion);
 
+/// How the drives run in time: E0509, W0511. False iff an error was added.
+bool check_time(const MotionPlan& plan,
+                const Mechanism& mechanism,
+                const FileUnits& units,
+                Diagnostics& found);
+
 /// Couplings that cannot be moved: E0507. False iff there are any.
 bool check_movable(const FoundMotion& motion, const Mechanism& mechanism, Diagnostics& found);
 

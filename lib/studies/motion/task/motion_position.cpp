@@ -51,8 +51,40 @@ MotionPositions::MotionPositions(const Mechanism& mechanism,
       moved_(mechanism),
       states_(network, mechanism) {}
 
-MotionPosition MotionPositions::at(const Configuration& configuration) {
+// The case with the speeds and accelerations that the drives have then.
+Case MotionPositions::case_at(double time) const {
+  Case now = mechanism_.cases[static_cast<std::size_t>(plan_.which)];
+  now.asks_motions = true;
+  const auto set = [](std::vector<Primary>& list, const PlannedDrive& drive, double value) {
+    const auto at = std::ranges::find(list, drive.freedom, &Primary::index);
+    if (at != list.end()) {
+      at->value = value;
+    } else {
+      list.push_back({.index = drive.freedom, .value = value, .given = {}, .where = drive.where});
+    }
+  };
+  for (std::size_t d = 0; d < plan_.drives.size(); ++d) {
+    const DriveInstant instant = plan_.schedule->at(d, time);
+    set(now.motions, plan_.drives[d], instant.speed);
+    if (now.accelerations) {
+      set(*now.accelerations, plan_.drives[d], instant.acceleration);
+    }
+  }
+  return now;
+}
+
+MotionPosition MotionPositions::at(const Configuration& configuration,
+                                   double share,
+                                   std::optional<double> time) {
   MotionPosition position;
+  if (plan_.schedule) {
+    const double when = time.value_or(plan_.schedule->time_at(share));
+    position.time = when * plan_.schedule->duration();
+    if (plan_.which >= 0) {
+      now_ = case_at(when);
+      which_ = &*now_;
+    }
+  }
   const bool asks_speeds = which_ != nullptr && (detail_.velocity || detail_.acceleration);
   const bool needs_speeds = asks_speeds || (detail_.statics && !has_own_rank());
   const StateDetail detail =
@@ -77,26 +109,26 @@ MotionPosition MotionPositions::at(const Configuration& configuration) {
     }
   }
   if (has_motion(position)) {
-    hold_known(position.state);
+    hold_known(*which_, position.state);
   }
   place(configuration, position);
   const bool lacks_velocities = asks_speeds && !position.has_speeds();
   if (!position.state.is_singular &&
       (detail_.statics || detail_.transmission_angle || lacks_velocities)) {
     move(configuration, position);
-    solve_passes(position);
+    solve_passes(configuration, found.speeds, position);
   }
   return position;
 }
 
-// What the case knows is steady, by definition.
-void MotionPositions::hold_known(MotionState& state) const {
-  for (const Primary& known : which_->motions) {
+// What the case knows speeds up as it says, by definition.
+void MotionPositions::hold_known(const Case& which, MotionState& state) const {
+  for (const Primary& known : which.motions) {
     const auto freedom = static_cast<std::size_t>(known.index);
     const bool is_driven =
         std::ranges::find(plan_.drives, known.index, &PlannedDrive::freedom) != plan_.drives.end();
     if (!is_driven && freedom < state.rate_rates.size() && state.rate_rates[freedom]) {
-      state.rate_rates[freedom] = 0.0;
+      state.rate_rates[freedom] = acceleration_of(which, known.index);
       state.bounds.rate_rates[freedom] = 0.0;
     }
   }
@@ -156,8 +188,15 @@ KinematicSolution MotionPositions::motion_of_state(const MotionPosition& positio
   return motion;
 }
 
-void MotionPositions::solve_passes(MotionPosition& position) {
-  const Case& which = moved_.cases[static_cast<std::size_t>(plan_.which)];
+void MotionPositions::solve_passes(const Configuration& configuration,
+                                   const GivenSpeeds& speeds,
+                                   MotionPosition& position) {
+  Case& which = moved_.cases[static_cast<std::size_t>(plan_.which)];
+  if (now_) {
+    which.motions = now_->motions;
+    which.accelerations = now_->accelerations;
+    which.asks_motions = now_->asks_motions;
+  }
   if (detail_.transmission_angle) {
     position.transmission_angle =
         find_transmission_angle(moved_, which.inputs.front(), which.outputs.front());
@@ -169,16 +208,33 @@ void MotionPositions::solve_passes(MotionPosition& position) {
   if (!detail_.statics && !lacks_velocities) {
     return;
   }
+  std::optional<InertialMotion> inertial;
+  if (judged.asks_actions && judged.has_inertia() && position.has_speeds()) {
+    inertial = find_inertial_motion(network_, states_, configuration, speeds);
+    if (inertial) {
+      settle_idle_motions(moved_, judged, *inertial);
+    }
+  }
+  judged.asks_actions = judged.asks_actions && (inertial || !judged.has_inertia());
+  judged.accelerations = inertial ? judged.accelerations : std::nullopt;
+  SpringPlace springs{
+      .poses = position.state.poses,
+      .twists = position.has_speeds() ? position.state.twists : std::vector<Twist>(),
+      .positions = position.freedoms,
+      .rates = position.has_speeds() ? position.state.rates : std::vector<std::optional<double>>()};
+  const KnownState known{
+      .motion = nullptr, .inertial = inertial ? &*inertial : nullptr, .springs = &springs};
   if (!has_own_rank() && which.asks_motions) {
-    position.solved =
-        solve_case_in_motion(moved_, judged, motion_of_state(position), CasePasses::row);
+    const KinematicSolution motion = motion_of_state(position);
+    position.solved = solve_row(
+        moved_, judged, {.motion = &motion, .inertial = known.inertial, .springs = known.springs});
     // Forces and velocities are of mechanisms that differ by as much.
     std::optional<PowerFlow>& power = position.solved->power;
     if (power && power->balance_residual <= kClosureInActions * detail_.closure_error) {
       power->is_balanced = true;
     }
   } else {
-    position.solved = std::move(solve_case_passes(moved_, {&judged, 1}, CasePasses::row).front());
+    position.solved = solve_row(moved_, judged, known);
   }
 }
 

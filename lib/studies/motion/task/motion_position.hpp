@@ -29,6 +29,7 @@ double worst_closure_error(const MotionSolution& solution);
 struct MotionPosition {
   std::vector<std::optional<double>> freedoms;     ///< positions [rad or m]
   std::vector<double> turns;                       ///< of the bodies in the plane, counted [rad]
+  std::optional<double> time = {};                 ///< since the motion began [s]
   MotionState state;                               ///< with the speeds of the case, or per share
   SpeedsKnown speeds = SpeedsKnown::not_by_state;  ///< what the case says of them
   std::optional<CaseAnalysis> solved;              ///< the passes of the case; its motion alone
@@ -53,16 +54,23 @@ class MotionPositions {
                   std::span<const DrawnCoupling> drawn,
                   const MotionDetail& detail);
 
-  MotionPosition at(const Configuration& configuration);
+  /// At a share of the motion; in time, when it is there, unless `time` says it, as share of the
+  /// whole time.
+  MotionPosition at(const Configuration& configuration,
+                    double share,
+                    std::optional<double> time = {});
 
   /// The mechanism in the position that was asked for last.
   const Mechanism& moved() const { return moved_; }
 
  private:
-  void hold_known(MotionState& state) const;
+  Case case_at(double time) const;
+  void hold_known(const Case& which, MotionState& state) const;
   void place(const Configuration& configuration, MotionPosition& position) const;
   void move(const Configuration& configuration, const MotionPosition& position);
-  void solve_passes(MotionPosition& position);
+  void solve_passes(const Configuration& configuration,
+                    const GivenSpeeds& speeds,
+                    MotionPosition& position);
   bool has_own_rank() const;
   KinematicSolution motion_of_state(const MotionPosition& position) const;
 
@@ -72,6 +80,7 @@ class MotionPositions {
   std::span<const DrawnCoupling> drawn_;
   MotionDetail detail_;
   const Case* which_ = nullptr;
+  std::optional<Case> now_;  // with the speeds of a motion in time
   Mechanism moved_;
   MotionStates states_;
 };

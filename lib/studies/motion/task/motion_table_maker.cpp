@@ -26,12 +26,12 @@ bool is_among(const std::vector<std::string>& names, const std::string& name) {
   return std::ranges::find(names, name) != names.end();
 }
 
-bool is_rate(MotionKind kind) {
-  return kind == MotionKind::angular_velocity || kind == MotionKind::velocity;
+bool is_rate(QuantityKind kind) {
+  return kind == QuantityKind::angular_velocity || kind == QuantityKind::velocity;
 }
 
-bool is_rate_of_rate(MotionKind kind) {
-  return kind == MotionKind::angular_acceleration || kind == MotionKind::acceleration;
+bool is_rate_of_rate(QuantityKind kind) {
+  return kind == QuantityKind::angular_acceleration || kind == QuantityKind::acceleration;
 }
 
 MotionEnd end_of(MotionStatus status) {
@@ -77,6 +77,10 @@ class TableMaker {
     table_.label =
         plan_.which < 0 ? "" : mechanism_.cases[static_cast<std::size_t>(plan_.which)].label;
     table_.steps = plan_.steps;
+    if (plan_.schedule) {
+      table_.duration = units_.from_si(QuantityKind::time, plan_.schedule->duration());
+      table_.time_unit = units_.text(QuantityKind::time);
+    }
     table_.length_unit = units_.text(QuantityKind::length);
     table_.angle_unit = units_.text(QuantityKind::angle);
     add_drives();
@@ -88,13 +92,13 @@ class TableMaker {
   }
 
  private:
-  MotionKind kind_of(const PlannedDrive& drive) const {
+  QuantityKind kind_of(const PlannedDrive& drive) const {
     const auto f = static_cast<std::size_t>(drive.freedom);
-    return topology_.freedoms[f].is_rotation ? MotionKind::angle : MotionKind::length;
+    return topology_.freedoms[f].is_rotation ? QuantityKind::angle : QuantityKind::length;
   }
 
-  double in_unit(MotionKind kind, double value) const {
-    const double result = in_file_unit(units_, kind, value);
+  double in_unit(QuantityKind kind, double value) const {
+    const double result = units_.from_si(kind, value);
     return result == 0.0 ? 0.0 : result;
   }
 
@@ -109,16 +113,27 @@ class TableMaker {
                : in_unit(kind_of(plan_.drives[d]), solution_.drive_value(d, p));
   }
 
+  // Of a step of a motion in time, as share of the whole; empty of a place between two steps.
+  std::optional<double> time_of(int p) const {
+    if (!plan_.schedule) {
+      return std::nullopt;
+    }
+    const double time = static_cast<double>(p) / static_cast<double>(plan_.steps);
+    const bool is_step =
+        solution_.shares[static_cast<std::size_t>(p)] == plan_.schedule->share_at(time);
+    return is_step ? std::optional(time) : std::nullopt;
+  }
+
   void add_drives() {
     const int last = solution_.position_count() - 1;
     for (std::size_t d = 0; d < plan_.drives.size(); ++d) {
       const PlannedDrive& drive = plan_.drives[d];
-      const MotionKind kind = kind_of(drive);
+      const QuantityKind kind = kind_of(drive);
       const ActuatorTopology& actuator =
           topology_.actuators[static_cast<std::size_t>(drive.actuator)];
       table_.drives.push_back({.name = actuator.name,
                                .freedom = topology_.freedom_name(drive.freedom),
-                               .unit = unit_text(units_, kind),
+                               .unit = units_.text(kind),
                                .from = in_unit(kind, drive.from),
                                .to = in_unit(kind, drive.to),
                                .reached = !solution_.lost_at.empty()
@@ -126,7 +141,7 @@ class TableMaker {
                                           : last < 0 ? std::nullopt
                                                      : std::optional(drive_at(d, last))});
       table_.columns.push_back(
-          {.element = actuator.name, .quantity = "drive", .unit = unit_text(units_, kind)});
+          {.element = actuator.name, .quantity = "drive", .unit = units_.text(kind)});
     }
   }
 
@@ -138,7 +153,7 @@ class TableMaker {
     detail_.closure_error = worst_closure_error(solution_);
     MotionPositions positions(mechanism_, plan_, motion_.network, motion_.drawn, detail_);
     readings_ = motion_readings(
-        description_, mechanism_, plan_, positions.at(solution_.configuration_at(0)));
+        description_, mechanism_, plan_, positions.at(solution_.configuration_at(0), 0.0));
     if (scope_.columns) {
       std::erase_if(readings_, [&](const MotionReading& one) { return !is_asked(one.column); });
     }
@@ -151,7 +166,8 @@ class TableMaker {
     }
     for (int p = 0; p < solution_.position_count(); ++p) {
       const Configuration configuration = solution_.configuration_at(p);
-      const MotionPosition position = positions.at(configuration);
+      const MotionPosition position =
+          positions.at(configuration, solution_.shares[static_cast<std::size_t>(p)], time_of(p));
       judge(position, positions.moved());
       add_crossing_cables(
           description_, mechanism_, motion_, configuration, position.state.poses, said_.back());
@@ -258,7 +274,7 @@ class TableMaker {
   std::vector<double> drives_at(double share) const {
     std::vector<double> values;
     for (const PlannedDrive& drive : plan_.drives) {
-      values.push_back(in_unit(kind_of(drive), drive.from + share * (drive.to - drive.from)));
+      values.push_back(in_unit(kind_of(drive), solution_.drive_at(values.size(), share)));
     }
     return values;
   }
@@ -306,7 +322,7 @@ class TableMaker {
     if (point.step < 0 || readings_.empty()) {
       return {};
     }
-    const MotionPosition position = positions.at(point.configuration);
+    const MotionPosition position = positions.at(point.configuration, point.share);
     const std::vector<double> drives = drives_at(point.share);
     std::vector<std::optional<double>> places(drives.begin(), drives.end());
     for (const MotionReading& reading : readings_) {
@@ -359,8 +375,9 @@ class TableMaker {
   }
 
   void add_column_figures() {
+    const auto drive_at = [this](double share) { return drives_at(share).front(); };
     if (readings_.empty() || (!scope_.extremes && table_.columns.size() > kMostClimbed)) {
-      add_figures(solution_.shares, {}, {}, table_);
+      add_figures(solution_.shares, {}, {}, drive_at, table_);
       return;
     }
     table_.looks_between_steps = true;
@@ -373,7 +390,7 @@ class TableMaker {
       }
     }
     MotionPositions positions(mechanism_, plan_, motion_.network, motion_.drawn, detail_);
-    WayBetween way(motion_.network, solution_.drives);
+    WayBetween way(motion_.network, solution_);
     const std::size_t first = table_.drives.size();
     add_figures(
         solution_.shares,
@@ -384,8 +401,9 @@ class TableMaker {
           }
           const auto there = way.follow(
               solution_.configuration_at(static_cast<int>(row)), solution_.shares[row], share);
-          return there ? read(column - first, positions.at(*there)) : std::nullopt;
+          return there ? read(column - first, positions.at(*there, share)) : std::nullopt;
         },
+        drive_at,
         table_);
   }
 
@@ -407,8 +425,8 @@ class TableMaker {
     std::vector<CouplingGap> result;
     for (const CouplingMiss& miss : misses) {
       result.push_back({.coupling = topology_.coupling(miss.coupling).name,
-                        .distance = in_unit(MotionKind::length, miss.distance),
-                        .angle = in_unit(MotionKind::angle, miss.angle)});
+                        .distance = in_unit(QuantityKind::length, miss.distance),
+                        .angle = in_unit(QuantityKind::angle, miss.angle)});
     }
     return result;
   }
@@ -423,9 +441,9 @@ class TableMaker {
       const Vec3 shift = pose.point(reference) - reference;
       table_.corrections.push_back(
           {.body = topology_.bodies[b].name,
-           .shift = shift.unaryExpr([this](double x) { return in_unit(MotionKind::length, x); }),
+           .shift = shift.unaryExpr([this](double x) { return in_unit(QuantityKind::length, x); }),
            .angle =
-               in_unit(MotionKind::angle, std::abs(Eigen::AngleAxisd(pose.rotation).angle()))});
+               in_unit(QuantityKind::angle, std::abs(Eigen::AngleAxisd(pose.rotation).angle()))});
     }
   }
 

@@ -63,7 +63,8 @@ void add_motion_transmission_findings(const FoundMotion& motion,
       motion.network,
       motion.drawn,
       {.transmission_angle = true, .closure_error = worst_closure_error(motion.solution)});
-  positions.at(motion.solution.configuration_at(first->step));
+  positions.at(motion.solution.configuration_at(first->step),
+               motion.solution.shares[static_cast<std::size_t>(first->step)]);
   const Case& which = mechanism.cases[static_cast<std::size_t>(motion.plan.which)];
   const int output = which.outputs.front();
   if (const auto why =

@@ -4,6 +4,7 @@
 
 #include "cases/gear_answer.hpp"
 #include "core/contract.hpp"
+#include "dynamics/equivalent_inertia.hpp"
 
 namespace kinestat {
 
@@ -40,6 +41,19 @@ GearValues gear_values(const Analysis& analysis, std::size_t state) {
   const NamedShiftState& gear = analysis.shift->solution.states[state];
   const CaseAnalysis& one = *find_gear_case(analysis, gear);
   return find_gear_values(solved_gear(analysis.mechanism, analysis.shift->plan, gear.state, one));
+}
+
+std::optional<std::vector<double>> gear_inertias(const Analysis& analysis,
+                                                 const CaseAnalysis& gear) {
+  if (!gear.motion || gear.which.inputs.size() != 1) {
+    return std::nullopt;
+  }
+  const Topology& topology = analysis.mechanism.topology;
+  const int freedom =
+      topology.actuators[static_cast<std::size_t>(gear.which.inputs.front())].freedom;
+  return topology.freedoms[static_cast<std::size_t>(freedom)].is_rotation
+             ? equivalent_inertias(analysis.mechanism, *gear.motion, freedom)
+             : std::nullopt;
 }
 
 std::vector<RatiosInUnits> gear_ratios(const Analysis& analysis,

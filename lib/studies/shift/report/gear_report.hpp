@@ -15,6 +15,11 @@ const CaseAnalysis* find_gear_case(const Analysis& analysis, const NamedShiftSta
 /// Of the state with this index, which must be a gear.
 GearValues gear_values(const Analysis& analysis, std::size_t state);
 
+/// Of each body what it adds to the equivalent inertia at the input of a gear [kg·m²]; empty with
+/// several inputs or one that slides, and where no body has mass or inertia.
+std::optional<std::vector<double>> gear_inertias(const Analysis& analysis,
+                                                 const CaseAnalysis& gear);
+
 /// Its ratios to each output in the units of the file.
 std::vector<RatiosInUnits> gear_ratios(const Analysis& analysis,
                                        std::size_t state,

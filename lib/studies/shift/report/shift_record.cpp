@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numeric>
 
+#include "studies/shift/report/gear_part_records.hpp"
 #include "studies/shift/report/gear_report.hpp"
 #include "studies/shift/report/reaction_record.hpp"
 #include "studies/shift/report/shift_parts.hpp"
@@ -14,9 +16,10 @@ namespace {
 struct StateView {
   const Analysis& analysis;
   const NamedShiftState& state;
-  std::optional<GearValues> gear = {};     // empty of what is no gear, as all below
-  std::vector<RatiosInUnits> ratios = {};  // to each output
-  const CaseAnalysis* one = nullptr;       // its case
+  std::optional<GearValues> gear = {};               // empty of what is no gear, as all below
+  std::vector<RatiosInUnits> ratios = {};            // to each output
+  const CaseAnalysis* one = nullptr;                 // its case
+  std::optional<std::vector<double>> inertias = {};  // of the bodies at the input
   std::optional<double> step = {};
 };
 
@@ -86,65 +89,6 @@ Shape by_output(Shape shape) {
   return shape;
 }
 
-const Record<CaseAnalysis>& gear_efficiency_record() {
-  using View = CaseAnalysis;
-  static const Record<View> record(
-      "Power of the outputs over that of the inputs; null without friction and losses.",
-      [](Record<View>& keys) {
-        const auto of_meshes = [](Efficiency TransmissionEfficiency::*which) {
-          return [which](const View& v) {
-            return v.efficiency ? (*v.efficiency.*which).value : std::nullopt;
-          };
-        };
-        keys.number("carrier",
-                    Bare::efficiency,
-                    "With the losses of meshes as seen from their carriers; null where the file "
-                    "gives none, or where they lock the gear.",
-                    of_meshes(&TransmissionEfficiency::carrier));
-        keys.number("carrier_backward",
-                    Bare::efficiency,
-                    "Likewise with the outputs driving.",
-                    of_meshes(&TransmissionEfficiency::carrier_backward));
-        keys.number("absolute",
-                    Bare::efficiency,
-                    "With losses by the power as seen from the ground.",
-                    of_meshes(&TransmissionEfficiency::absolute));
-        keys.number("friction",
-                    Bare::efficiency,
-                    "With the friction of couplings alone.",
-                    [](const View& v) { return v.power ? v.power->efficiency : std::nullopt; });
-      });
-  return record;
-}
-
-struct ElementView {
-  std::optional<double> torque;
-  std::optional<double> lossy_torque;
-  bool has_lossy_meshes = false;
-  std::optional<double> slip;
-};
-
-const Record<ElementView>& element_record() {
-  using View = ElementView;
-  static const Record<View> record("One element.", [](Record<View>& keys) {
-    keys.quantity("torque",
-                  QuantityKind::moment,
-                  "Torque of tail on head without losses of meshes; zero of an open element.",
-                  [](const View& v) { return v.torque; });
-    keys.quantity("lossy_torque",
-                  QuantityKind::moment,
-                  "The same with losses of meshes as seen from their carriers, of a file that "
-                  "gives some; null where they lock the gear.",
-                  [](const View& v) { return v.lossy_torque; })
-        .only_if([](const View& v) { return v.has_lossy_meshes; });
-    keys.quantity("slip",
-                  QuantityKind::angular_velocity,
-                  "Speed of head relative to tail; zero of an engaged element.",
-                  [](const View& v) { return v.slip; });
-  });
-  return record;
-}
-
 auto fill_loaded() {
   return [](Record<LoadedCoupling>& keys) {
     keys.text("coupling", "Name of the coupling.", [](const LoadedCoupling& v) { return v.name; });
@@ -208,6 +152,18 @@ void emit_elements(const StateView& v, const Each<ElementView>& each) {
           .lossy_torque = v.gear->lossy_torques[static_cast<std::size_t>(e)],
           .has_lossy_meshes = !v.analysis.mechanism.lossy_meshes.empty(),
           .slip = v.gear->slips[static_cast<std::size_t>(e)]});
+  }
+}
+
+void emit_inertia_shares(const StateView& v, const EachNumber& each) {
+  const Mechanism& mechanism = v.analysis.mechanism;
+  const double whole = std::accumulate(v.inertias->begin(), v.inertias->end(), 0.0);
+  for (std::size_t b = 0; b < mechanism.masses.size(); ++b) {
+    if (mechanism.masses[b].counts()) {
+      each(mechanism.topology.bodies[b].name,
+           whole > 0.0 ? std::optional((*v.inertias)[b] / whole) : std::nullopt,
+           QuantityKind::dimensionless);
+    }
   }
 }
 
@@ -324,6 +280,21 @@ void add_gear(Record<StateView>& keys) {
                 return v.one->power_graph ? v.one->power_graph->recirculation : std::nullopt;
               })
       .only_if(is_gear);
+  keys.quantity(
+          "equivalent_inertia",
+          QuantityKind::inertia,
+          "Moment of inertia of the whole transmission at its input; no key where no body has "
+          "mass or inertia, or of several inputs.",
+          [](const StateView& v) {
+            return std::accumulate(v.inertias->begin(), v.inertias->end(), 0.0);
+          })
+      .only_if([](const StateView& v) { return v.inertias.has_value(); });
+  keys.numbers("inertia_shares",
+               Bare::number,
+               "What each body with mass or inertia has of it.",
+               emit_inertia_shares)
+      .not_in_tables()
+      .only_if([](const StateView& v) { return v.inertias.has_value(); });
   keys.map("elements", element_record(), "Every shift element of the gear by name.", emit_elements)
       .in_tables_as("")
       .only_if(is_gear);
@@ -399,6 +370,7 @@ void emit_states(const Analysis& v, const Each<StateView>& each) {
       view.gear = gear_values(v, s);
       view.ratios = gear_ratios(v, s, *view.gear);
       view.step = v.shift->solution.table.steps[s];
+      view.inertias = gear_inertias(v, *view.one);
     }
     each(states[s].name, view, word_of(states[s].state.kind));
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include <fmt/format.h>
@@ -204,7 +205,28 @@ class ShiftTables {
           },
           columns);
     }
+    add_inertias(columns);
     return TextBlocks(std::move(columns));
+  }
+
+  // At the input, where bodies have any.
+  void add_inertias(std::vector<TextColumn>& columns) const {
+    const FileUnits& units = analysis_.description.units;
+    TextColumn inertias{
+        .head = fmt::format("inertia at input [{}]", units.text(QuantityKind::inertia)),
+        .cells = {}};
+    bool has_any = false;
+    for (const ShownGear& gear : gears_) {
+      const auto all = gear_inertias(analysis_, gear.one);
+      has_any = has_any || all;
+      inertias.cells.push_back(number_or_dash(
+          all ? std::optional(units.from_si(QuantityKind::inertia,
+                                            std::accumulate(all->begin(), all->end(), 0.0)))
+              : std::nullopt));
+    }
+    if (has_any) {
+      columns.push_back(std::move(inertias));
+    }
   }
 
   // "out = 0.333333 engine + 0.666667 motor", in speeds.

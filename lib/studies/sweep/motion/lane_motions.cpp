@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "core/motion_tolerance.hpp"
+#include "expression/file_units.hpp"
 #include "studies/motion/task/motion_events.hpp"
-#include "studies/motion/task/motion_kind.hpp"
 
 namespace kinestat {
 
@@ -215,7 +215,7 @@ std::optional<double> LaneMotions::value_of(const Source& source, std::size_t la
     }
   }
   const auto in_unit = [&](double value) {
-    return in_file_unit(*units_, turns ? MotionKind::angle : MotionKind::length, value);
+    return units_->from_si(turns ? QuantityKind::angle : QuantityKind::length, value);
   };
   switch (source.figure) {
     case MotionFigure::least:

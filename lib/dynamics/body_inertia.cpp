@@ -1,0 +1,60 @@
+#include "dynamics/body_inertia.hpp"
+
+#include "core/tolerance.hpp"
+
+namespace kinestat {
+
+namespace {
+
+Wrench of_centre(const BodyInertia& body, const Vec3& force, const Vec3& couple) {
+  return {.moment = body.centre.cross(force) + couple, .force = force};
+}
+
+}  // namespace
+
+BodyInertia inertia_at(const BodyMass& drawn, const BodyPose& pose) {
+  return {.mass = drawn.count * drawn.mass,
+          .centre = pose.point(drawn.centre),
+          .tensor = drawn.count * (pose.rotation * drawn.inertia * pose.rotation.transpose())};
+}
+
+Vec3 centre_acceleration(const BodyInertia& body, const Twist& twist, const Twist& twist_rate) {
+  return velocity_at(twist_rate, body.centre) +
+         twist.angular.cross(velocity_at(twist, body.centre));
+}
+
+Wrench momentum(const BodyInertia& body, const Twist& twist) {
+  return of_centre(body, body.mass * velocity_at(twist, body.centre), body.tensor * twist.angular);
+}
+
+BoundedWrench inertial_wrench(const BodyInertia& body,
+                              const Twist& twist,
+                              const Twist& twist_rate,
+                              const BodyBounds& bounds) {
+  const Wrench acts = of_centre(
+      body,
+      -body.mass * centre_acceleration(body, twist, twist_rate),
+      -(body.tensor * twist_rate.angular + twist.angular.cross(body.tensor * twist.angular)));
+  const Vec3& arm = body.centre;
+  const double place = position_bound(bounds, arm, arm);
+  const double force = body.mass * acceleration_bound(bounds, arm, arm, twist, twist_rate) +
+                       4.0 * kEpsilon * acts.force.norm();
+  const double turns = twist.angular.norm();
+  const double bends = twist_rate.angular.norm();
+  const double couple =
+      body.tensor.norm() * (bounds.angular_rate + 2.0 * turns * bounds.angular +
+                            (2.0 * bounds.turn + 8.0 * kEpsilon) * (bends + turns * turns));
+  const double moment = couple + arm.norm() * force + place * acts.force.norm();
+  return {.moment = {.value = acts.moment, .bound = Vec3::Constant(moment)},
+          .force = {.value = acts.force, .bound = Vec3::Constant(force)}};
+}
+
+double kinetic_energy(const BodyInertia& body, const Twist& twist) {
+  return 0.5 * shared_inertia(body, twist, twist);
+}
+
+double shared_inertia(const BodyInertia& body, const Twist& first, const Twist& second) {
+  return power(momentum(body, first), second);
+}
+
+}  // namespace kinestat

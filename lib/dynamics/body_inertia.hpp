@@ -1,0 +1,43 @@
+// The inertia of a body where it stands, and what it does.
+#pragma once
+
+#include "mechanism/inertia/body_mass.hpp"
+#include "screw/bounded_screw.hpp"
+#include "screw/pose.hpp"
+#include "studies/motion/state_bounds.hpp"
+
+namespace kinestat {
+
+/// Axes of the world, points and screws from the origin of the Geometry; of planets all of them
+/// together, as if they stood where the one is drawn.
+struct BodyInertia {
+  double mass = 0.0;           ///< [kg]
+  Vec3 centre = Vec3::Zero();  ///< of mass [m]
+  Mat3 tensor = Mat3::Zero();  ///< about the centre [kg·m²]
+};
+
+/// In a position: the drawn one moved by the pose.
+BodyInertia inertia_at(const BodyMass& drawn, const BodyPose& pose);
+
+/// Of the centre [m/s²]: the twist and its time derivative are about the origin.
+Vec3 centre_acceleration(const BodyInertia& body, const Twist& twist, const Twist& twist_rate);
+
+/// About the origin: angular momentum [kg·m²/s] as moment, momentum [kg·m/s] as force
+/// (Featherstone 2008, section 2.12).
+Wrench momentum(const BodyInertia& body, const Twist& twist);
+
+/// D'Alembert's force -m a at the centre and couple -(J α + ω x J ω), about the origin. Its power
+/// is the rate at which the kinetic energy falls. `bounds` say how far the motion may be off.
+BoundedWrench inertial_wrench(const BodyInertia& body,
+                              const Twist& twist,
+                              const Twist& twist_rate,
+                              const BodyBounds& bounds);
+
+/// [J]
+double kinetic_energy(const BodyInertia& body, const Twist& twist);
+
+/// The momentum of the first motion as power on the second, which is that of the second on the
+/// first: an entry of the mass matrix where they are those of unit rates.
+double shared_inertia(const BodyInertia& body, const Twist& first, const Twist& second);
+
+}  // namespace kinestat

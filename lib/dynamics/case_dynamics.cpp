@@ -1,0 +1,166 @@
+#include "dynamics/case_dynamics.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/index.hpp"
+#include "core/tolerance.hpp"
+#include "dynamics/body_inertia.hpp"
+#include "math/numbers/settled.hpp"
+#include "statics/coupling_wrenches.hpp"
+
+namespace kinestat {
+
+namespace {
+
+bool has_answer(const StaticSolution* action) {
+  return action != nullptr && !action->magnitudes.empty();
+}
+
+// The action of head and tail on each other has the power of this motion.
+Twist relative(const std::vector<Twist>& bodies, BodyId tail, BodyId head) {
+  return bodies[at(head.value)] - bodies[at(tail.value)];
+}
+
+// What the sums of a bias round by, as share of its terms.
+constexpr double kBiasRounding = 64.0 * kEpsilon;
+
+ReducedEquation find_reduced(const Mechanism& mechanism, const InertialMotion& motion) {
+  const auto count = static_cast<Eigen::Index>(motion.drives.size());
+  ReducedEquation result{.drives = motion.drives,
+                         .accelerations = motion.accelerations,
+                         .inertia = MatX::Zero(count, count),
+                         .bias = VecX::Zero(count),
+                         .derivative = {}};
+  VecX terms = VecX::Zero(count);
+  for (std::size_t b = 0; b < mechanism.masses.size(); ++b) {
+    if (!mechanism.masses[b].counts()) {
+      continue;
+    }
+    const BodyInertia body = inertia_at(mechanism.masses[b], motion.poses[b]);
+    const Wrench acts =
+        inertial_wrench(body, motion.twists[b], motion.twist_rates[b], motion.bounds[b]).zeroed();
+    for (Eigen::Index j = 0; j < count; ++j) {
+      const Twist& of_drive = motion.of_drives[static_cast<std::size_t>(j)][b];
+      result.bias[j] -= power(acts, of_drive);
+      terms[j] += acts.coordinates().cwiseAbs().dot(of_drive.coordinates().cwiseAbs());
+      for (Eigen::Index k = 0; k < count; ++k) {
+        result.inertia(j, k) +=
+            shared_inertia(body, of_drive, motion.of_drives[static_cast<std::size_t>(k)][b]);
+      }
+    }
+  }
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const VecX speeds_up =
+        motion.accelerations[static_cast<std::size_t>(k)] * result.inertia.col(k);
+    result.bias -= speeds_up;
+    terms += speeds_up.cwiseAbs();
+  }
+  for (Eigen::Index j = 0; j < count; ++j) {
+    result.bias[j] = settled(result.bias[j], kBiasRounding * terms[j]);
+  }
+  if (count == 1 && motion.rates.front() != 0.0) {
+    result.derivative = 2.0 * result.bias[0] / (motion.rates.front() * motion.rates.front());
+  }
+  return result;
+}
+
+// By virtual power: actuators, friction and loads alone, no passive constraint.
+std::optional<double> compare_two_ways(const Mechanism& mechanism,
+                                       const Case& which,
+                                       const InertialMotion& motion,
+                                       const StaticSolution& action) {
+  const Topology& topology = mechanism.topology;
+  double worst = 0.0;
+  for (const std::vector<Twist>& bodies : motion.of_drives) {
+    double sum = 0.0;
+    double largest = 0.0;
+    const auto add = [&](double term) {
+      sum += term;
+      largest = std::max(largest, std::abs(term));
+    };
+    for (const Load& load : which.loads) {
+      add(power(load.acts.wrench, bodies[at(load.acts.body.value)]));
+    }
+    for (const ActuatorTopology& actuator : topology.actuators) {
+      const std::optional<double>& magnitude = action.magnitudes[at(actuator.action)];
+      const CouplingTopology& coupling =
+          topology.coupling(topology.actions[at(actuator.action)].coupling);
+      const double rate = power(mechanism.geometry.actions[at(actuator.action)],
+                                relative(bodies, coupling.tail, coupling.head));
+      if (!magnitude) {
+        return std::nullopt;
+      }
+      add(*magnitude * rate);
+    }
+    for (const FrictionAction& friction : action.friction) {
+      const CouplingTopology& coupling = topology.coupling(friction.coupling);
+      const BodyId tail = friction.between ? friction.between->tail : coupling.tail;
+      const BodyId head = friction.between ? friction.between->head : coupling.head;
+      add(power(friction.wrench, relative(bodies, tail, head)));
+    }
+    worst = largest > 0.0 ? std::max(worst, std::abs(sum) / largest) : worst;
+  }
+  return worst;
+}
+
+std::optional<Wrench> find_ground(const Mechanism& mechanism, const StaticSolution& action) {
+  const Topology& topology = mechanism.topology;
+  BoundedWrench sum;
+  for (std::size_t e = 0; e < topology.couplings.size(); ++e) {
+    const CouplingTopology& coupling = topology.couplings[e];
+    const bool is_tail = coupling.tail.value == 0;
+    if (!is_tail && coupling.head.value != 0) {
+      continue;
+    }
+    std::optional<BoundedWrench> wrench = bounded_wrench(action, CouplingId{static_cast<int>(e)});
+    if (!wrench) {
+      return std::nullopt;
+    }
+    if (is_tail) {
+      wrench->moment.value = -wrench->moment.value;
+      wrench->force.value = -wrench->force.value;
+    }
+    sum = sum + *wrench;
+  }
+  return sum.zeroed();
+}
+
+}  // namespace
+
+CaseDynamics find_dynamics(const Mechanism& mechanism,
+                           const Case& which,
+                           const InertialMotion& motion,
+                           const StaticSolution* action) {
+  CaseDynamics result;
+  BoundedWrench shaking;
+  for (std::size_t b = 0; b < mechanism.masses.size(); ++b) {
+    if (!mechanism.masses[b].counts()) {
+      continue;
+    }
+    const BodyInertia body = inertia_at(mechanism.masses[b], motion.poses[b]);
+    const Twist& twist = motion.twists[b];
+    const Twist& rate = motion.twist_rates[b];
+    const BoundedWrench bounded = inertial_wrench(body, twist, rate, motion.bounds[b]);
+    const Wrench inertial = bounded.zeroed();
+    result.bodies.push_back({.body = BodyId{static_cast<int>(b)},
+                             .angular_acceleration = rate.angular,
+                             .centre = body.centre,
+                             .centre_acceleration = centre_acceleration(body, twist, rate),
+                             .inertial = inertial,
+                             .momentum = momentum(body, twist),
+                             .kinetic_energy = kinetic_energy(body, twist)});
+    result.kinetic_energy += result.bodies.back().kinetic_energy;
+    result.kinetic_energy_rate -= power(inertial, twist);
+    shaking = shaking + bounded;
+  }
+  result.shaking = shaking.zeroed();
+  result.reduced = find_reduced(mechanism, motion);
+  if (has_answer(action)) {
+    result.ground = find_ground(mechanism, *action);
+    result.two_ways = compare_two_ways(mechanism, which, motion, *action);
+  }
+  return result;
+}
+
+}  // namespace kinestat

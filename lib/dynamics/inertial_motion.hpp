@@ -1,0 +1,59 @@
+// How the bodies of a mechanism move and speed up in one position.
+#pragma once
+
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "kinematics/kinematic_solution.hpp"
+#include "mechanism/mechanism.hpp"
+#include "studies/motion/motion_state.hpp"
+
+namespace kinestat {
+
+/// Lists of bodies are parallel to the topology; twists are about the origin of the geometry.
+struct InertialMotion {
+  std::vector<BodyPose> poses;  ///< since the drawn position
+  std::vector<Twist> twists;
+  std::vector<Twist> twist_rates;             ///< time derivatives
+  std::vector<BodyBounds> bounds;             ///< how far all of these may be off
+  std::vector<int> drives;                    ///< freedoms whose rates determine all others
+  std::vector<double> rates;                  ///< of the drives [rad/s or m/s]
+  std::vector<double> accelerations;          ///< of the drives [rad/s² or m/s²]
+  std::vector<std::vector<Twist>> of_drives;  ///< for a unit rate of each drive alone
+  std::vector<std::vector<Twist>> of_idle;    ///< of each motion that no other body feels
+};
+
+/// Why accelerations are not known.
+struct InertiaObstacle {
+  enum class Kind {
+    unknown_motion,  ///< the case does not determine the velocities
+    unmovable,       ///< a coupling has no finite law
+    singular         ///< velocities determine no accelerations
+  };
+
+  Kind kind = Kind::unknown_motion;
+  std::optional<UnmovableCoupling> coupling = {};  ///< unmovable
+};
+
+/// Of a mechanism in its drawn position, moved by what the case knows; `motion` are its velocities.
+std::variant<InertialMotion, InertiaObstacle> find_drawn_motion(const Mechanism& mechanism,
+                                                                const Case& which,
+                                                                const KinematicSolution& motion);
+
+/// In any position: `states` are of a network that is driven by `drives`, whose speeds are given.
+/// Empty where the position is singular.
+std::optional<InertialMotion> find_inertial_motion(const MotionNetwork& network,
+                                                   MotionStates& states,
+                                                   const Configuration& configuration,
+                                                   const GivenSpeeds& speeds);
+
+/// What no other body feels moves as the forces ask it to: adds the accelerations of idle motions
+/// by which the loads and the forces of inertia have no power on them.
+void settle_idle_motions(const Mechanism& mechanism, const Case& which, InertialMotion& motion);
+
+/// One load inertia.BODY for every body with mass or inertia, at its centre of mass. Its force of
+/// planets is that of all of them together.
+std::vector<Load> inertial_loads(const Mechanism& mechanism, const InertialMotion& motion);
+
+}  // namespace kinestat

@@ -1,0 +1,144 @@
+#include "dynamics/spring_force.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/index.hpp"
+#include "core/tolerance.hpp"
+
+namespace kinestat {
+
+namespace {
+
+struct Ends {
+  Vec3 from;
+  Vec3 to;
+};
+
+Ends ends_of(const Spring& spring, const SpringPlace& place) {
+  if (place.poses.empty()) {
+    return {.from = spring.from, .to = spring.to};
+  }
+  return {.from = place.poses[at(spring.tail.value)].point(spring.from),
+          .to = place.poses[at(spring.head.value)].point(spring.to)};
+}
+
+double cut_off(SpringSense acts, double tension) {
+  switch (acts) {
+    case SpringSense::both:
+      return tension;
+    case SpringSense::push:
+      return std::min(tension, 0.0);
+    case SpringSense::pull:
+      return std::max(tension, 0.0);
+  }
+  return tension;
+}
+
+SpringState state_of_freedom(const Spring& spring, const SpringPlace& place) {
+  const auto value = [&](const std::vector<std::optional<double>>& list) {
+    return list.empty() ? 0.0 : list[at(spring.freedom)].value_or(0.0);
+  };
+  const double position = value(place.positions);
+  const double rate = value(place.rates);
+  return {.position = position,
+          .rate = rate,
+          .force = -spring.stiffness * (position - spring.free) - spring.damping * rate};
+}
+
+// Empty where it is past its stroke.
+std::optional<double> gas_tension(const GasSpring& gas, double length) {
+  const double pushed_in = gas.length - length;
+  if (pushed_in < -kPastStroke * gas.stroke || pushed_in > (1.0 + kPastStroke) * gas.stroke) {
+    return std::nullopt;
+  }
+  return -gas.force * std::pow(1.0 - gas.hold * pushed_in / gas.stroke, -gas.exponent);
+}
+
+}  // namespace
+
+std::variant<std::vector<SpringState>, SpringObstacle> spring_states(const Mechanism& drawn,
+                                                                     const SpringPlace& place) {
+  std::vector<SpringState> states;
+  for (std::size_t i = 0; i < drawn.springs.size(); ++i) {
+    const Spring& spring = drawn.springs[i];
+    if (spring.is_of_freedom()) {
+      if (!place.positions.empty() && !place.positions[at(spring.freedom)]) {
+        return SpringObstacle{.kind = SpringObstacle::Kind::no_position, .spring = i};
+      }
+      states.push_back(state_of_freedom(spring, place));
+      continue;
+    }
+    const Ends ends = ends_of(spring, place);
+    const Vec3 arm = ends.to - ends.from;
+    const double length = arm.norm();
+    if (!(length > kNoSpringLength * drawn.geometry.length)) {
+      return SpringObstacle{.kind = SpringObstacle::Kind::no_length, .spring = i};
+    }
+    SpringState state{.position = length};
+    if (!place.twists.empty()) {
+      const Vec3 speed = velocity_at(place.twists[at(spring.head.value)], ends.to) -
+                         velocity_at(place.twists[at(spring.tail.value)], ends.from);
+      state.rate = speed.dot(arm) / length;
+    }
+    state.force = spring.stiffness * (length - spring.free) + spring.damping * state.rate;
+    if (spring.gas) {
+      const std::optional<double> tension = gas_tension(*spring.gas, length);
+      if (!tension) {
+        return SpringObstacle{.kind = SpringObstacle::Kind::past_stroke, .spring = i};
+      }
+      state.force += *tension;
+    }
+    state.force = cut_off(spring.acts, state.force);
+    states.push_back(state);
+  }
+  return states;
+}
+
+std::vector<Load> spring_loads(const Mechanism& moved,
+                               const SpringPlace& place,
+                               const std::vector<SpringState>& states) {
+  const Topology& topology = moved.topology;
+  std::vector<Load> loads;
+  const auto add = [&](const Spring& spring, BodyId body, const Wrench& wrench, auto point) {
+    if (body.value == 0) {
+      return;
+    }
+    const bool is_alone = spring.tail.value == 0 || spring.head.value == 0;
+    const std::string name = std::string(kSpringPrefix) + spring.name;
+    loads.push_back({.name = is_alone ? name : name + "." + topology.body(body).name,
+                     .acts = {.body = body, .wrench = wrench},
+                     .point = point,
+                     .where = spring.where});
+  };
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const Spring& spring = moved.springs[i];
+    if (spring.is_of_freedom()) {
+      const FreedomLabel& freedom = topology.freedoms[at(spring.freedom)];
+      const Twist& unit = moved.geometry.motions[at(spring.freedom)];
+      const Vec3& point = moved.geometry.points[at(freedom.coupling.value)];
+      const Wrench on_head =
+          freedom.is_rotation
+              ? Wrench{.moment = states[i].force * unit.angular, .force = Vec3::Zero()}
+              : states[i].force * unit_force<double>(unit.linear, point);
+      const std::optional<Vec3> where = freedom.is_rotation ? std::nullopt : std::optional(point);
+      add(spring, spring.head, on_head, where);
+      add(spring, spring.tail, -1.0 * on_head, where);
+      continue;
+    }
+    const Ends ends = ends_of(spring, place);
+    const Vec3 pull = states[i].force * (ends.to - ends.from).normalized();
+    add(spring,
+        spring.head,
+        Wrench{.moment = ends.to.cross(-pull), .force = -pull},
+        std::optional<Vec3>(ends.to));
+    add(spring,
+        spring.tail,
+        Wrench{.moment = ends.from.cross(pull), .force = pull},
+        std::optional<Vec3>(ends.from));
+  }
+  return loads;
+}
+
+}  // namespace kinestat

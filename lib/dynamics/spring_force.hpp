@@ -1,0 +1,50 @@
+// What springs do in a position.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "mechanism/mechanism.hpp"
+#include "screw/pose.hpp"
+
+namespace kinestat {
+
+/// Where a mechanism stands and how it moves, as far as springs feel it.
+struct SpringPlace {
+  std::vector<BodyPose> poses;                   ///< empty: as drawn
+  std::vector<Twist> twists;                     ///< empty: at rest
+  std::vector<std::optional<double>> positions;  ///< of the freedoms; empty: as drawn
+  std::vector<std::optional<double>> rates;      ///< empty: at rest
+};
+
+struct SpringState {
+  double position = 0.0;  ///< length, or position of the freedom [m or rad]
+  double rate = 0.0;
+  double force = 0.0;  ///< tension [N]; of a freedom the action of tail on head [N or N·m]
+};
+
+/// A spring of which nothing can be said.
+struct SpringObstacle {
+  enum class Kind {
+    no_length,    ///< its points meet, so that it has no direction
+    past_stroke,  ///< a gas spring is shorter or longer than it can be
+    no_position   ///< of a freedom without a position
+  };
+
+  Kind kind = Kind::no_length;
+  std::size_t spring = 0;
+};
+
+/// Of each spring of a mechanism that stands there.
+std::variant<std::vector<SpringState>, SpringObstacle> spring_states(const Mechanism& drawn,
+                                                                     const SpringPlace& place);
+
+/// Their forces on the bodies they join, as loads spring.NAME, or spring.NAME.BODY where both move.
+/// `moved` has the screws of the position.
+std::vector<Load> spring_loads(const Mechanism& moved,
+                               const SpringPlace& place,
+                               const std::vector<SpringState>& states);
+
+}  // namespace kinestat

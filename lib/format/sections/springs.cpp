@@ -1,0 +1,116 @@
+// The section `springs`.
+#include "format/number_forms.hpp"
+#include "format/sections/coupling_values.hpp"
+#include "format/sections/sections.hpp"
+#include "format/value_forms.hpp"
+
+namespace kinestat {
+
+namespace {
+
+Form<Value> spring_stiffness() {
+  return number_form("spring_stiffness",
+                     "Force per length (default N/m), about a freedom that turns couple per angle "
+                     "(default N*m/rad).",
+                     {"8 N/mm", "5 N*m/rad"},
+                     kNotNegative);
+}
+
+Form<Value> spring_damping() {
+  return number_form("spring_damping",
+                     "Force per velocity (default N*s/m), about a freedom that turns couple per "
+                     "angular velocity (default N*m*s/rad).",
+                     {"200 N*s/m"},
+                     kNotNegative);
+}
+
+const Mapping<GasSpringDescription>& gas() {
+  static const Mapping<GasSpringDescription> mapping(
+      "gas_spring",
+      "A gas spring, which pushes.",
+      "{force: 500 N, length: 480 mm, stroke: 200 mm, ratio: 1.35, exponent: 1.2}",
+      [](auto& m) {
+        m.key("force", "Its force where it is extended.")
+            .needed(&GasSpringDescription::force, force(), "500 N");
+        m.key("length", "The distance of its ends there.")
+            .needed(&GasSpringDescription::length, size(), "480 mm");
+        m.key("stroke", "How far it can be pushed in.")
+            .needed(&GasSpringDescription::stroke, size(), "200 mm");
+        m.key("ratio", "Its force pushed in over that where it is extended, above 1.")
+            .needed(&GasSpringDescription::ratio, above_zero(), "1.35");
+        m.key("exponent", "Of the gas: 1 where it moves slowly, up to 1.4 where fast.")
+            .may(&GasSpringDescription::exponent, above_zero(), "1.2")
+            .usual("1");
+      });
+  return mapping;
+}
+
+const Mapping<SpringDescription>& spring() {
+  static const Mapping<SpringDescription> mapping(
+      "spring",
+      "A spring, damper or gas spring between two bodies, or about or along a freedom.",
+      "{coupling: hinge, stiffness: 5 N*m/rad, free: 30 deg}",
+      [](auto& m) {
+        m.key("bodies", "The two bodies that it joins at their points 'at'.")
+            .may(&SpringDescription::bodies,
+                 list_of(body_name(), "a body of {0}", "", {2, 2}),
+                 "[frame, follower]");
+        m.key("at", "A point of each of the two bodies, as drawn.")
+            .may(&SpringDescription::at, points_of_bodies(), "{frame: [0, 80], follower: [0, 60]}");
+        m.key("coupling", "The coupling of whose freedom it is, instead of bodies and points.")
+            .may(&SpringDescription::coupling, coupling_name(), "hinge");
+        m.key("freedom", "Which freedom, of a coupling that has several: wz, vx, …")
+            .may(&SpringDescription::freedom, free_name(), "wz");
+        m.key("stiffness", "How much its force changes with its length or with the freedom.")
+            .may(&SpringDescription::stiffness, spring_stiffness());
+        m.key("damping", "How much its force changes with the speed of that; 0 in a case at rest.")
+            .may(&SpringDescription::damping, spring_damping());
+        m.key("free", "Position of the freedom at which it has no force, from the drawn one.")
+            .may(&SpringDescription::free, drawn_position(), "30 deg")
+            .usual("0");
+        m.key("free_length", "Distance of the points at which it has no force; as drawn without.")
+            .may(&SpringDescription::free_length, size(), "50 mm");
+        m.key("drawn",
+              "Instead of these: its action in the drawn position, on a freedom of the tail on the "
+              "head, between points positive where it pushes.")
+            .may(&SpringDescription::drawn, action(), "-300 N");
+        m.key("acts", "Between points: whether it pushes and pulls, or one of these alone.")
+            .may(&SpringDescription::acts,
+                 choice_of<SpringSense>({{"both", "pushes and pulls"},
+                                         {"push", "pushes alone, as a spring that is not held"},
+                                         {"pull", "pulls alone, as a rubber band"}}),
+                 "push")
+            .usual("both");
+        m.key("gas", "A gas spring between the points.").may(&SpringDescription::gas, gas);
+        m.rule({.kind = FormRule::Kind::one_of,
+                .others = {"bodies", "coupling"},
+                .message = "{} needs one of 'bodies' and 'coupling'",
+                .hint = "write bodies: [TAIL, HEAD] with at: {TAIL: […], HEAD: […]}, or coupling: "
+                        "NAME"});
+        m.rule({.kind = FormRule::Kind::together,
+                .key = "bodies",
+                .others = {"at"},
+                .message = "{} has no points at which it holds the bodies",
+                .hint = "add at: {TAIL: […], HEAD: […]}, in the drawn position"});
+        m.rule({.kind = FormRule::Kind::any_of,
+                .others = {"stiffness", "damping", "gas"},
+                .message = "{} has neither 'stiffness' nor 'damping' nor 'gas'",
+                .hint = "add for example stiffness: 8 N/mm"});
+      });
+  return mapping;
+}
+
+}  // namespace
+
+Form<std::vector<SpringDescription>> springs() {
+  auto form = named(&SpringDescription::name,
+                    spring().form(),
+                    {.item = "a spring", .name_definition = "new_name"},
+                    "spring '{0}'");
+  form.shape.definition = "springs";
+  form.shape.meaning = "Springs, dampers and gas springs, each with a name.";
+  form.shape.examples = {"{hinge: {coupling: d, stiffness: 5 N*m/rad, free: 30 deg}}"};
+  return form;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,166 @@
+#include "mechanism/drive_schedule.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "core/tolerance.hpp"
+
+namespace kinestat {
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+// The first half of a law that is odd about its middle. Accelerations that vanish in the middle are
+// sines of what is left to it, so that they do so exactly.
+LawPoint first_half(DriveLaw law, double ramp, double u) {
+  switch (law) {
+    case DriveLaw::constant_speed:
+      return {.share = u, .slope = 1.0, .bend = 0.0};
+    case DriveLaw::constant_acceleration:
+      return {.share = 2.0 * u * u, .slope = 4.0 * u, .bend = 4.0};
+    case DriveLaw::trapezoid: {
+      const double bend = 1.0 / (ramp * (1.0 - ramp));
+      return u < ramp
+                 ? LawPoint{.share = 0.5 * bend * u * u, .slope = bend * u, .bend = bend}
+                 : LawPoint{
+                       .share = bend * ramp * (u - 0.5 * ramp), .slope = bend * ramp, .bend = 0.0};
+    }
+    case DriveLaw::polynomial_345:
+      return {.share = u * u * u * (10.0 + u * (-15.0 + 6.0 * u)),
+              .slope = 30.0 * u * u * (1.0 - u) * (1.0 - u),
+              .bend = 60.0 * u * (1.0 - u) * (1.0 - 2.0 * u)};
+    case DriveLaw::polynomial_4567:
+      return {.share = u * u * u * u * (35.0 + u * (-84.0 + u * (70.0 - 20.0 * u))),
+              .slope = 140.0 * std::pow(u * (1.0 - u), 3),
+              .bend = 420.0 * u * u * (1.0 - u) * (1.0 - u) * (1.0 - 2.0 * u)};
+    case DriveLaw::cycloidal:
+      return {.share = u - std::sin(2.0 * kPi * u) / (2.0 * kPi),
+              .slope = 1.0 - std::cos(2.0 * kPi * u),
+              .bend = 2.0 * kPi * std::sin(2.0 * kPi * std::min(u, 0.5 - u))};
+    case DriveLaw::harmonic:
+      return {.share = std::pow(std::sin(0.5 * kPi * u), 2),
+              .slope = 0.5 * kPi * std::sin(kPi * u),
+              .bend = 0.5 * kPi * kPi * std::sin(kPi * (0.5 - u))};
+    case DriveLaw::modified_trapezoid: {
+      const double c = 8.0 * kPi / (kPi + 2.0);
+      const double w = 4.0 * kPi;
+      if (u < 0.125) {
+        return {.share = c * (u / w - std::sin(w * u) / (w * w)),
+                .slope = c * (1.0 - std::cos(w * u)) / w,
+                .bend = c * std::sin(w * u)};
+      }
+      const double first = c * (0.125 / w - 1.0 / (w * w));
+      if (u < 0.375) {
+        const double v = u - 0.125;
+        return {
+            .share = first + c * v * (1.0 / w + 0.5 * v), .slope = c * (1.0 / w + v), .bend = c};
+      }
+      const double second = first + c * 0.25 * (1.0 / w + 0.125);
+      const double v = u - 0.375;
+      return {.share = second + c * ((1.0 / w + 0.25) * v + (1.0 - std::cos(w * v)) / (w * w)),
+              .slope = c * (1.0 / w + 0.25 + std::sin(w * v) / w),
+              .bend = c * std::sin(w * (0.5 - u))};
+    }
+    case DriveLaw::modified_sine: {
+      const double c = 4.0 * kPi * kPi / (kPi + 4.0);
+      const double w = 4.0 * kPi;
+      if (u < 0.125) {
+        return {.share = c * (u / w - std::sin(w * u) / (w * w)),
+                .slope = c * (1.0 - std::cos(w * u)) / w,
+                .bend = c * std::sin(w * u)};
+      }
+      const double first = c * (0.125 / w - 1.0 / (w * w));
+      const double phase = w * u / 3.0 + kPi / 3.0;
+      return {.share = first + c / w * ((u - 0.125) - 9.0 / w * (std::sin(phase) - 1.0)),
+              .slope = c / w * (1.0 - 3.0 * std::cos(phase)),
+              .bend = c * std::sin(w * (0.5 - u) / 3.0)};
+    }
+  }
+  return {};
+}
+
+// Where a steady acceleration turns a drive round within the time.
+bool turns_back(const DriveCourse& course, double duration) {
+  const double end = course.speed + course.acceleration * duration;
+  return course.speed * end < 0.0 &&
+         std::min(std::abs(course.speed), std::abs(end)) >
+             kSameValue * std::max(std::abs(course.speed), std::abs(end));
+}
+
+}  // namespace
+
+LawPoint law_at(DriveLaw law, double ramp, double time) {
+  if (time < 0.5) {
+    return first_half(law, ramp, time);
+  }
+  const LawPoint mirrored = first_half(law, ramp, 1.0 - time);
+  return {.share = 1.0 - mirrored.share, .slope = mirrored.slope, .bend = -mirrored.bend};
+}
+
+DriveSchedule::DriveSchedule(double duration,
+                             std::vector<DriveCourse> courses,
+                             DriveLaw law,
+                             double ramp)
+    : duration_(duration), courses_(std::move(courses)), has_law_(true), law_(law), ramp_(ramp) {}
+
+DriveSchedule::DriveSchedule(double duration, std::vector<DriveCourse> courses)
+    : duration_(duration), courses_(std::move(courses)) {
+  const auto ways = [&](const DriveCourse& one) {
+    return std::pair(one.speed * duration, one.acceleration * duration * duration);
+  };
+  const auto [speed, bend] = ways(courses_.front());
+  const double first = speed + 0.5 * bend;
+  for (const DriveCourse& one : courses_) {
+    const auto [other_speed, other_bend] = ways(one);
+    const double way = other_speed + 0.5 * other_bend;
+    const double size =
+        (std::abs(speed) + std::abs(bend)) * (std::abs(other_speed) + std::abs(other_bend));
+    is_straight_ = is_straight_ && !turns_back(one, duration) && first != 0.0 &&
+                   std::abs(other_speed * first - speed * way) <= kSameValue * size &&
+                   std::abs(other_bend * first - bend * way) <= kSameValue * size;
+  }
+}
+
+DriveInstant DriveSchedule::at(std::size_t drive, double time) const {
+  const DriveCourse& one = courses_[drive];
+  if (has_law_) {
+    const LawPoint point = law_at(law_, ramp_, time);
+    const double way = one.to - one.from;
+    return {.position = one.from + point.share * way,
+            .speed = point.slope * way / duration_,
+            .acceleration = point.bend * way / (duration_ * duration_)};
+  }
+  const double t = time * duration_;
+  return {
+      .position = time == 1.0 ? one.to : one.from + t * (one.speed + 0.5 * one.acceleration * t),
+      .speed = one.speed + one.acceleration * t,
+      .acceleration = one.acceleration};
+}
+
+double DriveSchedule::share_at(double time) const {
+  if (!is_straight_ || time <= 0.0 || time >= 1.0) {
+    return time;
+  }
+  if (has_law_) {
+    return law_at(law_, ramp_, time).share;
+  }
+  const DriveCourse& one = courses_.front();
+  return (at(0, time).position - one.from) / (one.to - one.from);
+}
+
+double DriveSchedule::time_of(double share) const {
+  if (share <= 0.0 || share >= 1.0) {
+    return std::clamp(share, 0.0, 1.0);
+  }
+  double low = 0.0;
+  double high = 1.0;
+  for (double middle = 0.5; low < middle && middle < high; middle = 0.5 * (low + high)) {
+    (share_at(middle) < share ? low : high) = middle;
+  }
+  return high;
+}
+
+}  // namespace kinestat

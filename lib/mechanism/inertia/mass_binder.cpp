@@ -1,0 +1,261 @@
+#include "mechanism/inertia/mass_binder.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/tolerance.hpp"
+#include "description/gear_expansion.hpp"
+#include "math/dense/principal_values.hpp"
+#include "mechanism/gears/gear_train.hpp"
+#include "mechanism/gears/internal/planet_set.hpp"
+
+namespace kinestat {
+
+namespace {
+
+constexpr NumberRule kMass = {
+    .kind = QuantityKind::mass, .range = kNotNegative, .allowed = "a mass that is not negative"};
+
+constexpr NumberRule kMomentOfInertia = {.kind = QuantityKind::inertia,
+                                         .range = kNotNegative,
+                                         .allowed = "a moment of inertia that is not negative"};
+
+bool has_inertia(const MechanismDescription& description) {
+  const bool has_gears = description.shift && !description.shift->input_acceleration.empty();
+  return has_gears || std::ranges::any_of(description.cases, &CaseDescription::has_inertia);
+}
+
+// Where an axis of the train tells where the centre of the body is.
+bool is_on_axis(const MechanismDescription& description, const std::string& body) {
+  if (!description.gears) {
+    return false;
+  }
+  const auto& members = description.gears->members;
+  return std::ranges::any_of(members, [&](const GearMember& one) { return one.body.text == body; });
+}
+
+class MassBinder {
+ public:
+  MassBinder(const BodyDescription& body, const SectionContext& context)
+      : body_(body), context_(context) {}
+
+  BodyMass bind() {
+    BodyMass result;
+    result.mass = context_.number(body_.mass, kMass, fmt::format("'mass' of body '{}'", name()))
+                      .value_or(0.0);
+    if (body_.centre_of_mass) {
+      result.centre = context_.evaluator.point(*body_.centre_of_mass).value_or(Vec3::Zero());
+    }
+    result.where = body_.mass      ? body_.mass->where
+                   : body_.inertia ? body_.inertia->where
+                                   : body_.name.where;
+    const bool lacks_centre = body_.mass && !body_.centre_of_mass && has_inertia(description()) &&
+                              !is_on_axis(description(), name());
+    if (lacks_centre && !description().gravity) {  // which has its own complaint
+      complain_of_missing_centre();
+    }
+    if (body_.inertia) {
+      bind_inertia(*body_.inertia, result);
+    }
+    return result;
+  }
+
+ private:
+  const std::string& name() const { return body_.name.text; }
+
+  const MechanismDescription& description() const { return context_.description; }
+
+  void complain_of_missing_centre() const {
+    context_.found.error(
+        "E0303",
+        body_.mass->where,
+        fmt::format("body '{}' has a mass, which accelerations act on, but no centre of mass",
+                    name()),
+        fmt::format("add centre_of_mass: {}, a point in the drawn position, or remove the mass",
+                    description().space == Space::planar ? "[x, y]" : "[x, y, z]"));
+  }
+
+  void bind_inertia(const InertiaDescription& inertia, BodyMass& result) {
+    result.has_inertia = true;
+    const std::vector<Value>& entries = inertia.entries;
+    if (entries.size() == 1) {
+      const double moment =
+          context_
+              .number(
+                  entries.front(), kMomentOfInertia, fmt::format("'inertia' of body '{}'", name()))
+              .value_or(0.0);
+      bind_single(inertia, moment, result);
+      return;
+    }
+    const auto entry = [&](std::size_t i) {
+      return context_.evaluator.number(entries[i], QuantityKind::inertia).value_or(0.0);
+    };
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        const auto row = static_cast<Eigen::Index>(i);
+        const auto column = static_cast<Eigen::Index>(j);
+        result.inertia(row, column) = entries.size() == 9 ? entry(3 * i + j)
+                                      : i == j            ? entry(i)
+                                                          : 0.0;
+      }
+    }
+    if (check_symmetry(result.inertia)) {
+      check_moments(result);
+    }
+  }
+
+  void bind_single(const InertiaDescription& inertia, double moment, BodyMass& result) {
+    if (!inertia.axis) {
+      result.inertia(2, 2) = moment;
+      return;
+    }
+    if (const std::optional<AxisOf<double>> axis = context_.evaluator.axis(*inertia.axis)) {
+      const Vec3 unit = axis->direction;
+      result.polar_axis = unit;
+      result.inertia = moment * unit * unit.transpose();
+    }
+  }
+
+  bool check_symmetry(const Mat3& tensor) const {
+    const std::vector<Value>& entries = body_.inertia->entries;
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = i + 1; j < 3; ++j) {
+        const auto row = static_cast<Eigen::Index>(i);
+        const auto column = static_cast<Eigen::Index>(j);
+        if (tensor(row, column) != tensor(column, row)) {
+          context_.found.error(
+              "E0322",
+              entries[3 * j + i].where,
+              fmt::format("'inertia' of body '{}' is not symmetric: {} in row {} is {} in row {}",
+                          name(),
+                          entries[3 * i + j].expression.text(),
+                          i + 1,
+                          entries[3 * j + i].expression.text(),
+                          j + 1),
+              "write the same number in both places");
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  // A body has principal moments none of which exceeds the sum of the others.
+  void check_moments(const BodyMass& result) const {
+    const Vec3 moments = principal_values(result.inertia);  // ascending
+    const double sum = moments[0] + moments[1];
+    const double rounding = kTriangleRounding * moments[2];
+    const bool is_negative = moments[0] < -rounding;
+    if (!is_negative && moments[2] <= (1.0 + kTriangleRounding) * sum) {
+      return;
+    }
+    const FileUnits& units = description().units;
+    const auto shown = [&](double moment) {
+      return fmt::format("{:.4g}", units.from_si(QuantityKind::inertia, moment));
+    };
+    context_.found.error(
+        "E0322",
+        body_.inertia->where,
+        fmt::format("no body has the principal moments of inertia of '{}', {}, {} and {} {}: {}",
+                    name(),
+                    shown(moments[0]),
+                    shown(moments[1]),
+                    shown(moments[2]),
+                    units.text(QuantityKind::inertia),
+                    is_negative ? "one is negative" : "one exceeds the sum of the others"),
+        "look for a decimal point, the order of the numbers, a tensor that is not about the centre "
+        "of mass, and the sign of its products: Jxy = -integral of x*y; of a rotor write {polar: "
+        "NUMBER, axis: z}");
+  }
+
+  const BodyDescription& body_;
+  const SectionContext& context_;
+};
+
+// On its axis, at its first bearing there.
+std::optional<Vec3> centre_on_axis(const GearTrain& train,
+                                   const Topology& topology,
+                                   const std::vector<Vec3>& points,
+                                   BodyId body) {
+  const std::string& name = topology.body(body).name;
+  const int axis = train.axis_on(name);
+  for (std::size_t e = 0; e < topology.couplings.size(); ++e) {
+    const CouplingTopology& coupling = topology.couplings[e];
+    const bool is_of_body = coupling.tail == body || coupling.head == body;
+    if (is_of_body && coupling.type == CouplingType::revolute &&
+        train.axis_between(topology.body(coupling.tail).name, topology.body(coupling.head).name) ==
+            axis) {
+      return points[e];
+    }
+  }
+  return std::nullopt;
+}
+
+// The largest moment of inertia of a body with a mass as that of a ring of this radius.
+void warn_of_gyration(const BodyMass& one,
+                      const std::string& body,
+                      double length,
+                      const SectionContext& context) {
+  const double largest = one.inertia.diagonal().maxCoeff();
+  if (one.mass == 0.0 || largest == 0.0) {
+    return;
+  }
+  const double radius = std::sqrt(largest / one.mass);
+  if (radius <= length && radius >= kLeastGyration * length) {
+    return;
+  }
+  const FileUnits& units = context.description.units;
+  context.found.warning(
+      "W0311",
+      one.where,
+      fmt::format("body '{}' has a radius of gyration of {:.3g} {}, where the mechanism is {:.3g} "
+                  "{} large",
+                  body,
+                  units.from_si(QuantityKind::length, radius),
+                  units.text(QuantityKind::length),
+                  units.from_si(QuantityKind::length, length),
+                  units.text(QuantityKind::length)),
+      fmt::format("look at the units: bare moments of inertia count in {}, bare masses in {}",
+                  units.text(QuantityKind::inertia),
+                  units.text(QuantityKind::mass)));
+}
+
+}  // namespace
+
+std::vector<BodyMass> masses_of_bodies(const SectionContext& context,
+                                       const Mechanism& mechanism,
+                                       const std::vector<BodyMass>& masses) {
+  const MechanismDescription& description = context.description;
+  const Topology& topology = mechanism.topology;
+  std::vector<BodyMass> result(topology.bodies.size());
+  const bool has_train = description.gears && has_all_meshes(description);
+  const GearTrain train = has_train ? find_gear_train(description) : GearTrain{};
+  const std::vector<int> counts = bind_body_counts(description, topology, context.evaluator);
+  for (std::size_t i = 0; i < masses.size(); ++i) {
+    const int b = context.names.bodies.find(description.bodies[i].name.text);
+    if (b <= 0 || !masses[i].counts()) {
+      continue;
+    }
+    BodyMass& one = result[static_cast<std::size_t>(b)];
+    one = masses[i];
+    one.count = counts[static_cast<std::size_t>(b)];
+    if (!description.bodies[i].centre_of_mass && has_train) {
+      one.centre = centre_on_axis(train, topology, mechanism.geometry.points, BodyId{b})
+                       .value_or(Vec3::Zero());
+    }
+    warn_of_gyration(one, description.bodies[i].name.text, mechanism.geometry.length, context);
+  }
+  return result;
+}
+
+std::vector<BodyMass> bind_masses(const SectionContext& context) {
+  std::vector<BodyMass> masses;
+  for (const BodyDescription& body : context.description.bodies) {
+    masses.push_back(MassBinder(body, context).bind());
+  }
+  return masses;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,85 @@
+#include <fmt/format.h>
+
+#include "core/utf8.hpp"
+#include "studies/motion/task/motion_findings.hpp"
+
+namespace kinestat {
+
+namespace {
+
+struct TimeText {
+  std::string message;
+  std::string hint;
+};
+
+TimeText text_of(const MotionPlan& plan, const std::string& drive, const std::string& label) {
+  switch (plan.time_problem) {
+    case TimeProblem::none:
+      break;
+    case TimeProblem::no_speed:
+      return {fmt::format("nothing says how drive '{}' runs in that time", drive),
+              fmt::format("give its speed in the case of the motion: motion: {{{}: NUMBER}}, or a "
+                          "law: law: polynomial_345",
+                          drive)};
+    case TimeProblem::two_speeds:
+      return {fmt::format("drive '{}' has a speed in case '{}' and a law too", drive, label),
+              fmt::format("write motion: {{}} or {}: 0 in the case, or leave out 'law'", drive)};
+    case TimeProblem::at_rest:
+      return {fmt::format("drive '{}' is at rest", drive), "give it a speed or a law"};
+    case TimeProblem::never:
+      return {
+          fmt::format("drive '{}' never comes to its end with the speed and the acceleration "
+                      "of case '{}'",
+                      drive,
+                      label),
+          "give 'to' on the side to which it runs, within what it reaches before it turns back, "
+          "or 'time' in place of 'to'"};
+    case TimeProblem::other_end:
+      return {fmt::format("drive '{}' is not at 'to' after that time, with the speed and the "
+                          "acceleration of case '{}'",
+                          drive,
+                          label),
+              "leave out 'to' or 'time', or give a law"};
+    case TimeProblem::other_time:
+      return {fmt::format("drive '{}' comes to its end at another time than the first one", drive),
+              "give 'time' in place of 'to', or a law for all"};
+  }
+  return {};
+}
+
+}  // namespace
+
+bool check_time(const MotionPlan& plan,
+                const Mechanism& mechanism,
+                const FileUnits& units,
+                Diagnostics& found) {
+  const Topology& topology = mechanism.topology;
+  const auto name_of = [&](std::size_t d) {
+    return topology.actuators[static_cast<std::size_t>(plan.drives[d].actuator)].name;
+  };
+  if (plan.time_problem != TimeProblem::none) {
+    const std::string label =
+        plan.which < 0 ? ""
+                       : printable(mechanism.cases[static_cast<std::size_t>(plan.which)].label);
+    TimeText text = text_of(plan, name_of(plan.problem_drive), label);
+    found.error("E0509",
+                plan.drives[plan.problem_drive].where,
+                std::move(text.message),
+                std::move(text.hint));
+    return false;
+  }
+  if (plan.schedule && plan.schedule->has_jumps() && plan.which >= 0 &&
+      mechanism.cases[static_cast<std::size_t>(plan.which)].has_inertia()) {
+    found.warning("W0511",
+                  plan.where,
+                  fmt::format("law constant_speed asks for infinite accelerations at the beginning "
+                              "and after {:.6g} {}",
+                              units.from_si(QuantityKind::time, plan.schedule->duration()),
+                              units.text(QuantityKind::time)),
+                  "values at its ends are those between them; polynomial_345 or cycloidal begin "
+                  "and end at rest");
+  }
+  return true;
+}
+
+}  // namespace kinestat
