@@ -13,8 +13,6 @@ namespace {
 
 using Tasks = std::vector<std::vector<PositionJets>>;
 
-constexpr int kKept = 5;
-
 // The tasks of some choice. Where all that are tried contradict themselves, the first says why.
 std::optional<Tasks> find_possible_tasks(const SynthesisValues& values,
                                          std::span<const SelectionRange> ranges,
@@ -69,7 +67,7 @@ void select_task(const SynthesisValues& values,
   };
   const Selection selection = select_linkages(values.ranges(),
                                               candidates_of(make_task, values.limits()),
-                                              kKept,
+                                              kBestLinkages,
                                               for_each,
                                               shortfalls_of(make_task));
   add_counts(selection, analysis);
@@ -102,7 +100,7 @@ void select_circle_points(const SynthesisValues& values,
     return;
   }
   const Selection selection =
-      select_linkages(ranges, make, kKept, for_each, {}, ChoiceHalves::alike);
+      select_linkages(ranges, make, kBestLinkages, for_each, {}, ChoiceHalves::alike);
   add_counts(selection, analysis);
   for (const SelectedLinkage& one : shown_of(selection)) {
     SynthesisTask task;
