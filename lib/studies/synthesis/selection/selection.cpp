@@ -22,8 +22,13 @@ double reached_by(const LinkageCandidate& candidate) {
     case Defect::circuit:
     case Defect::branch:
     case Defect::order:
+    case Defect::grashof:
+    case Defect::full_turn:
     case Defect::transmission:
       return candidate.margin();
+    case Defect::centre_point:
+    case Defect::circle_point:
+      return -candidate.outside;
     case Defect::ratio:
       return -candidate.ratio;
     case Defect::size:
