@@ -16,6 +16,24 @@ std::string_view word_of(FreeNumber which) {
       return "tau_2";
     case FreeNumber::circle_points:
       return "circle_points";
+    case FreeNumber::centre_points:
+      return "centre_points";
+  }
+  return "";
+}
+
+std::string_view word_of(GrashofClass which) {
+  switch (which) {
+    case GrashofClass::crank_rocker:
+      return "crank_rocker";
+    case GrashofClass::double_crank:
+      return "double_crank";
+    case GrashofClass::double_rocker:
+      return "double_rocker";
+    case GrashofClass::triple_rocker:
+      return "triple_rocker";
+    case GrashofClass::change_point:
+      return "change_point";
   }
   return "";
 }
@@ -26,7 +44,11 @@ QuantityKind kind_of(FreeNumber which) {
 }
 
 bool is_point(FreeNumber which) {
-  return which == FreeNumber::free_point || which == FreeNumber::circle_points;
+  return which == FreeNumber::free_point || chooses_dyads(which);
+}
+
+bool chooses_dyads(FreeNumber which) {
+  return which == FreeNumber::circle_points || which == FreeNumber::centre_points;
 }
 
 int PositionDescription::order() const {

@@ -42,10 +42,18 @@ struct PositionDescription {
   int order() const;
 };
 
+/// Points of a dyad that the user gives: one where three or four positions leave the other no
+/// choice, both where two leave it a line.
+struct DyadDescription {
+  std::optional<PointDescription> circle_point;  ///< moving frame
+  std::optional<PointDescription> centre_point;  ///< fixed frame
+  SourceRange where;
+};
+
 /// What `vary` may leave free. `s`, `tau` and `tau_2` are the effective freedom of what curvature,
 /// stationary curvature and a Burmester point leave open, in the place of free point and m; circle
-/// points are free with three and four positions.
-enum class FreeNumber { m, free_point, s, tau, tau_2, circle_points };
+/// points, or centre points in their place, are free with three and four positions.
+enum class FreeNumber { m, free_point, s, tau, tau_2, circle_points, centre_points };
 
 /// The key, and the word in messages.
 std::string_view word_of(FreeNumber which);
@@ -56,6 +64,9 @@ QuantityKind kind_of(FreeNumber which);
 /// Whether it has two coordinates.
 bool is_point(FreeNumber which);
 
+/// Whether it chooses the dyads of three and four positions.
+bool chooses_dyads(FreeNumber which);
+
 /// A free parameter of the task: a number or a point, from … to.
 struct SynthesisRange {
   FreeNumber which = FreeNumber::m;
@@ -65,10 +76,31 @@ struct SynthesisRange {
   SourceRange where;
 };
 
+/// The corners of a polygon, or two opposite ones of a rectangle along the axes.
+struct AreaDescription {
+  std::vector<PointDescription> corners;
+  SourceRange where;
+};
+
+enum class GrashofClass {
+  crank_rocker,   ///< the shortest link is a crank
+  double_crank,   ///< the shortest link is the ground (drag link)
+  double_rocker,  ///< the shortest link is the coupler, which turns fully
+  triple_rocker,  ///< not Grashof: no link turns fully
+  change_point    ///< shortest and longest equal the other two: a position with all in line
+};
+
+/// The word in files and reports.
+std::string_view word_of(GrashofClass which);
+
 struct SynthesisLimits {
   std::optional<Value> transmission_angle;  ///< least
   std::optional<Value> link_ratio;          ///< largest: longest by shortest link
   std::optional<Value> size;                ///< largest length
+  std::vector<GrashofClass> classes;        ///< of a four-bar; empty: any
+  bool turns_fully = false;                 ///< the input
+  std::optional<AreaDescription> circle_points;
+  std::optional<AreaDescription> centre_points;
 };
 
 /// Where the file does not say how many.
@@ -78,6 +110,7 @@ inline constexpr int kUsualCurvePoints = 200;
 struct SynthesisDescription {
   LinkageKind linkage = LinkageKind::four_bar;
   std::vector<PositionDescription> positions;
+  std::vector<DyadDescription> dyads;  ///< given, two at most
   SynthesisLimits limits;
   std::vector<SynthesisRange> vary;
   std::optional<Value> samples;      ///< of a selection, about; kUsualSamples

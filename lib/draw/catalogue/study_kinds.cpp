@@ -8,6 +8,7 @@
 #include "studies/benchmark/picture/pareto.hpp"
 #include "studies/motion/picture/motion_curves.hpp"
 #include "studies/sweep/picture/sweep_curves.hpp"
+#include "studies/synthesis/picture/best_linkages.hpp"
 #include "studies/synthesis/picture/burmester_drawing.hpp"
 
 namespace kinestat {
@@ -31,6 +32,14 @@ std::string why_no_times(const PictureSource& source) {
 
 Picture draw_plane(const PictureSource& source) {
   return draw_burmester(*source.synthesis, 0);
+}
+
+std::string why_no_linkages(const PictureSource& source) {
+  return find_best_linkages(*source.synthesis).empty() ? "the task has no linkage" : "";
+}
+
+Picture draw_linkages(const PictureSource& source) {
+  return draw_best_linkages(*source.synthesis);
 }
 
 std::string why_no_animation(const PictureSource& source) {
@@ -127,6 +136,11 @@ constexpr auto kStudyKinds = std::to_array<PictureKind>({
      .why_not = why_no_sweep,
      .draw = draw_sweep,
      .gnuplot = sweep_text},
+    {.name = "synthesis",
+     .sentence = "the best linkages of a synthesis, each through its positions",
+     .need = PictureNeed::synthesis,
+     .why_not = why_no_linkages,
+     .draw = draw_linkages},
     {.name = "burmester",
      .sentence = "the positions of a synthesis with poles, curves and dyads",
      .need = PictureNeed::synthesis,

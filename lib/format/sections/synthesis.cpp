@@ -10,6 +10,7 @@
 #include "format/alternatives.hpp"
 #include "format/number_forms.hpp"
 #include "format/sections/sections.hpp"
+#include "format/sections/synthesis_limits.hpp"
 #include "format/value_forms.hpp"
 #include "io/field_values.hpp"
 
@@ -153,17 +154,40 @@ const Mapping<PositionDescription>& position() {
   return mapping;
 }
 
-const Mapping<SynthesisLimits>& limits() {
-  static const Mapping<SynthesisLimits> mapping(
-      "", "", "{transmission_angle: 30 deg, link_ratio: 12, size: 20}", [](auto& m) {
-        m.key("transmission_angle", "Least transmission angle, from 0 to below 90 deg.")
-            .may(&SynthesisLimits::transmission_angle, acute_angle(), "30 deg");
-        m.key("link_ratio", "Largest ratio of the longest link to the shortest, at least 1.")
-            .may(&SynthesisLimits::link_ratio, at_least_one(), "12");
-        m.key("size", "Largest length of a link or distance of a pivot.")
-            .may(&SynthesisLimits::size, size(), "20");
+const Mapping<DyadDescription>& dyad() {
+  static const Mapping<DyadDescription> mapping(
+      "dyad", "A dyad of which a point is given.", "{centre_point: [0, 0]}", [](auto& m) {
+        m.key("circle_point", "Its moving pivot, in the moving frame.")
+            .may(&DyadDescription::circle_point, point_in_plane(), "[1, 0]");
+        m.key("centre_point", "Its fixed pivot, in the fixed frame.")
+            .may(&DyadDescription::centre_point, point_in_plane(), "[0, 0]");
+        m.rule({.kind = FormRule::Kind::any_of, .others = {"circle_point", "centre_point"}});
+        m.check([](const DyadDescription& one, const FileValue& value) {
+          if (!one.circle_point && !one.centre_point && value.node.entries.empty()) {
+            value.found.error(
+                "E0303",
+                value.node.where,
+                fmt::format("{} has neither 'circle_point' nor 'centre_point'", value.what),
+                "write {centre_point: [x, y]}, or {circle_point: [x, y]}");
+          }
+        });
       });
   return mapping;
+}
+
+Form<std::vector<DyadDescription>> dyads() {
+  auto one = dyad().form();
+  one.read = [read = one.read](const FileValue& value) {
+    auto result = read(value);
+    if (result) {
+      result->where = value.node.where;
+    }
+    return result;
+  };
+  return list_of(one,
+                 "dyad {0}",
+                 "write dyads: [{centre_point: [x, y]}, {circle_point: [x, y]}], two at most",
+                 {.least = 1, .most = 2});
 }
 
 using RangeEnd = Form<std::vector<Value>>;
@@ -257,7 +281,11 @@ void declare_ranges(Mapping<Task>& vary) {
        "-1",
        "1"},
       {circle_points,
-       "Where circle points may lie, in the moving frame; for three and four positions.",
+       "Where moving pivots are chosen, in the moving frame; for three and four positions.",
+       corner(),
+       "{from: [-1, -1], to: [1, 1]}"},
+      {centre_points,
+       "Where fixed pivots are chosen instead, in the fixed frame; for three and four positions.",
        corner(),
        "{from: [-1, -1], to: [1, 1]}"},
   };
@@ -291,9 +319,14 @@ void declare_togetherness(Mapping<Task>& m) {
           .others = {"m", "free_point", "s", "tau", "tau_2"},
           .message = "'vary' cannot have 'circle_points' beside other ranges",
           .hint = "keep one of them, and give numbers for what the others leave free"});
+  m.rule({.kind = excludes,
+          .key = "centre_points",
+          .others = {"m", "free_point", "s", "tau", "tau_2", "circle_points"},
+          .message = "'vary' cannot have 'centre_points' beside other ranges",
+          .hint = "keep one of them; 'limits' takes areas of both kinds of points"});
   m.rule({.kind = together, .key = "tau", .others = {"s"}});
   m.rule({.kind = together, .key = "tau_2", .others = {"tau"}});
-  m.rule({.kind = any_of, .others = {"m", "free_point", "s", "circle_points"}});
+  m.rule({.kind = any_of, .others = {"m", "free_point", "s", "circle_points", "centre_points"}});
   m.check([](const Task& task, const FileValue& value) {
     if (task.vary.empty()) {
       value.found.error("E0303",
@@ -400,8 +433,13 @@ const Mapping<SynthesisDescription>& synthesis_section() {
                     "[{at: [0.424, 0.245], angle: 30 deg, pole: [0.6, 2.019]}, {at: [0.49, 0.0], "
                     "angle: 70 deg}]")
             .add_hint("'positions:' and below it lines '- {at: [x, y], angle: 30 deg}'");
+        m.key("dyads",
+              "Dyads of which a pivot is given, two at most, where positions leave them free: with "
+              "three positions the other pivot follows; with four the given one must lie on its "
+              "curve; with two both pivots are given, and the second lies on a line.")
+            .may(&Task::dyads, dyads(), "[{centre_point: [0, 0]}, {circle_point: [1, 0]}]");
         m.key("limits", "What a linkage must keep to; others are listed as refused.")
-            .group(&Task::limits, limits())
+            .group(&Task::limits, synthesis_limits())
             .example("{transmission_angle: 30 deg, link_ratio: 12, size: 20}");
         declare_free(m);
         m.key("digits",

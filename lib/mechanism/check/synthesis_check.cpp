@@ -45,6 +45,10 @@ class SynthesisCheck {
         task_.limits.transmission_angle, kTransmissionAngle, "'transmission_angle' of 'limits'");
     context_.number(task_.limits.link_ratio, kLinkRatio, "'link_ratio' of 'limits'");
     context_.number(task_.limits.size, kAboveZeroLength, "'size' of 'limits'");
+    check_classes();
+    check_area(task_.limits.circle_points, "circle_points");
+    check_area(task_.limits.centre_points, "centre_points");
+    check_dyads();
     for (const SynthesisRange& range : task_.vary) {
       check_range(range);
     }
@@ -132,10 +136,9 @@ class SynthesisCheck {
   void check_count() {
     constexpr int kLeast = 2;
     constexpr int kMost = 5;
-    int count = 0;
+    const int count = position_count();
     std::string form;
     for (const PositionDescription& position : task_.positions) {
-      count += position.order();
       form +=
           (form.empty() ? "" : "-") + std::string(static_cast<std::size_t>(position.order()), 'P');
     }
@@ -177,9 +180,77 @@ class SynthesisCheck {
     return form.size() <= kLongest ? form : form.substr(0, kLongest) + "…";
   }
 
+  // Only a four-bar has one.
+  void check_classes() {
+    if (task_.limits.classes.empty() || task_.linkage == LinkageKind::four_bar ||
+        task_.linkage == LinkageKind::any) {
+      return;
+    }
+    context_.found.error(
+        "E0302",
+        task_.where,
+        "'class' of 'limits' is that of a four-bar, and 'linkage' asks for another",
+        "delete 'class', or write linkage: four_bar");
+  }
+
+  // A rectangle, or a polygon, that no point can lie in is a mistake.
+  void check_area(const std::optional<AreaDescription>& area, std::string_view key) {
+    if (!area) {
+      return;
+    }
+    std::vector<Vec3> corners;
+    for (const PointDescription& corner : area->corners) {
+      if (const auto point = context_.vector(corner.coordinates, QuantityKind::length)) {
+        corners.push_back(*point);
+      }
+    }
+    const bool is_whole = corners.size() == area->corners.size();
+    if (is_whole &&
+        std::ranges::all_of(corners, [&](const Vec3& one) { return one == corners.front(); })) {
+      context_.found.error("E0321",
+                           area->where,
+                           fmt::format("the area of '{}' is a single point", key),
+                           "write two opposite corners of a rectangle, or those of a polygon");
+    }
+  }
+
+  // What belongs to a given point: a line with two positions, one point with three and four.
+  void check_dyads() {
+    const int count = position_count();
+    for (std::size_t i = 0; i < task_.dyads.size(); ++i) {
+      const DyadDescription& dyad = task_.dyads[i];
+      context_.point(dyad.circle_point);
+      context_.point(dyad.centre_point);
+      if (count > 2 && count < 5 && dyad.circle_point && dyad.centre_point) {
+        context_.found.error(
+            "E0302",
+            dyad.where,
+            fmt::format("dyad {} gives both points, and {} positions leave only one of them free",
+                        i + 1,
+                        count),
+            "keep one: the other follows from it");
+      }
+    }
+    if (!task_.dyads.empty() && count >= 5) {
+      context_.found.error("E0305",
+                           task_.dyads.front().where,
+                           "five positions have dyads of their own, and none can be given",
+                           "delete 'dyads'; 'centre_points' and 'circle_points' of 'limits' say "
+                           "where pivots may lie");
+    }
+  }
+
+  int position_count() const {
+    int count = 0;
+    for (const PositionDescription& position : task_.positions) {
+      count += position.order();
+    }
+    return count;
+  }
+
   void check_range(const SynthesisRange& range) {
-    if (range.which == FreeNumber::circle_points) {
-      check_circle_points(range);
+    if (chooses_dyads(range.which)) {
+      check_choice(range);
       return;
     }
     context_.components(range.from, kind_of(range.which));
@@ -195,27 +266,32 @@ class SynthesisCheck {
     }
   }
 
-  void check_circle_points(const SynthesisRange& range) {
+  void check_choice(const SynthesisRange& range) {
+    const bool is_moving = range.which == FreeNumber::circle_points;
+    const std::string_view points = is_moving ? "circle points" : "centre points";
     const std::optional<Vec3> from = context_.vector(range.from, QuantityKind::length);
     const std::optional<Vec3> to = context_.vector(range.to, QuantityKind::length);
     if (from && to && *from == *to) {
       context_.found.error("E0321",
                            range.name_where,
-                           "the range of the circle points is a single point",
+                           fmt::format("the range of the {} is a single point", points),
                            "write two opposite corners of the area in which they may lie");
     }
-    int count = 0;
-    for (const PositionDescription& position : task_.positions) {
-      count += position.order();
-    }
+    const int count = position_count();
     if (count != 3 && count != 4) {
       context_.found.error(
           "E0305",
           range.name_where,
-          fmt::format("circle points are free with three and four positions, and this has {}",
-                      count),
+          fmt::format("{} are free with three and four positions, and this has {}", points, count),
           count < 3 ? "add a position, its pole or its curvature"
                     : "five positions have their own; let 'm', 'free_point' or 's' vary");
+    }
+    if (task_.dyads.size() == 2) {
+      context_.found.error(
+          "E0302",
+          range.name_where,
+          fmt::format("both dyads are given, and '{}' has nothing to choose", word_of(range.which)),
+          "delete it, or one of 'dyads'");
     }
   }
 

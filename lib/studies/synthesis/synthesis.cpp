@@ -38,6 +38,9 @@ Defect defect_of(const DriveVerdict& verdict, const LinkageLimits& limits) {
   if (verdict.passage == Passage::none) {
     return Defect::order;
   }
+  if (limits.turns_fully && !verdict.turns_fully) {
+    return Defect::full_turn;
+  }
   // Rounding must not decide at the limit itself.
   return verdict.working_arc->margin() < limits.transmission * (1.0 - kSameValue)
              ? Defect::transmission
@@ -55,6 +58,31 @@ void choose_drive(LinkageCandidate& candidate, const LinkageLimits& limits) {
       Standing(other, candidate.verdicts[1]).is_better_than({one, candidate.verdicts[0]});
   candidate.best_drive = takes_other ? Drive::other : Drive::one;
   candidate.defect = takes_other ? other : one;
+}
+
+bool has_class(const LinkageCandidate& candidate, const std::vector<GrashofClass>& asked) {
+  return asked.empty() ||
+         (candidate.grashof && std::ranges::find(asked, candidate.grashof->kind) != asked.end());
+}
+
+// The worse of what speaks against a linkage already and this.
+void add_defect(Defect defect, LinkageCandidate& candidate) {
+  if (candidate.defect == Defect::none || defect < candidate.defect) {
+    candidate.defect = defect;
+  }
+}
+
+void check_areas(const LinkageLimits& limits, LinkageCandidate& candidate) {
+  for (const DyadPoint which : {DyadPoint::circle_point, DyadPoint::centre_point}) {
+    for (const Dyad* dyad : {&candidate.linkage.one, &candidate.linkage.other}) {
+      const double outside = distance_outside(*dyad, which, limits);
+      candidate.outside = std::max(candidate.outside, outside);
+      if (outside > 0.0) {
+        add_defect(which == DyadPoint::circle_point ? Defect::circle_point : Defect::centre_point,
+                   candidate);
+      }
+    }
+  }
 }
 
 bool has_digits(const Dyad& dyad) {
@@ -77,21 +105,36 @@ LinkageCandidate judge(const Linkage& linkage,
   if (!has_digits(linkage.one) || !has_digits(linkage.other)) {
     candidate.defect = Defect::digits;
   }
+  if (!has_class(candidate, limits.classes)) {
+    add_defect(Defect::grashof, candidate);
+  }
+  check_areas(limits, candidate);
   const std::vector<double> lengths = link_lengths(linkage);
   if (!lengths.empty()) {
     candidate.longest = std::ranges::max(lengths);
     candidate.ratio = candidate.longest / std::ranges::min(lengths);
   }
-  if (candidate.defect == Defect::none && candidate.ratio > limits.ratio * (1.0 + kSameValue)) {
-    candidate.defect = Defect::ratio;
+  if (candidate.ratio > limits.ratio * (1.0 + kSameValue)) {
+    add_defect(Defect::ratio, candidate);
   }
-  if (candidate.defect == Defect::none && candidate.longest > limits.size * (1.0 + kSameValue)) {
-    candidate.defect = Defect::size;
+  if (candidate.longest > limits.size * (1.0 + kSameValue)) {
+    add_defect(Defect::size, candidate);
   }
   return candidate;
 }
 
 }  // namespace
+
+double distance_outside(const Dyad& dyad, DyadPoint which, const LinkageLimits& limits) {
+  const bool is_circle_point = which == DyadPoint::circle_point;
+  const std::optional<PlaneArea>& area =
+      is_circle_point ? limits.circle_points : limits.centre_points;
+  const bool is_infinite =
+      dyad.kind == (is_circle_point ? DyadKind::inverted_slider : DyadKind::slider);
+  return area && !is_infinite
+             ? area->distance(is_circle_point ? dyad.circle_point : dyad.centre_point)
+             : 0.0;
+}
 
 std::string_view word_of(Defect defect) {
   switch (defect) {
@@ -105,6 +148,14 @@ std::string_view word_of(Defect defect) {
       return "branch";
     case Defect::order:
       return "order";
+    case Defect::grashof:
+      return "class";
+    case Defect::full_turn:
+      return "turns_fully";
+    case Defect::centre_point:
+      return "centre_points";
+    case Defect::circle_point:
+      return "circle_points";
     case Defect::transmission:
       return "transmission_angle";
     case Defect::ratio:

@@ -12,6 +12,7 @@
 #include "studies/synthesis/linkages/cognates.hpp"
 #include "studies/synthesis/linkages/linkage.hpp"
 #include "studies/synthesis/linkages/verdict.hpp"
+#include "studies/synthesis/positions/plane_area.hpp"
 
 namespace kinestat {
 
@@ -21,7 +22,15 @@ struct LinkageLimits {
   double transmission = 0.0;                       ///< least margin of the transmission angle [rad]
   double ratio = std::numeric_limits<double>::infinity();  ///< longest by shortest link
   double size = std::numeric_limits<double>::infinity();   ///< longest link [length]
+  std::vector<GrashofClass> classes = {};                  ///< of a four-bar; empty: any linkage
+  bool turns_fully = false;                                ///< the input meets no dead point
+  std::optional<PlaneArea> circle_points = std::nullopt;   ///< where they lie, moving frame
+  std::optional<PlaneArea> centre_points = std::nullopt;   ///< where they lie, fixed frame
 };
+
+/// How far such a point of a dyad lies outside the area of the limits [length]; zero without one,
+/// and of a point at infinity.
+double distance_outside(const Dyad& dyad, DyadPoint which, const LinkageLimits& limits);
 
 /// What speaks against a linkage, worst first.
 enum class Defect {
@@ -30,6 +39,10 @@ enum class Defect {
   circuit,       ///< positions lie in circuits that no motion joins
   branch,        ///< a dead point of the input lies between positions
   order,         ///< the input passes the positions in another order
+  grashof,       ///< of another class
+  full_turn,     ///< the input meets a dead point elsewhere
+  centre_point,  ///< outside its area
+  circle_point,  ///< outside its area
   transmission,  ///< below the limit
   ratio,         ///< above the limit
   size           ///< above the limit
@@ -60,6 +73,7 @@ struct LinkageCandidate {
   Drive best_drive = Drive::one;
   double longest = 0.0;          ///< of the links that have a length [length]
   double ratio = 1.0;            ///< longest by shortest of them
+  double outside = 0.0;          ///< how far the farther of its points lies outside its area
   Defect defect = Defect::none;  ///< with the best drive
 
   const DriveVerdict& best() const;

@@ -2,7 +2,9 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -290,6 +292,67 @@ TEST(Selection, ComesNearestToALinkageWithTheDyadsOfAnotherKind) {
             200);
   ASSERT_TRUE(found.nearest_choice.has_value());
   EXPECT_GE(solve_burmester(*table_3(*found.nearest_choice)).dyads.size(), 2U);
+}
+
+// A linkage of whose margin alone is asked.
+LinkageCandidate with_margin(double margin, double ratio) {
+  LinkageCandidate one;
+  one.ratio = ratio;
+  one.verdicts[0].working_arc = TransmissionRange{.least = margin, .most = std::numbers::pi / 2};
+  return one;
+}
+
+using Hill = std::function<double(double x, double y)>;
+
+// Every choice has another ratio of links, so that these tell nothing.
+CandidateMaker on_hill(const Hill& hill) {
+  return [hill](std::span<const double> choice) {
+    return std::optional(
+        with_margin(hill(choice[0], choice[1]), 1.0 + choice[0] + 100.0 * choice[1]));
+  };
+}
+
+double peak(double x, double y, double height) {
+  return height * std::exp(-(x * x + y * y));
+}
+
+const std::vector<SelectionRange> kSquare(2, {.from = 0.0, .to = 10.0, .count = 41});
+
+TEST(Selection, KeepsOneOfEachHill) {
+  const Hill two = [](double x, double y) {
+    return 0.1 + peak(x - 2.1, y - 3.2, 0.8) + peak(x - 7.3, y - 6.1, 0.5);
+  };
+
+  const Selection found = select_linkages(kSquare, on_hill(two), 10);
+
+  ASSERT_EQ(found.best.size(), 2U);
+  EXPECT_NEAR(found.best[0].choice[0], 2.1, 1e-4);
+  EXPECT_NEAR(found.best[1].choice[1], 6.1, 1e-4);
+}
+
+// Steps along the axes stop anywhere on a sharp ridge: of what lies on it only the top is kept.
+TEST(Selection, KeepsOneOfARidge) {
+  const Hill ridge = [](double x, double y) {
+    return 0.3 + 0.01 * x - 0.02 * std::abs(x - 0.37 * y - 3.0) + 0.001 * std::cos(9.0 * y);
+  };
+
+  const Selection found = select_linkages(kSquare, on_hill(ridge), 10);
+
+  ASSERT_EQ(found.best.size(), 1U);
+}
+
+// Both hills are the same where the halves stand for the same.
+TEST(Selection, KeepsOneOfTwoThatDifferByAnExchange) {
+  const Hill two = [](double x, double y) {
+    return 0.1 + peak(x - 2.1, y - 7.0, 0.8) + peak(x - 7.0, y - 2.1, 0.8);
+  };
+
+  const auto keep = [&](ChoiceHalves halves) {
+    return select_linkages(kSquare, on_hill(two), 10, one_after_another, {}, halves).best.size();
+  };
+
+  EXPECT_EQ(keep(ChoiceHalves::differ), 2U);
+  EXPECT_EQ(keep(ChoiceHalves::alike), 1U);
 }
 
 TEST(Selection, OfATaskWithoutMotionIsEmpty) {

@@ -43,6 +43,56 @@ TEST(Synthesis, LooksAtLinkagesOfTheTypeOnly) {
   EXPECT_EQ(linkages_of("IC16", {.type = LinkageType::slider_crank}).size(), 3U);
 }
 
+// The reference has a crank-rocker with its centres in (0, 0) and (4, 0.5).
+TEST(Synthesis, NamesAClassThatIsNotAskedFor) {
+  const auto found = linkages_of("IC01", {.classes = {GrashofClass::crank_rocker}});
+  const auto others = linkages_of("IC01", {.classes = {GrashofClass::triple_rocker}});
+
+  EXPECT_EQ(found[0].defect, Defect::none);
+  for (const LinkageCandidate& one : found) {
+    if (one.grashof->kind != GrashofClass::crank_rocker) {
+      EXPECT_LE(one.defect, Defect::grashof);
+      EXPECT_NE(one.defect, Defect::none);
+    }
+  }
+  for (const LinkageCandidate& one : others) {
+    EXPECT_EQ(
+        one.defect == Defect::none,
+        one.grashof->kind == GrashofClass::triple_rocker && one.best().passage != Passage::none);
+  }
+}
+
+// The crank is driven then, whatever the rocker would transmit.
+TEST(Synthesis, DrivesWhatTurnsFully) {
+  const auto found =
+      linkages_of("IC01", {.classes = {GrashofClass::crank_rocker}, .turns_fully = true});
+
+  ASSERT_EQ(found[0].defect, Defect::none);
+  EXPECT_TRUE(found[0].best().turns_fully);
+  EXPECT_LT(input_of(found[0].linkage, found[0].best_drive).length,
+            output_of(found[0].linkage, found[0].best_drive).length);
+  for (const LinkageCandidate& one : found) {
+    EXPECT_TRUE(one.defect != Defect::none || one.best().turns_fully);
+  }
+}
+
+TEST(Synthesis, KeepsPivotsInTheirAreas) {
+  const auto everywhere = linkages_of("IC01", {});
+  const PlaneArea area = PlaneArea::between({-0.5, -0.5}, {4.5, 1.0});
+
+  const auto found = linkages_of("IC01", {.centre_points = area});
+
+  int usable = 0;
+  for (const LinkageCandidate& one : everywhere) {
+    const bool is_inside = area.distance(one.linkage.one.centre_point) == 0.0 &&
+                           area.distance(one.linkage.other.centre_point) == 0.0;
+    usable += is_inside && one.defect == Defect::none ? 1 : 0;
+  }
+  EXPECT_GT(usable, 0);
+  EXPECT_EQ(std::ranges::count(found, Defect::none, &LinkageCandidate::defect), usable);
+  EXPECT_GT(std::ranges::count(found, Defect::centre_point, &LinkageCandidate::defect), 0);
+}
+
 // The linkage of table 2 has its positions in two circuits.
 TEST(Synthesis, NamesACircuitDefect) {
   const auto found = linkages_of("table2", {});

@@ -81,6 +81,10 @@ std::string_view word_of(DyadKind kind) {
   return "";
 }
 
+std::string_view word_of(DyadPoint which) {
+  return which == DyadPoint::circle_point ? "circle_point" : "centre_point";
+}
+
 double find_residual(const Dyad& dyad, std::span<const PositionJets> positions) {
   double worst = 0.0;
   const Factors first = factors_of(dyad, positions[0]);

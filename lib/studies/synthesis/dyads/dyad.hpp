@@ -20,6 +20,12 @@ enum class DyadKind {
 /// The word in reports.
 std::string_view word_of(DyadKind kind);
 
+/// Which of its two points: that of the moving plane, or that of the fixed one.
+enum class DyadPoint { circle_point, centre_point };
+
+/// The word in files and reports.
+std::string_view word_of(DyadPoint which);
+
 /// (pt: díade) What of it is used depends on the kind.
 struct Dyad {
   DyadKind kind = DyadKind::crank;

@@ -139,16 +139,17 @@ Vec3 values_at(const LinearRow& row, const Point& z) {
   return result;
 }
 
-// The conditions of the centre of a circle point, each with what rounding of the positions does to
-// it.
+// The conditions of the other point of a dyad, each with what rounding of the positions does to it.
 struct Conditions {
   std::vector<Vec3> rows;
   std::vector<double> errors;
 
-  Conditions(const ConditionRows& system, const Point& circle_point) {
+  Conditions(const ConditionRows& system, const Point& point, DyadPoint which) {
     for (std::size_t i = 0; i < system.rows.size(); ++i) {
-      rows.push_back(values_at(row_for_circle_point(system.rows[i]), circle_point));
-      errors.push_back(system.noise[i] * (1.0 + std::abs(circle_point)));
+      const LinearRow row = which == DyadPoint::circle_point ? row_for_circle_point(system.rows[i])
+                                                             : row_for_centre(system.rows[i]);
+      rows.push_back(values_at(row, point));
+      errors.push_back(system.noise[i] * (1.0 + std::abs(point)));
     }
   }
 };
@@ -261,15 +262,46 @@ FourPositionCurves find_curves(std::span<const PositionJets> positions) {
   return result;
 }
 
-std::optional<Dyad> find_dyad(std::span<const PositionJets> positions, const Point& circle_point) {
+std::optional<Dyad> find_dyad(std::span<const PositionJets> positions,
+                              const Point& point,
+                              DyadPoint which) {
   const ConditionRows system = make_condition_rows(positions);
-  const Point z = in_system(system, circle_point);
-  const CommonSolution centre = common_solution({system, z});
-  if (!(centre.error < kUselessLoss)) {
+  const Point given = in_system(system, point);
+  const CommonSolution found = common_solution({system, given, which});
+  if (!(found.error < kUselessLoss)) {
     return std::nullopt;
   }
-  const Vec3 circle(z.real(), z.imag(), 1.0);
-  return dyad_with_digits(seven_of(circle, centre.vector), system, positions, centre.error);
+  const Vec3 finite(given.real(), given.imag(), 1.0);
+  const DyadCoordinates x = which == DyadPoint::circle_point ? seven_of(finite, found.vector)
+                                                             : seven_of(found.vector, finite);
+  return dyad_with_digits(x, system, positions, found.error);
+}
+
+std::optional<PlaneLine> find_partner_line(std::span<const PositionJets> positions,
+                                           const Point& point,
+                                           DyadPoint which) {
+  KINESTAT_EXPECTS(position_count(positions) == 2);
+  const ConditionRows system = make_condition_rows(positions);
+  const Conditions conditions(system, in_system(system, point), which);
+  const Vec3& row = conditions.rows[0];
+  const double size = std::hypot(row[0], row[1]);
+  if (!(conditions.errors[0] < kUselessLoss * size)) {
+    return std::nullopt;
+  }
+  const Point normal(row[0] / size, row[1] / size);
+  return PlaneLine{.normal = normal,
+                   .offset = dot(normal, {system.x, system.y}) - system.length * row[2] / size};
+}
+
+std::optional<Dyad> make_crank(std::span<const PositionJets> positions,
+                               const Point& circle_point,
+                               const Point& centre_point) {
+  const ConditionRows system = make_condition_rows(positions);
+  const Point z = in_system(system, circle_point);
+  const Point w = in_system(system, centre_point);
+  const double error = std::ranges::max(system.noise);
+  return dyad_with_digits(
+      seven_of({z.real(), z.imag(), 1.0}, {w.real(), w.imag(), 1.0}), system, positions, error);
 }
 
 std::optional<Circle> find_straight_path_circle(std::span<const PositionJets> positions) {

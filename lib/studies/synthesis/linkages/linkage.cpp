@@ -75,6 +75,10 @@ Pose pose_of(const PositionJets& position) {
   return {.origin = origin(position), .angle = position.angle[0]};
 }
 
+Pose frame_of(DyadPoint which, std::span<const PositionJets> positions) {
+  return which == DyadPoint::circle_point ? pose_of(positions[0]) : Pose{.origin = {0.0, 0.0}};
+}
+
 double FourBarLengths::longest() const {
   return std::ranges::max(as_array(*this));
 }
@@ -96,22 +100,6 @@ std::optional<FourBarLengths> lengths_of(const Linkage& linkage) {
       .coupler = coupler.value,
       .crank_other = other.length,
       .bound = ground.bound + coupler.bound + length_of(one).bound + length_of(other).bound};
-}
-
-std::string_view word_of(GrashofClass which) {
-  switch (which) {
-    case GrashofClass::crank_rocker:
-      return "crank_rocker";
-    case GrashofClass::double_crank:
-      return "double_crank";
-    case GrashofClass::double_rocker:
-      return "double_rocker";
-    case GrashofClass::triple_rocker:
-      return "triple_rocker";
-    case GrashofClass::change_point:
-      return "change_point";
-  }
-  return "";
 }
 
 std::string_view word_of(FourBarLink link) {

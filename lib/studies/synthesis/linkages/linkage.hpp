@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "description/synthesis_description.hpp"
 #include "studies/synthesis/dyads/bounded_point.hpp"
 #include "studies/synthesis/dyads/dyad.hpp"
 
@@ -51,6 +52,9 @@ struct Pose {
 
 Pose pose_of(const PositionJets& position);
 
+/// The frame in which such a point of a dyad is given, in the first position.
+Pose frame_of(DyadPoint which, std::span<const PositionJets> positions);
+
 /// The links of a four-bar [length].
 struct FourBarLengths {
   double ground = 0.0;
@@ -65,16 +69,6 @@ struct FourBarLengths {
 
 /// Empty unless both dyads are cranks.
 std::optional<FourBarLengths> lengths_of(const Linkage& linkage);
-
-enum class GrashofClass {
-  crank_rocker,   ///< the shortest link is a crank, see `which`
-  double_crank,   ///< the shortest link is the ground (drag link)
-  double_rocker,  ///< the shortest link is the coupler, which turns fully
-  triple_rocker,  ///< not Grashof: no link turns fully
-  change_point    ///< shortest and longest equal the other two: a position with all in line
-};
-
-std::string_view word_of(GrashofClass which);
 
 enum class FourBarLink { ground, crank_one, coupler, crank_other };
 

@@ -262,9 +262,15 @@ std::string find_rejection(const std::vector<PositionJets>& positions,
   }
   if (!partner) {
     const bool is_large = dyad->kind == DyadKind::crank && dyad->length > limits.size;
-    return is_large                            ? std::string(word_of(Defect::size))
-           : passes_in_order(*dyad, positions) ? ""
-                                               : std::string(word_of(Defect::order));
+    const auto is_outside = [&](DyadPoint which) {
+      return distance_outside(*dyad, which, limits) > 0.0;
+    };
+    const Defect defect = !passes_in_order(*dyad, positions)    ? Defect::order
+                          : is_outside(DyadPoint::centre_point) ? Defect::centre_point
+                          : is_outside(DyadPoint::circle_point) ? Defect::circle_point
+                          : is_large                            ? Defect::size
+                                                                : Defect::none;
+    return defect == Defect::none ? "" : std::string(word_of(defect));
   }
   // A crank of the curve makes a four-bar also where the task asks for a slider.
   LinkageLimits of_any_type = limits;

@@ -234,6 +234,14 @@ std::string_view phrase_of(Defect defect) {
       return "branch defect";
     case Defect::order:
       return "order defect";
+    case Defect::grashof:
+      return "other class";
+    case Defect::full_turn:
+      return "drive does not turn fully";
+    case Defect::centre_point:
+      return "centre point outside";
+    case Defect::circle_point:
+      return "circle point outside";
     case Defect::transmission:
       return "transmission angle too small";
     case Defect::ratio:

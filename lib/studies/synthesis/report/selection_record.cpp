@@ -20,6 +20,10 @@ constexpr std::array<const char*, kDefectCount - 1> kDefectTexts = {
     "Circuit defect.",
     "Branch defect.",
     "Order defect.",
+    "Of another class than asked for.",
+    "The input meets a dead point elsewhere.",
+    "A centre point outside its area.",
+    "A circle point outside its area.",
     "Below the limit.",
     "Above the limit.",
     "Above the limit."};

@@ -81,7 +81,8 @@ void add_solution(Record<TaskView>& keys) {
   using View = TaskView;
   keys.word("status",
             words_up_to(BurmesterStatus::no_digits),
-            "Of five positions. family: infinitely many dyads, see reason; no_digits: the "
+            "Of five positions, and of dyads that are given or chosen. family: infinitely many "
+            "dyads, see reason; no_digits: the "
             "positions are too close.",
             [](const View& v) { return word_of(v.task.dyads->status); })
       .only_if(has_dyads);

@@ -1,6 +1,7 @@
 #include "studies/synthesis/report/synthesis_text.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -45,8 +46,8 @@ std::string rejected_text(const SelectionCounts& counts) {
 
 std::string selection_text(const SelectionCounts& counts, bool has_tasks) {
   if (counts.samples == 0) {
-    return "nothing to choose from: no curve of circle points passes through the area of "
-           "'circle_points'\n";
+    return "nothing to choose from: the curve of these points does not pass through the area of "
+           "'vary'\n";
   }
   return fmt::format("{} choices tried, {} with a linkage, {} with a usable one\n{}{}",
                      counts.samples,
@@ -79,7 +80,7 @@ class TaskText {
     TextBlocks text("\n" + choice_text() + positions_text(task_, plane_));
     if (task_.dyads) {
       text += dyads_blocks(task_, analysis_.digits.value_or(kDoubleDigits), plane_);
-      text += linkages_blocks(task_, analysis_.limits, plane_);
+      text += free_dyads() == 0 ? linkages_blocks(task_, analysis_.limits, plane_) : TextBlocks();
     }
     if (task_.curves) {
       text += curves_text(*task_.curves);
@@ -93,30 +94,67 @@ class TaskText {
           plane_.point(task_.straight_paths->centre),
           plane_.length(task_.straight_paths->radius));
     } else if (!task_.dyads && !task_.curves) {
-      text += "any point is a circle point\n";
+      text += "any point is a circle point, with its centres on a line\n";
     }
     text += offer_text();
     return text;
   }
 
  private:
-  // Three and four positions leave circle points to choose from; a family that holds otherwise does
-  // not.
+  // How many of two are neither given nor chosen, of positions that leave a choice.
+  int free_dyads() const {
+    const int given = task_.dyads ? static_cast<int>(task_.dyads->dyads.size()) : 0;
+    return position_count(task_.positions) > 4 ? 0 : std::max(2 - given, 0);
+  }
+
+  // Few positions leave dyads to choose from; a family that holds otherwise does not.
   std::string offer_text() const {
-    int count = 0;
-    for (const PositionJets& position : task_.positions) {
-      count += position.order();
-    }
     const bool is_family = task_.special != Degeneracy::none ||
                            (task_.curves && task_.curves->status != BurmesterStatus::solved);
-    const bool are_chosen =
-        std::ranges::find(analysis_.description.synthesis->vary,
-                          FreeNumber::circle_points,
-                          &SynthesisRange::which) != analysis_.description.synthesis->vary.end();
-    return count < 3 || count > 4 || is_family || are_chosen
-               ? ""
-               : "to select linkages, say where their circle points may lie:\n"
-                 "  vary: {circle_points: {from: [x, y], to: [x, y]}}\n";
+    const auto& vary = analysis_.description.synthesis->vary;
+    const bool are_chosen = std::ranges::any_of(
+        vary, [](const SynthesisRange& range) { return chooses_dyads(range.which); });
+    const int free = free_dyads();
+    if (free == 0 || is_family || are_chosen) {
+      return "";
+    }
+    const std::string_view what = free == 1 ? "one dyad is free" : "two dyads are free";
+    if (position_count(task_.positions) == 2) {
+      return fmt::format(
+          "{}; to have a linkage, give both with their pivots:\n"
+          "  dyads: [{{circle_point: [x, y]}}, {{circle_point: [x, y]}}]\n"
+          "where a message says on which line the other pivot lies\n",
+          what);
+    }
+    const std::string end = plane_.length(half_width());
+    return fmt::format(
+        "{1}; to select linkages, say where their circle points may lie, or their "
+        "centre points:\n"
+        "  vary: {{circle_points: {{from: [-{0}, -{0}], to: [{0}, {0}]}}}}\n"
+        "or give pivots:\n"
+        "  dyads: [{{centre_point: [x, y]}}, {{centre_point: [x, y]}}]\n",
+        end,
+        what);
+  }
+
+  // About the size of the task, for an example.
+  double half_width() const {
+    const Point first = origin(task_.positions.front());
+    double size = 0.0;
+    for (const PositionJets& position : task_.positions) {
+      size = std::max(size, std::abs(origin(position) - first));
+      if (const auto pole = find_pole(position)) {
+        size = std::max(size, std::abs(*pole - first));
+      }
+    }
+    const double unit = plane_.unit_of_length();
+    return size > 0.0 ? unit * round_up(2.0 * size / unit) : unit;
+  }
+
+  // To one digit.
+  static double round_up(double value) {
+    const double digit = std::pow(10.0, std::floor(std::log10(value)));
+    return digit * std::ceil(value / digit);
   }
 
   // What tells this task from the others of the file; its number is that of files and other forms.

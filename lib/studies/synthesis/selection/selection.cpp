@@ -1,6 +1,7 @@
 #include "studies/synthesis/selection/selection.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -21,8 +22,13 @@ double reached_by(const LinkageCandidate& candidate) {
     case Defect::circuit:
     case Defect::branch:
     case Defect::order:
+    case Defect::grashof:
+    case Defect::full_turn:
     case Defect::transmission:
       return candidate.margin();
+    case Defect::centre_point:
+    case Defect::circle_point:
+      return -candidate.outside;
     case Defect::ratio:
       return -candidate.ratio;
     case Defect::size:
@@ -80,14 +86,12 @@ class Selector {
       peaks[i] = selected(places[i]);
       improve(peaks[i]);
     });
-    if (exchange_ > 0) {
-      sort(peaks);  // of two orders of the dyads the better one is kept
-    }
+    sort(peaks);  // of those that are one linkage the best is kept
     for (SelectedLinkage& one : peaks) {
-      keep_if_new(std::move(one));
+      if (selection_.best.size() < keep_) {
+        keep_if_new(std::move(one));
+      }
     }
-    sort(selection_.best);
-    selection_.best.resize(std::min(selection_.best.size(), keep_));
     return std::move(selection_);
   }
 
@@ -203,12 +207,34 @@ class Selector {
   // what they are free for, very different ones too.
   void keep_if_new(SelectedLinkage one) {
     const bool is_known = std::ranges::any_of(selection_.best, [&](const SelectedLinkage& other) {
-      return is_near(one, other, 0) || (exchange_ > 0 && is_near(one, other, exchange_)) ||
-             is_same(one.candidate, other.candidate);
+      return is_same(one.candidate, other.candidate) || is_below(one, other, 0) ||
+             (exchange_ > 0 && is_below(one, other, exchange_));
     });
     if (!is_known) {
       selection_.best.push_back(std::move(one));
     }
+  }
+
+  // On the slope of a better one, with its numbers so many places further on: beside it, or the
+  // straight way there hardly leads down.
+  bool is_below(const SelectedLinkage& one,
+                const SelectedLinkage& better,
+                std::size_t places) const {
+    constexpr double kDip = 0.05;  // as a share of the margin: the search follows no sharp ridge
+    constexpr std::array<double, 7> kOnTheWay = {0.5, 0.25, 0.75, 0.125, 0.375, 0.625, 0.875};
+    if (is_near(one, better, places)) {
+      return true;
+    }
+    return std::ranges::all_of(kOnTheWay, [&](double share) {
+      std::vector<double> choice;
+      for (std::size_t i = 0; i < ranges_.size(); ++i) {
+        const double to = better.choice[(i + places) % ranges_.size()];
+        choice.push_back(one.choice[i] + share * (to - one.choice[i]));
+      }
+      const std::optional<LinkageCandidate> found = make_(choice);
+      return found && found->defect == Defect::none &&
+             found->margin() >= (1.0 - kDip) * one.candidate.margin();
+    });
   }
 
   static bool is_same(const LinkageCandidate& one, const LinkageCandidate& other) {

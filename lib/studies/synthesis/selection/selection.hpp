@@ -28,6 +28,9 @@ using ForEach = std::function<void(std::size_t count, const std::function<void(s
 
 void one_after_another(std::size_t count, const std::function<void(std::size_t)>& job);
 
+/// How many of the best a report and its picture have.
+inline constexpr int kBestLinkages = 10;
+
 inline constexpr std::size_t kDefectCount = static_cast<std::size_t>(Defect::size) + 1;
 
 struct SelectedLinkage {
@@ -55,8 +58,9 @@ enum class ChoiceHalves { differ, alike };
 /// improved between their neighbours, step by step along each number, as long as the margin of the
 /// transmission angle grows. Where none is usable, the nearest has the mildest defect, and of those
 /// that miss a limit it misses it least. The same result in every run, whatever `for_each` does at
-/// once. Without `lacking` a choice without a linkage misses dyads. Where `halves` are alike, one
-/// for each dyad, their exchange makes no other linkage, and the best have it once.
+/// once. Without `lacking` a choice without a linkage misses dyads. The best are different ones: of
+/// those between which the straight way hardly leads down only the better is kept. Where `halves`
+/// are alike, one for each dyad, their exchange makes no other linkage, and the best have it once.
 Selection select_linkages(std::span<const SelectionRange> ranges,
                           const CandidateMaker& make,
                           int keep,

@@ -81,8 +81,12 @@ bool solve_tasks(const SynthesisValues& values, Diagnostics& found, SynthesisAna
     return false;
   }
   for (const std::vector<PositionJets>& positions : *tasks) {
+    const auto given = values.given_dyads(positions, found);
+    if (!given) {
+      return false;
+    }
     analysis.tasks.push_back(
-        solve_task(positions, values.limits(), last_decimal_of(analysis.description)));
+        solve_task(positions, values.limits(), last_decimal_of(analysis.description), *given));
   }
   analysis.form = form_of(tasks->front());
   return true;
@@ -158,6 +162,15 @@ void warn_of_few_digits(const SynthesisAnalysis& analysis, Diagnostics& found) {
                 std::string(hint));
 }
 
+// Whether every choice of angles has the dyads that the file gives.
+bool check_given_dyads(const SynthesisValues& values,
+                       const std::optional<std::vector<std::vector<PositionJets>>>& tasks,
+                       Diagnostics& found) {
+  return tasks && std::ranges::all_of(*tasks, [&](const std::vector<PositionJets>& positions) {
+           return values.given_dyads(positions, found).has_value();
+         });
+}
+
 }  // namespace
 
 std::optional<SynthesisAnalysis> find_synthesis(const std::string& path,
@@ -198,9 +211,11 @@ bool check_synthesis_task(const MechanismDescription& description, Diagnostics& 
     return check_digits(*digits, description, found) &&
            TaskPositions<ExactInput>(description).of_tasks({}, found).has_value();
   }
-  return description.synthesis->vary.empty()
-             ? values.positions_of_tasks({}, found).has_value()
-             : find_selection_tasks(values, *description.synthesis, found).has_value();
+  return check_given_dyads(values,
+                           description.synthesis->vary.empty()
+                               ? values.positions_of_tasks({}, found)
+                               : find_selection_tasks(values, *description.synthesis, found),
+                           found);
 }
 
 }  // namespace kinestat

@@ -59,6 +59,21 @@ class LastDecimalFinder {
     return result;
   }
 
+  // Half a unit of the last decimal, if it has one.
+  std::optional<double> half_unit(const Value& value, QuantityKind kind) const {
+    const Node* literal = find_literal(value.expression);
+    if (literal == nullptr || literal->value == 0.0) {
+      return std::nullopt;
+    }
+    const auto place = last_place(value.expression.text_of(*literal));
+    if (!place) {
+      return std::nullopt;
+    }
+    Diagnostics none;
+    const double unit = std::abs(positions_.number(value, kind, none) / literal->value);
+    return 0.5 * unit * *place;
+  }
+
  private:
   void take_point(const PointDescription& point, LastDecimal& result) const {
     for (const Value& value : point.coordinates) {
@@ -67,15 +82,8 @@ class LastDecimalFinder {
   }
 
   void take(const Value& value, QuantityKind kind, double& half) const {
-    const Node* literal = find_literal(value.expression);
-    if (literal == nullptr || literal->value == 0.0) {
-      return;
-    }
-    if (const auto place = last_place(value.expression.text_of(*literal))) {
-      Diagnostics none;
-      const double unit = std::abs(positions_.number(value, kind, none) / literal->value);
-      const double found = 0.5 * unit * *place;
-      half = half > 0.0 ? std::min(half, found) : found;
+    if (const auto found = half_unit(value, kind)) {
+      half = half > 0.0 ? std::min(half, *found) : *found;
     }
   }
 
@@ -87,6 +95,16 @@ class LastDecimalFinder {
 
 LastDecimal last_decimal_of(const MechanismDescription& description) {
   return LastDecimalFinder(description).run();
+}
+
+double rounding_of(const PointDescription& point, const MechanismDescription& description) {
+  const LastDecimalFinder finder(description);
+  double square = 0.0;
+  for (const Value& value : point.coordinates) {
+    const double half = finder.half_unit(value, QuantityKind::length).value_or(0.0);
+    square += half * half;
+  }
+  return std::sqrt(square);
 }
 
 }  // namespace kinestat

@@ -13,8 +13,6 @@ namespace {
 
 using Tasks = std::vector<std::vector<PositionJets>>;
 
-constexpr int kKept = 5;
-
 // The tasks of some choice. Where all that are tried contradict themselves, the first says why.
 std::optional<Tasks> find_possible_tasks(const SynthesisValues& values,
                                          std::span<const SelectionRange> ranges,
@@ -69,7 +67,7 @@ void select_task(const SynthesisValues& values,
   };
   const Selection selection = select_linkages(values.ranges(),
                                               candidates_of(make_task, values.limits()),
-                                              kKept,
+                                              kBestLinkages,
                                               for_each,
                                               shortfalls_of(make_task));
   add_counts(selection, analysis);
@@ -86,36 +84,40 @@ void select_task(const SynthesisValues& values,
   }
 }
 
-// Three or four positions: the dyads are those of the circle points chosen.
-void select_circle_points(const SynthesisValues& values,
-                          const std::vector<PositionJets>& positions,
-                          const ForEach& for_each,
-                          SynthesisAnalysis& analysis) {
-  const CirclePointChoice choice(positions, *values.circle_points());
+// Three or four positions: the dyads are given, or those of the points chosen. False iff an error
+// was added.
+bool select_dyads(const SynthesisValues& values,
+                  const std::vector<PositionJets>& positions,
+                  const ForEach& for_each,
+                  Diagnostics& found,
+                  SynthesisAnalysis& analysis) {
+  const std::optional<std::vector<Dyad>> given = values.given_dyads(positions, found);
+  if (!given) {
+    return false;
+  }
+  const DyadChoice choice(positions,
+                          *values.choice_area(),
+                          given->empty() ? std::nullopt : std::optional(given->front()));
   const LinkageLimits limits = values.limits();
   const CandidateMaker make = [&](std::span<const double> numbers) {
     return choice.candidate(numbers, limits);
   };
   const std::vector<SelectionRange> ranges = choice.ranges(values.samples());
   if (ranges.empty()) {
-    analysis.tasks.push_back(solve_task(positions, limits));
-    return;
+    analysis.tasks.push_back(solve_task(positions, limits, {}, *given));
+    return true;
   }
   const Selection selection =
-      select_linkages(ranges, make, kKept, for_each, {}, ChoiceHalves::alike);
+      select_linkages(ranges, make, kBestLinkages, for_each, {}, choice.halves());
   add_counts(selection, analysis);
   for (const SelectedLinkage& one : shown_of(selection)) {
     SynthesisTask task;
     task.choice = SynthesisChoice{};
     task.positions = positions;
-    task.dyads = BurmesterSolution{.dyads = choice.dyads(one.choice)};
-    if (choice.curves()) {
-      task.dyads->digits = choice.curves()->digits;
-      task.dyads->reciprocal_condition = choice.curves()->reciprocal_condition;
-    }
-    task.linkages = rank_linkages(task.dyads->dyads, positions, limits);
+    add_dyads(choice.dyads(one.choice), choice.curves(), limits, task);
     analysis.tasks.push_back(std::move(task));
   }
+  return true;
 }
 
 }  // namespace
@@ -123,7 +125,7 @@ void select_circle_points(const SynthesisValues& values,
 std::optional<Tasks> find_selection_tasks(const SynthesisValues& values,
                                           const SynthesisDescription& task,
                                           Diagnostics& found) {
-  if (values.circle_points()) {
+  if (values.choice_area()) {
     return values.positions_of_tasks({}, found);
   }
   std::optional<Tasks> possible = find_possible_tasks(values, values.ranges(), found);
@@ -148,7 +150,7 @@ bool select_tasks(const SynthesisValues& values,
   if (!possible) {
     return false;
   }
-  const bool chooses_points = values.circle_points().has_value();
+  const bool chooses_dyads = values.choice_area().has_value();
   analysis.form = form_of(possible->front());
   const ForEach for_each = for_each_on_threads(jobs);
   analysis.selection = SelectionCounts{};
@@ -158,10 +160,10 @@ bool select_tasks(const SynthesisValues& values,
     for (const PositionJets& position : (*possible)[task]) {
       selection.angles.push_back(position.angle[0]);
     }
-    if (chooses_points) {
-      select_circle_points(values, (*possible)[task], for_each, analysis);
-    } else {
+    if (!chooses_dyads) {
       select_task(values, task, for_each, analysis);
+    } else if (!select_dyads(values, (*possible)[task], for_each, found, analysis)) {
+      return false;
     }
   }
   return true;

@@ -1,6 +1,9 @@
 #include "studies/synthesis/task/synthesis_task.hpp"
 
 #include <algorithm>
+#include <utility>
+
+#include "studies/synthesis/task/given_dyad_fault.hpp"
 
 namespace kinestat {
 
@@ -24,7 +27,8 @@ std::optional<LinkageType> type_of(LinkageKind kind) {
 
 SynthesisTask solve_task(std::vector<PositionJets> positions,
                          const LinkageLimits& limits,
-                         const LastDecimal& decimal) {
+                         const LastDecimal& decimal,
+                         const std::vector<Dyad>& given) {
   SynthesisTask task;
   task.positions = std::move(positions);
   const int count = position_count(task.positions);
@@ -39,15 +43,74 @@ SynthesisTask solve_task(std::vector<PositionJets> positions,
   if (count < 4) {
     task.special = find_degeneracy(task.positions);
   }
+  if (!given.empty()) {
+    add_dyads(given, task.curves, limits, task);
+  }
   return task;
 }
 
+void add_dyads(std::vector<Dyad> dyads,
+               const std::optional<FourPositionCurves>& curves,
+               const LinkageLimits& limits,
+               SynthesisTask& task) {
+  task.dyads = BurmesterSolution{.dyads = std::move(dyads)};
+  if (curves) {
+    task.dyads->digits = curves->digits;
+    task.dyads->reciprocal_condition = curves->reciprocal_condition;
+  }
+  task.linkages = rank_linkages(task.dyads->dyads, task.positions, limits);
+}
+
 SynthesisValues::SynthesisValues(const MechanismDescription& description)
-    : task_(*description.synthesis), positions_(description) {}
+    : description_(description), task_(*description.synthesis), positions_(description) {}
 
 double SynthesisValues::number(const Value& value, QuantityKind kind) const {
   Diagnostics none;
   return positions_.number(value, kind, none);
+}
+
+Point SynthesisValues::point(const std::vector<Value>& coordinates) const {
+  return {number(coordinates[0], QuantityKind::length),
+          number(coordinates[1], QuantityKind::length)};
+}
+
+std::optional<PlaneArea> SynthesisValues::area(const std::optional<AreaDescription>& area) const {
+  if (!area) {
+    return std::nullopt;
+  }
+  std::vector<Point> corners;
+  for (const PointDescription& corner : area->corners) {
+    corners.push_back(point(corner.coordinates));
+  }
+  return corners.size() == 2 ? PlaneArea::between(corners[0], corners[1])
+                             : PlaneArea(std::move(corners));
+}
+
+GivenDyad SynthesisValues::given(const DyadDescription& dyad) const {
+  GivenDyad result;
+  if (dyad.circle_point) {
+    result.circle_point = point(dyad.circle_point->coordinates);
+    result.rounding = rounding_of(*dyad.circle_point, description_);
+  }
+  if (dyad.centre_point) {
+    result.centre_point = point(dyad.centre_point->coordinates);
+    result.rounding = std::max(result.rounding, rounding_of(*dyad.centre_point, description_));
+  }
+  return result;
+}
+
+std::optional<std::vector<Dyad>> SynthesisValues::given_dyads(
+    std::span<const PositionJets> positions, Diagnostics& found) const {
+  std::vector<Dyad> dyads;
+  for (std::size_t i = 0; i < task_.dyads.size(); ++i) {
+    const CompletedDyad completed = complete_dyad(positions, given(task_.dyads[i]));
+    if (!completed.dyad) {
+      add_fault(completed, i, positions, description_, found);
+      return std::nullopt;
+    }
+    dyads.push_back(*completed.dyad);
+  }
+  return dyads;
 }
 
 std::optional<std::vector<std::vector<PositionJets>>> SynthesisValues::positions_of_tasks(
@@ -63,7 +126,7 @@ std::optional<std::vector<PositionJets>> SynthesisValues::positions_of_task(
 std::vector<SelectionRange> SynthesisValues::ranges() const {
   std::vector<SelectionRange> result;
   for (const SynthesisRange& range : task_.vary) {
-    if (range.which == FreeNumber::circle_points) {
+    if (chooses_dyads(range.which)) {
       continue;
     }
     const QuantityKind kind = kind_of(range.which);
@@ -77,16 +140,16 @@ std::vector<SelectionRange> SynthesisValues::ranges() const {
   return result;
 }
 
-std::optional<CirclePointArea> SynthesisValues::circle_points() const {
-  const auto range =
-      std::ranges::find(task_.vary, FreeNumber::circle_points, &SynthesisRange::which);
+std::optional<ChoiceArea> SynthesisValues::choice_area() const {
+  const auto range = std::ranges::find_if(
+      task_.vary, [](const SynthesisRange& one) { return chooses_dyads(one.which); });
   if (range == task_.vary.end()) {
     return std::nullopt;
   }
-  const auto corner = [&](const std::vector<Value>& of) {
-    return Point(number(of[0], QuantityKind::length), number(of[1], QuantityKind::length));
-  };
-  return CirclePointArea{.from = corner(range->from), .to = corner(range->to)};
+  return ChoiceArea{.from = point(range->from),
+                    .to = point(range->to),
+                    .of = range->which == FreeNumber::circle_points ? DyadPoint::circle_point
+                                                                    : DyadPoint::centre_point};
 }
 
 int SynthesisValues::samples() const {
@@ -120,6 +183,7 @@ SynthesisChoice SynthesisValues::choice_of(std::span<const double> numbers) cons
         choice.freedom->tau_2 = numbers[at];
         break;
       case FreeNumber::circle_points:
+      case FreeNumber::centre_points:
         break;
     }
     at += range.from.size();
@@ -140,6 +204,10 @@ LinkageLimits SynthesisValues::limits() const {
   if (given.size) {
     limits.size = number(*given.size, QuantityKind::length);
   }
+  limits.classes = given.classes;
+  limits.turns_fully = given.turns_fully;
+  limits.circle_points = area(given.circle_points);
+  limits.centre_points = area(given.centre_points);
   return limits;
 }
 

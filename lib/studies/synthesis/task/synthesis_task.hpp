@@ -8,7 +8,8 @@
 
 #include "core/diagnostic.hpp"
 #include "description/mechanism_description.hpp"
-#include "studies/synthesis/dyads/circle_point_choice.hpp"
+#include "studies/synthesis/dyads/dyad_choice.hpp"
+#include "studies/synthesis/dyads/given_dyad.hpp"
 #include "studies/synthesis/report/synthesis_report.hpp"
 #include "studies/synthesis/selection/selection.hpp"
 #include "studies/synthesis/synthesis.hpp"
@@ -17,10 +18,18 @@
 namespace kinestat {
 
 /// A task of this file with what was found for it: dyads, linkages and curves, by the number of its
-/// positions.
+/// positions. Three and four positions have the dyads that are given, if any.
 SynthesisTask solve_task(std::vector<PositionJets> positions,
                          const LinkageLimits& limits,
-                         const LastDecimal& decimal = {});
+                         const LastDecimal& decimal = {},
+                         const std::vector<Dyad>& given = {});
+
+/// Dyads of few positions that are given or chosen, with the digits of their curves if they have
+/// any, and their linkages.
+void add_dyads(std::vector<Dyad> dyads,
+               const std::optional<FourPositionCurves>& curves,
+               const LinkageLimits& limits,
+               SynthesisTask& task);
 
 /// Values of the section `synthesis` of a description that is right by itself (check).
 class SynthesisValues {
@@ -36,11 +45,16 @@ class SynthesisValues {
                                                              const SynthesisChoice& choice,
                                                              Diagnostics& found) const;
 
-  /// The ranges of `vary` by its numbers, two for a point; none where circle points are free.
+  /// The dyads that the file gives: for one choice of angles. Empty iff an error was added: E0305
+  /// for a point with which there is no dyad, E0303 for one that two positions need beside it.
+  std::optional<std::vector<Dyad>> given_dyads(std::span<const PositionJets> positions,
+                                               Diagnostics& found) const;
+
+  /// The ranges of `vary` by its numbers, two for a point; none where dyads are chosen.
   std::vector<SelectionRange> ranges() const;
 
-  /// Where circle points may lie, if they are free.
-  std::optional<CirclePointArea> circle_points() const;
+  /// Where circle points, or centre points, may lie, if dyads are chosen.
+  std::optional<ChoiceArea> choice_area() const;
 
   /// How many combinations a selection tries, about.
   int samples() const;
@@ -56,7 +70,11 @@ class SynthesisValues {
 
  private:
   double number(const Value& value, QuantityKind kind) const;
+  Point point(const std::vector<Value>& coordinates) const;
+  std::optional<PlaneArea> area(const std::optional<AreaDescription>& area) const;
+  GivenDyad given(const DyadDescription& dyad) const;
 
+  const MechanismDescription& description_;
   const SynthesisDescription& task_;
   TaskPositions<double> positions_;
 };

@@ -67,4 +67,8 @@ class TaskPositions {
 /// itself (check).
 LastDecimal last_decimal_of(const MechanismDescription& description);
 
+/// How far a point may be off if the last decimals of its coordinates are rounded; zero where they
+/// count as exact [length].
+double rounding_of(const PointDescription& point, const MechanismDescription& description);
+
 }  // namespace kinestat

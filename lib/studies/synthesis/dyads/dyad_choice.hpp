@@ -1,4 +1,4 @@
-// Linkages of three and four positions, which leave the circle points free.
+// Linkages of three and four positions, which leave a point of each dyad free.
 #pragma once
 
 #include <optional>
@@ -10,24 +10,31 @@
 
 namespace kinestat {
 
-/// A rectangle along the axes of the moving frame, given by two opposite corners [length].
-struct CirclePointArea {
+/// A rectangle along the axes of the frame of these points, given by two opposite corners [length].
+struct ChoiceArea {
   Point from;
   Point to;
+  DyadPoint of = DyadPoint::circle_point;
 };
 
-/// Every pair of circle points in an area, by free numbers for a selection. Of three positions any
-/// point is a circle point: the numbers are the coordinates of both [length]. Of four they lie on a
-/// curve: the numbers are their places along its part in the area, each from 0 to 1.
-class CirclePointChoice {
+/// Every pair of circle points, or of centre points, in an area, by free numbers for a selection.
+/// Of three positions any point will do: the numbers are the coordinates of both [length]. Of four
+/// they lie on a curve: the numbers are their places along its part in the area, each from 0 to 1.
+/// One dyad may be given; the numbers are those of the other then.
+class DyadChoice {
  public:
-  CirclePointChoice(std::vector<PositionJets> positions, const CirclePointArea& area);
+  DyadChoice(std::vector<PositionJets> positions,
+             const ChoiceArea& area,
+             std::optional<Dyad> given = {});
 
   /// One range a number, with about `samples` combinations in all. Empty if four positions have no
   /// curve, or none in the area.
   std::vector<SelectionRange> ranges(int samples) const;
 
-  /// The dyads of both circle points, or none where one of them has no centre.
+  /// Whether both dyads are chosen.
+  ChoiceHalves halves() const { return given_ ? ChoiceHalves::differ : ChoiceHalves::alike; }
+
+  /// Both dyads, that which is given first, or none where one of them is left open.
   std::vector<Dyad> dyads(std::span<const double> numbers) const;
 
   /// The linkage of these dyads.
@@ -40,9 +47,10 @@ class CirclePointChoice {
   const std::optional<FourPositionCurves>& curves() const { return curves_; }
 
  private:
-  void find_steps(const CirclePointArea& area);
+  void find_steps();
   Point on_curve(double share) const;
-  Point circle_point(std::span<const double> numbers) const;
+  Point chosen_point(std::span<const double> numbers) const;
+  std::optional<Dyad> chosen_dyad(std::span<const double> numbers) const;
 
   // A piece of the curve, with the length of all pieces before it and its own.
   struct Step {
@@ -53,7 +61,9 @@ class CirclePointChoice {
   };
 
   std::vector<PositionJets> positions_;
-  CirclePointArea area_;
+  ChoiceArea area_;
+  Pose frame_;  // of the chosen points, at the first position
+  std::optional<Dyad> given_;
   std::optional<FourPositionCurves> curves_;
   std::vector<Step> steps_;  // fixed frame, at the first position
 };

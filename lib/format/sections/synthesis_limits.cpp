@@ -1,0 +1,103 @@
+#include "format/sections/synthesis_limits.hpp"
+
+#include <utility>
+#include <vector>
+
+#include "format/alternatives.hpp"
+#include "format/number_forms.hpp"
+#include "format/value_forms.hpp"
+
+namespace kinestat {
+
+namespace {
+
+constexpr const char* kAreaHint =
+    "write {from: [x, y], to: [x, y]}, or the corners of a polygon: [[x, y], [x, y], [x, y]]";
+
+struct Rectangle {
+  PointDescription from;
+  PointDescription to;
+};
+
+const Mapping<Rectangle>& rectangle() {
+  static const Mapping<Rectangle> mapping("", "", "{from: [-1, -1], to: [1, 1]}", [](auto& m) {
+    m.key("from", "One corner of a rectangle along the axes.")
+        .needed(&Rectangle::from, point_in_plane());
+    m.key("to", "The opposite corner.").needed(&Rectangle::to, point_in_plane());
+  });
+  return mapping;
+}
+
+Form<AreaDescription> area() {
+  const auto polygon = converted<AreaDescription>(
+      list_of(point_in_plane(), "corner {0} of {1}", kAreaHint, {.least = 3}),
+      [](std::vector<PointDescription> corners) {
+        return AreaDescription{.corners = std::move(corners), .where = {}};
+      },
+      [](const AreaDescription& one) { return one.corners; });
+  const auto box = converted<AreaDescription>(
+      rectangle().form(),
+      [](Rectangle one) {
+        return AreaDescription{.corners = {std::move(one.from), std::move(one.to)}, .where = {}};
+      },
+      [](const AreaDescription& one) {
+        return Rectangle{.from = one.corners[0], .to = one.corners[1]};
+      });
+  auto form = by_shape<AreaDescription>({polygon, box}, [](const AreaDescription& one) {
+    return one.corners.size() == 2 ? std::size_t{1} : std::size_t{0};
+  });
+  form.read = [read = form.read](const FileValue& value) {
+    auto one = read(value);
+    if (one) {
+      one->where = value.node.where;
+    }
+    return one;
+  };
+  form.shape.definition = "area";
+  form.shape.meaning =
+      "A part of the plane: a rectangle along the axes by two opposite corners, or the corners of "
+      "a polygon in their order.";
+  form.shape.examples = {"{from: [-1, -1], to: [1, 1]}", "[[0, 0], [2, 0], [1, 1.5]]"};
+  return form;
+}
+
+Word word_for(GrashofClass which, std::string_view meaning) {
+  return {.text = word_of(which), .meaning = meaning};
+}
+
+Form<std::vector<GrashofClass>> classes() {
+  using enum GrashofClass;
+  return one_or_more(
+      choice_of<GrashofClass>({word_for(crank_rocker, "the shortest link is a crank"),
+                               word_for(double_crank, "the shortest link is the ground"),
+                               word_for(double_rocker, "the shortest link is the coupler"),
+                               word_for(triple_rocker, "no link turns fully"),
+                               word_for(change_point, "all links can lie in one line")}),
+      1,
+      "write class: crank_rocker, or a list of those that will do");
+}
+
+}  // namespace
+
+const Mapping<SynthesisLimits>& synthesis_limits() {
+  static const Mapping<SynthesisLimits> mapping(
+      "", "", "{transmission_angle: 30 deg, link_ratio: 12, size: 20}", [](auto& m) {
+        m.key("transmission_angle", "Least transmission angle, from 0 to below 90 deg.")
+            .may(&SynthesisLimits::transmission_angle, acute_angle(), "30 deg");
+        m.key("link_ratio", "Largest ratio of the longest link to the shortest, at least 1.")
+            .may(&SynthesisLimits::link_ratio, at_least_one(), "12");
+        m.key("size", "Largest length of a link or distance of a pivot.")
+            .may(&SynthesisLimits::size, size(), "20");
+        m.key("class", "Class of a four-bar by Grashof, or a list of those that will do.")
+            .may(&SynthesisLimits::classes, classes(), "crank_rocker");
+        m.key("turns_fully", "true asks for an input that turns fully. Default false.")
+            .may(&SynthesisLimits::turns_fully, flag(), "true");
+        m.key("centre_points", "Where the fixed pivots must lie, in the fixed frame.")
+            .may(&SynthesisLimits::centre_points, area(), "{from: [-1, -1], to: [1, 1]}");
+        m.key("circle_points", "Where the moving pivots must lie, in the moving frame.")
+            .may(&SynthesisLimits::circle_points, area(), "[[0, 0], [2, 0], [1, 1.5]]");
+      });
+  return mapping;
+}
+
+}  // namespace kinestat

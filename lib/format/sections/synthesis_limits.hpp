@@ -1,0 +1,11 @@
+// The key `limits` of the section `synthesis`.
+#pragma once
+
+#include "description/synthesis_description.hpp"
+#include "format/mapping.hpp"
+
+namespace kinestat {
+
+const Mapping<SynthesisLimits>& synthesis_limits();
+
+}  // namespace kinestat
