@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -14,10 +15,36 @@ namespace kinestat {
 
 namespace {
 
+// How far a slide may be from one limit to the other [m]. In a circuit without other slides the two
+// points that were drawn in one place are apart by what its other bodies bridge, at most the
+// greatest distance between two of the couplings of each, to either side.
+double longest_slide(const Mechanism& mechanism) {
+  const Topology& topology = mechanism.topology;
+  double bridged = 0.0;
+  for (int body = 0; body < static_cast<int>(topology.bodies.size()); ++body) {
+    std::vector<Vec3> points;
+    for (std::size_t e = 0; e < topology.couplings.size(); ++e) {
+      const CouplingTopology& coupling = topology.couplings[e];
+      if (coupling.tail.value == body || coupling.head.value == body) {
+        points.push_back(mechanism.geometry.points[e]);
+      }
+    }
+    double widest = 0.0;
+    for (const Vec3& a : points) {
+      for (const Vec3& b : points) {
+        widest = std::max(widest, (a - b).norm());
+      }
+    }
+    bridged += widest;
+  }
+  return 2.0 * std::max(bridged, mechanism.geometry.length);
+}
+
 class MotionBinder {
  public:
   MotionBinder(const MechanismDescription& description, const Mechanism& mechanism)
-      : motion_(*description.motion),
+      : description_(description),
+        motion_(*description.motion),
         mechanism_(mechanism),
         evaluator_(make_evaluator(description, ignored_)) {
     evaluator_.measure_from(mechanism.geometry.origin);
@@ -66,10 +93,15 @@ class MotionBinder {
     const auto value = [&](const std::optional<Value>& text) {
       return text ? evaluator_.number(*text, kind).value_or(0.0) : 0.0;
     };
+    const double from = value(range.from);
+    const int sense = limit_sense(range.to, description_);
     plan_.drives.push_back({.actuator = static_cast<int>(at - topology.actuators.begin()),
                             .freedom = at->freedom,
-                            .from = value(range.from),
-                            .to = value(range.to),
+                            .from = from,
+                            .to = sense == 0 ? value(range.to)
+                                             : from + sense * (turns ? 2.0 * std::numbers::pi
+                                                                     : longest_slide(mechanism_)),
+                            .until_limit = sense != 0,
                             .where = range.actuator.where});
   }
 
@@ -100,6 +132,7 @@ class MotionBinder {
     }
   }
 
+  const MechanismDescription& description_;
   const MotionDescription& motion_;
   const Mechanism& mechanism_;
   Diagnostics ignored_;

@@ -16,6 +16,7 @@ struct PlannedDrive {
   int freedom = 0;   ///< index into Topology::freedoms
   double from = 0.0;
   double to = 0.0;
+  bool until_limit = false;  ///< it runs until it turns back; `to` is how far that is looked for
   SourceRange where;
 };
 

@@ -152,6 +152,14 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "The motion is followed all the same, each position as near to closed as it can be, if none "
      "misses by more than 1e-5 of the size; what is missed is in the report. Type more figures, "
      "or expressions; or let an uncertain link go, if one too many is drawn."},
+    {"W0511",
+     done,
+     "no limit was found",
+     "'to: limit' runs until the drive turns back. A drive that turns is followed through a full "
+     "turn: one that comes round meets no limit, as the crank of a crank-rocker, but for trains "
+     "in which a later turn differs from the first. A drive that slides is followed over twice "
+     "what the other bodies of its circuits could bridge; a limit farther away would need another "
+     "slide, a screw or teeth. Everything up to there is in the report."},
     {"W0601",
      done,
      "actions are statically indeterminate",

@@ -21,7 +21,10 @@ const Mapping<DriveRange>& drive_range() {
         m.key("from", "Where the motion begins, measured from the drawn position.")
             .may(&DriveRange::from, drawn_position(), "0 deg")
             .usual("0");
-        m.key("to", "Where the motion ends, measured from the drawn position.")
+        m.key("to",
+              "Where the motion ends, measured from the drawn position; limit: where the drive "
+              "turns "
+              "back, -limit: where it does so backwards.")
             .needed(&DriveRange::to, drawn_position(), "360 deg");
       });
   return mapping;

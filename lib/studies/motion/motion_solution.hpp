@@ -21,6 +21,8 @@ struct MotionDrive {
 struct MotionTask {
   std::vector<MotionDrive> drives;
   int steps = 360;
+  bool until_limit = false;  ///< the steps divide the way to where the drives turn back; `to` is
+                             ///< how far that is looked for
 };
 
 enum class MotionStatus {
@@ -76,9 +78,9 @@ struct Assembly {
 struct MotionSolution {
   MotionStatus status = MotionStatus::completed;
   Assembly assembly;
-  std::vector<MotionDrive> drives;
-  std::vector<double> shares;  ///< of each position found, rising from 0; the last is a limit
-                               ///< or lift-off where the status says so
+  std::vector<MotionDrive> drives;  ///< `to` of a task until the limit is where that was found
+  std::vector<double> shares;       ///< of each position found, rising from 0; the last is a limit
+                                    ///< or lift-off where the status says so
   std::vector<double> closure_errors;  ///< of each: largest, as share of the mechanism's size
   std::vector<double> coordinates;     ///< those of all positions, one after the other
   std::vector<double> angles;          ///< likewise

@@ -89,7 +89,9 @@ class FigureMaker {
 
   // Over the way of the drives: the trapezoids between the steps of a motion that reaches its end.
   std::optional<double> mean(std::size_t column) const {
-    const bool has_all = table_.end == MotionEnd::complete && table_.rows.size() > 1 &&
+    const bool is_whole = table_.end == MotionEnd::complete ||
+                          (table_.end == MotionEnd::limited && table_.until_limit);
+    const bool has_all = is_whole && table_.rows.size() > 1 &&
                          std::ranges::all_of(table_.rows, [&](const MotionRow& row) {
                            return row.values[column].has_value();
                          });

@@ -77,6 +77,7 @@ class TableMaker {
     table_.label =
         plan_.which < 0 ? "" : mechanism_.cases[static_cast<std::size_t>(plan_.which)].label;
     table_.steps = plan_.steps;
+    table_.until_limit = std::ranges::any_of(plan_.drives, &PlannedDrive::until_limit);
     table_.length_unit = units_.text(QuantityKind::length);
     table_.angle_unit = units_.text(QuantityKind::angle);
     add_drives();

@@ -91,6 +91,9 @@ std::optional<LaneMotions> LaneMotions::make(const MechanismDescription& descrip
     return std::nullopt;
   }
   const PlannedDrive& drive = plan.drives.front();
+  if (drive.until_limit) {
+    return std::nullopt;
+  }
   const MotionNetwork network = make_motion_network(
       mechanism, bind_drawn_couplings(description, mechanism), std::array<int, 1>{drive.freedom});
   std::optional<LaneLinkage> linkage = make_lane_linkage(mechanism, network);
