@@ -9,6 +9,7 @@
 #include "files/file_names.hpp"
 #include "help_format.hpp"
 #include "run/embedded.hpp"
+#include "run/motion.hpp"
 #include "run/plot.hpp"
 #include "run/texts/help_topic.hpp"
 #include "run/texts/library_file.hpp"
@@ -37,6 +38,13 @@ FileNames names_in(Words words) {
     return std::filesystem::is_regular_file(word, ignored);
   });
   return file == words.end() ? FileNames{} : names_in_file(*file);
+}
+
+std::vector<Candidate> quantity_candidates(Words words) {
+  std::vector<std::string> names = motion_words();
+  const FileNames of_file = names_in(words);
+  names.insert(names.end(), of_file.quantities.begin(), of_file.quantities.end());
+  return without_meaning(names);
 }
 
 std::vector<Candidate> parameter_candidates(Words words) {
@@ -102,6 +110,7 @@ CompletionCandidates values_of(const std::string& called, const CLI::App& app, W
       {"ACTUATOR", [&] { return without_meaning(names_in(words).actuators); }},
       {"PARAMETER", [&] { return without_meaning(names_in(words).parameters); }},
       {"PARAMETER=VALUE", [&] { return parameter_candidates(words); }},
+      {"QUANTITY", [&] { return quantity_candidates(words); }},
       {"TOPIC", [&] { return topic_candidates(app); }},
       {"PICTURE", picture_candidates},
       {"CODE", code_candidates},

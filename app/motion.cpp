@@ -37,7 +37,7 @@ void add_motion_choice(CLI::App& command, MotionChoice& choice) {
                choice.report,
                "what is reported, before what the file says;\n"
                "may be repeated",
-               "NAME");
+               "QUANTITY");
 }
 
 }  // namespace

@@ -81,6 +81,12 @@ class Candidates(unittest.TestCase):
         self.assertEqual(parameters, [f"{name}=" for name in names])
         self.assertEqual(candidates("motion", RAVIGNEAUX, "--case=M1")[1], ["--case=M1"])
 
+    def test_reports_of_motions_name_words_and_quantities_of_the_file(self) -> None:
+        for command in (["motion"], ["plot", "motion-curves"]):
+            words = candidates(*command, RAVIGNEAUX, "--report", "")[1]
+            for word in ("velocity", "transmission_angle", "C1", "a.wz", "a.Rx"):
+                self.assertIn(word, words)
+
     def test_paths_stand_where_files_and_folders_do(self) -> None:
         self.assertEqual(candidates("analyze", ""), ("files", []))
         self.assertEqual(candidates("analyze", "a.yaml", "b"), ("files", []))
@@ -101,7 +107,7 @@ class Candidates(unittest.TestCase):
 
     def test_what_a_value_may_be_is_known(self) -> None:
         """Everything in the help but numbers and texts that a user makes up."""
-        free = {"VALUE", "N", "K/N", "SIZE", "X", "KEY=VALUE", "NAME", "NAMES", "QUANTITY", "SEED",
+        free = {"VALUE", "N", "K/N", "SIZE", "X", "KEY=VALUE", "NAME", "NAMES", "SEED",
                 "CRITERIA"}
         for command in commands():
             for long_names, value in entries(command):
