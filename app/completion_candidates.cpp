@@ -63,10 +63,20 @@ std::vector<Candidate> command_candidates(const CLI::App& app) {
   return candidates;
 }
 
-std::vector<Candidate> topic_candidates(const CLI::App& app) {
+// Types, keys and codes are hundreds: they follow once a word is begun.
+std::vector<Candidate> topic_candidates(const CLI::App& app, Words words) {
   std::vector<Candidate> candidates = without_meaning(help_topics());
-  const std::vector<Candidate> commands = command_candidates(app);
-  candidates.insert(candidates.end(), commands.begin(), commands.end());
+  const auto add = [&candidates](const Candidate& one) {
+    if (std::ranges::find(candidates, one.word, &Candidate::word) == candidates.end()) {
+      candidates.push_back(one);
+    }
+  };
+  std::ranges::for_each(command_candidates(app), add);
+  if (!words.back().empty()) {
+    for (const HelpWord& one : help_words()) {
+      add({.word = one.word, .meaning = one.meaning});
+    }
+  }
   return candidates;
 }
 
@@ -111,7 +121,7 @@ CompletionCandidates values_of(const std::string& called, const CLI::App& app, W
       {"PARAMETER", [&] { return without_meaning(names_in(words).parameters); }},
       {"PARAMETER=VALUE", [&] { return parameter_candidates(words); }},
       {"QUANTITY", [&] { return quantity_candidates(words); }},
-      {"TOPIC", [&] { return topic_candidates(app); }},
+      {"TOPIC", [&] { return topic_candidates(app, words); }},
       {"PICTURE", picture_candidates},
       {"CODE", code_candidates},
       {"PART", [] { return without_meaning(report_pages()); }},
