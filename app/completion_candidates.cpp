@@ -9,6 +9,7 @@
 #include "files/file_names.hpp"
 #include "help_format.hpp"
 #include "run/embedded.hpp"
+#include "run/motion.hpp"
 #include "run/plot.hpp"
 #include "run/texts/help_topic.hpp"
 #include "run/texts/library_file.hpp"
@@ -39,6 +40,13 @@ FileNames names_in(Words words) {
   return file == words.end() ? FileNames{} : names_in_file(*file);
 }
 
+std::vector<Candidate> quantity_candidates(Words words) {
+  std::vector<std::string> names = motion_words();
+  const FileNames of_file = names_in(words);
+  names.insert(names.end(), of_file.quantities.begin(), of_file.quantities.end());
+  return without_meaning(names);
+}
+
 std::vector<Candidate> parameter_candidates(Words words) {
   std::vector<Candidate> candidates = without_meaning(names_in(words).parameters);
   for (Candidate& one : candidates) {
@@ -55,10 +63,20 @@ std::vector<Candidate> command_candidates(const CLI::App& app) {
   return candidates;
 }
 
-std::vector<Candidate> topic_candidates(const CLI::App& app) {
+// Types, keys and codes are hundreds: they follow once a word is begun.
+std::vector<Candidate> topic_candidates(const CLI::App& app, Words words) {
   std::vector<Candidate> candidates = without_meaning(help_topics());
-  const std::vector<Candidate> commands = command_candidates(app);
-  candidates.insert(candidates.end(), commands.begin(), commands.end());
+  const auto add = [&candidates](const Candidate& one) {
+    if (std::ranges::find(candidates, one.word, &Candidate::word) == candidates.end()) {
+      candidates.push_back(one);
+    }
+  };
+  std::ranges::for_each(command_candidates(app), add);
+  if (!words.back().empty()) {
+    for (const HelpWord& one : help_words()) {
+      add({.word = one.word, .meaning = one.meaning});
+    }
+  }
   return candidates;
 }
 
@@ -102,7 +120,8 @@ CompletionCandidates values_of(const std::string& called, const CLI::App& app, W
       {"ACTUATOR", [&] { return without_meaning(names_in(words).actuators); }},
       {"PARAMETER", [&] { return without_meaning(names_in(words).parameters); }},
       {"PARAMETER=VALUE", [&] { return parameter_candidates(words); }},
-      {"TOPIC", [&] { return topic_candidates(app); }},
+      {"QUANTITY", [&] { return quantity_candidates(words); }},
+      {"TOPIC", [&] { return topic_candidates(app, words); }},
       {"PICTURE", picture_candidates},
       {"CODE", code_candidates},
       {"PART", [] { return without_meaning(report_pages()); }},

@@ -25,12 +25,7 @@ void add_examples(CLI::App& command, Job& job) {
                options->name,
                "a mechanism of the library, or a folder of it;\n"
                "without it, the list of all");
-  add_argument(command, "FILE", options->path, "the file to write; default standard output");
-  add_flag(
-      command,
-      "--force",
-      [options] { options->overwrite = Overwrite::force; },
-      "replace the file if it exists");
+  add_written_file(command, options->path, options->overwrite);
   run_when_chosen(command, job, [options] {
     return library_file(options->name, options->path, options->overwrite);
   });

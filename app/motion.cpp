@@ -23,7 +23,10 @@ void add_motion_choice(CLI::App& command, MotionChoice& choice) {
                  "--from", choice.from, "where its motion begins, from the drawn\nposition"),
              "VALUE");
   with_value(command,
-             command.add_option("--to", choice.to, "where it ends: '90 deg', '20 mm', 1.5"),
+             command.add_option("--to",
+                                choice.to,
+                                "where it ends: '90 deg', '20 mm', 1.5; limit or\n"
+                                "-limit: where the drive turns back"),
              "VALUE");
   with_value(command, command.add_option("--steps", choice.steps, "number of steps"), "N");
   with_value(command,
@@ -34,7 +37,7 @@ void add_motion_choice(CLI::App& command, MotionChoice& choice) {
                choice.report,
                "what is reported, before what the file says;\n"
                "may be repeated",
-               "NAME");
+               "QUANTITY");
 }
 
 }  // namespace

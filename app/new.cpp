@@ -30,12 +30,7 @@ void add_new(CLI::App& command, Job& job) {
       "  kinestat new shift | less\n");
   auto options = std::make_shared<NewOptions>();
   add_argument(command, "KIND", options->kind, kinds_in_lines()).option_text("KIND");
-  add_argument(command, "FILE", options->path, "the file to write; default standard output");
-  add_flag(
-      command,
-      "--force",
-      [options] { options->overwrite = Overwrite::force; },
-      "replace the file if it exists");
+  add_written_file(command, options->path, options->overwrite);
   run_when_chosen(command, job, [options] {
     return write_starter(options->kind, options->path, options->overwrite);
   });

@@ -19,6 +19,25 @@ void add_choices(CLI::App& command, PlotChoice& choice) {
                                 "the case or gear to show; default all, in\n"
                                 "pictures of one the first"),
              "CASE");
+  add_repeated(command,
+               "--at",
+               choice.at,
+               "draws the mechanism with its drive there, '30 deg'\n"
+               "from the drawn position; may be repeated: the first\n"
+               "is drawn strongly, the others faintly",
+               "VALUE");
+  with_value(command,
+             command.add_option("--drive",
+                                choice.drive,
+                                "the actuator that drives, before what the\n"
+                                "file says"),
+             "ACTUATOR");
+  add_repeated(command,
+               "--report",
+               choice.report,
+               "what charts of a motion show, before what the file\n"
+               "says; may be repeated",
+               "QUANTITY");
   add_choice<PictureForm>(
       command,
       "--emit",
@@ -45,6 +64,8 @@ void add_plot(CLI::App& command, Job& job) {
   command.footer(
       "  kinestat plot list mechanisms/transmissions/ravigneaux.yaml\n"
       "  kinestat plot speeds -o speeds.svg mechanisms/transmissions/ravigneaux.yaml\n"
+      "  kinestat plot linkage --at '30 deg' --at '90 deg' crank.yaml > crank.svg\n"
+      "  kinestat plot motion-curves --report transmission_angle crank.yaml > angle.svg\n"
       "  kinestat plot forces --case M2 --emit gnuplot train.yaml | gnuplot -p\n"
       "\nPictures:\n" +
       picture_help());

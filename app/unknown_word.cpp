@@ -50,6 +50,10 @@ const CLI::App* command_with(const CLI::App& app, const std::string& option) {
 
 UsageMessage unknown_option(const CLI::App& app, const CLI::App& command, const std::string& word) {
   const std::string name = printable(word.substr(0, word.find('=')));
+  if (&command != &app && app.get_option_no_throw(name) != nullptr) {
+    return {"option '" + name + "' is of the program, and '" + command.get_name() + "' has none",
+            "write 'kinestat " + name + "' alone"};
+  }
   const std::string guess = did_you_mean(name, option_names(command));
   const CLI::App* other = &command == &app ? command_with(app, name) : nullptr;
   if (other != nullptr && guess.empty()) {

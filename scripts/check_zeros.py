@@ -48,7 +48,7 @@ DECISIONS = {
     "lib/studies/motion/lanes/lane_looks.cpp": "search: rates so slow that the whole motion decides",
     "lib/studies/motion/report/motion_text.cpp": "words: a range whose ends are the same number is constant",
     "lib/studies/motion/task/motion_events.cpp": "search: rates so slow that their bounds are asked for",
-    "lib/studies/motion/task/motion_passive_findings.cpp": "rank: what a passive freedom moves",
+    "lib/studies/motion/task/idle_rates.cpp": "rank: what a passive freedom moves",
     "lib/studies/sweep/task/state_solver.cpp": "comparison of two ways to the same state",
     "lib/studies/sweep/task/tape_solver.cpp": "search: states whose output may rest are analysed whole",
     "lib/studies/sweep/task/sizes.hpp": "search: states whose values may be rounding are bounded",

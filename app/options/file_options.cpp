@@ -152,6 +152,15 @@ void add_accuracy(CLI::App& command, AccuracyRequest& request) {
       "with auto, 1 to 15; without it 9");
 }
 
+void add_written_file(CLI::App& command, std::string& path, Overwrite& overwrite) {
+  add_argument(command, "FILE", path, "the file to write; default standard output");
+  add_flag(
+      command,
+      "--force",
+      [&overwrite] { overwrite = Overwrite::force; },
+      "replace the file if it exists");
+}
+
 void add_output(CLI::App& command, AnalyseOptions& analyse, const std::string& explanation) {
   with_value(command, command.add_option("-o,--out", analyse.output.folder, explanation), "FOLDER");
   add_flag(

@@ -43,6 +43,9 @@ void add_strict(CLI::App& command, FileOptions& options);
 /// Declares --accuracy and --digits, by which the user trades time for accuracy.
 void add_accuracy(CLI::App& command, AccuracyRequest& request);
 
+/// Declares what is written of texts that the program has: FILE, and --force to replace one.
+void add_written_file(CLI::App& command, std::string& path, Overwrite& overwrite);
+
 /// Declares -o, explained by this, and --force.
 void add_output(CLI::App& command, AnalyseOptions& analyse, const std::string& explanation);
 

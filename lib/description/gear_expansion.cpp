@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 #include <utility>
 #include <variant>
 
@@ -66,15 +67,57 @@ class GearExpansion {
     for (const CouplingDescription& coupling : description_.couplings) {
       add_clutched(coupling, on_axis);
     }
+    on_axis.merge(lone_shafts(on_axis));
     for (CouplingDescription& coupling : description_.couplings) {
-      const bool turns = coupling.type == CouplingType::revolute ||
-                         coupling.type == CouplingType::brake || joins_one_axis(coupling.type);
-      if (turns && !coupling.at &&
+      if (turns_alone(coupling) &&
           (on_axis.contains(coupling.tail.text) || on_axis.contains(coupling.head.text))) {
         coupling.at = CouplingPoint{
             .point = {}, .of_bodies = {}, .along_axis = {}, .where = coupling.name.where};
       }
     }
+  }
+
+  // A coupling that only lets its bodies turn, and says nothing of where.
+  static bool turns_alone(const CouplingDescription& coupling) {
+    return !coupling.at && (coupling.type == CouplingType::revolute ||
+                            coupling.type == CouplingType::brake || joins_one_axis(coupling.type));
+  }
+
+  // Bodies that nothing puts on an axis and that do nothing but turn: in the ground, in what is on
+  // an axis, or in one another. They turn about the main axis.
+  std::set<std::string> lone_shafts(const std::set<std::string>& on_axis) const {
+    std::set<std::string> held;
+    for (const CouplingDescription& coupling : description_.couplings) {
+      held.insert({coupling.tail.text, coupling.head.text});
+    }
+    std::set<std::string> lone;
+    for (const BodyDescription& body : description_.bodies) {
+      if (!on_axis.contains(body.name.text) && held.contains(body.name.text) &&
+          !is_in_cable(body.name.text)) {
+        lone.insert(body.name.text);
+      }
+    }
+    const auto is_shaft = [&](const std::string& body) {
+      return body == description_.ground.text || on_axis.contains(body) || lone.contains(body);
+    };
+    for (bool goes_on = true; goes_on;) {
+      goes_on = false;
+      for (const CouplingDescription& coupling : description_.couplings) {
+        const auto& [tail, head] = std::tie(coupling.tail.text, coupling.head.text);
+        if (!turns_alone(coupling) || !is_shaft(tail) || !is_shaft(head)) {
+          goes_on = lone.erase(tail) + lone.erase(head) > 0 || goes_on;
+        }
+      }
+    }
+    return lone;
+  }
+
+  bool is_in_cable(const std::string& body) const {
+    return std::ranges::any_of(description_.cables, [&](const CableDescription& cable) {
+      return std::ranges::find(cable.over, body, [](const CableStation& one) {
+               return one.body.text;
+             }) != cable.over.end();
+    });
   }
 
   // A shaft without gears turns about the axis of what a clutch joins it to, and so on along a row

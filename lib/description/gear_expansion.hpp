@@ -8,7 +8,8 @@ namespace kinestat {
 /// Appends for each mesh, in the order of the file, a coupling of type `gear` from the body of its
 /// first member to that of its second. In the plane, revolute couplings, clutches and brakes of a
 /// body that has a member or is a carrier, or that clutches join to one, and that say nothing of
-/// their place, come to stand on the axis of that body.
+/// their place, come to stand on the axis of that body; those of a body that does nothing but turn,
+/// on the main axis.
 ///
 /// To be done once, after reading and before expand_cables, because couplings come first, then
 /// meshes, then cables. Nothing is added if a mesh joins what the file does not declare or a body

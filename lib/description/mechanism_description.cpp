@@ -16,6 +16,16 @@ std::vector<Parameter> parameters_of(const MechanismDescription& description) {
   return parameters;
 }
 
+int limit_sense(const std::optional<Value>& end, const MechanismDescription& description) {
+  const std::string text = end ? end->expression.text() : "";
+  const int sense = text == kLimitWord ? 1 : text == kLimitBackwards ? -1 : 0;
+  const bool is_parameter = sense != 0 && std::ranges::any_of(description.parameters,
+                                                              [](const ParameterDescription& one) {
+                                                                return one.name.text == kLimitWord;
+                                                              });
+  return is_parameter ? 0 : sense;
+}
+
 bool has_free_parameters(const MechanismDescription& description) {
   return std::ranges::any_of(description.parameters, &ParameterDescription::is_free);
 }

@@ -96,6 +96,10 @@ struct MechanismDescription {
 /// The parameters as the expression module evaluates them.
 std::vector<Parameter> parameters_of(const MechanismDescription& description);
 
+/// 1 or -1 where the end of a drive is no place but its limit, forwards or backwards; 0 where it is
+/// a place, also that of a parameter called `limit`.
+int limit_sense(const std::optional<Value>& end, const MechanismDescription& description);
+
 /// Whether the value of any parameter is but an example.
 bool has_free_parameters(const MechanismDescription& description);
 

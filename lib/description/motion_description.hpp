@@ -13,9 +13,14 @@ namespace kinestat {
 struct DriveRange {
   Name actuator;
   std::optional<Value> from;
-  std::optional<Value> to;  ///< may be missing where the motion has a time
+  std::optional<Value> to;  ///< or where it turns back: `limit_sense`; may be missing where the
+                            ///< motion has a time
   SourceRange where = {};   ///< of one of several
 };
+
+/// `to: limit` runs until the drive turns back, `to: -limit` does so backwards.
+inline constexpr const char* kLimitWord = "limit";
+inline constexpr const char* kLimitBackwards = "-limit";
 
 /// A point of a body whose path is reported.
 struct TracePoint {

@@ -102,11 +102,7 @@ class BarMapDrawing {
     for (std::size_t first = 0; first < map_.columns.size(); first += kColumnsAside) {
       const std::size_t end = std::min(first + kColumnsAside, map_.columns.size());
       draw_heads(first, end);
-      const double top = y_;
-      for (const std::size_t row : rows) {
-        draw_row(block.rows[row], scale, first, end);
-      }
-      draw_zero_lines(scale, top, end - first);
+      draw_rows({.block = block, .rows = rows, .scale = scale, .first = first, .end = end});
       y_ += 12.0;
     }
     if (rows.size() < block.rows.size()) {
@@ -124,56 +120,120 @@ class BarMapDrawing {
 
   void draw_heads(std::size_t first, std::size_t end) {
     for (std::size_t c = first; c < end; ++c) {
+      const std::string& column = map_.columns[c];
+      const std::string shown = fitting_text(column, kTextSize, kCellWidth - 8.0, Weight::bold);
+      const bool is_cut = shown != column;
+      if (is_cut) {
+        svg_.open_group(column);
+      }
       svg_.text({.x = cell_left(c - first), .y = y_ + 12.0},
-                fitting_text(map_.columns[c], kTextSize, kCellWidth - 8.0, Weight::bold),
+                shown,
                 {.size = kTextSize, .weight = Weight::bold});
+      if (is_cut) {
+        svg_.close_group();
+      }
     }
     y_ += kRowHeight;
   }
 
-  void draw_row(const BarRow& row, const Scale& scale, std::size_t first, std::size_t end) {
-    svg_.text({.x = name_width_, .y = y_ + 13.0},
-              fitting_text(row.name, kTextSize, name_width_),
-              {.size = kTextSize, .anchor = Anchor::end});
-    for (std::size_t c = first; c < end; ++c) {
-      draw_cell(row, c, cell_left(c - first), scale);
+  // Rows below each other, with some of the columns.
+  struct Part {
+    const BarBlock& block;
+    const std::vector<std::size_t>& rows;
+    const Scale& scale;
+    std::size_t first = 0;
+    std::size_t end = 0;
+  };
+
+  // What is alike one after the other: so the picture is short.
+  void draw_rows(const Part& part) {
+    const double top = y_;
+    for (std::size_t r = 0; r < part.rows.size(); ++r) {
+      const double y = top + kRowHeight * static_cast<double>(r + 1);
+      svg_.line({.x = 0.0, .y = y},
+                {.x = cell_left(part.end - part.first) - kCellGap, .y = y},
+                {.stroke = Ink::grid, .width = 1.0});
     }
-    y_ += kRowHeight;
-    svg_.line({.x = 0.0, .y = y_},
-              {.x = cell_left(end - first) - kCellGap, .y = y_},
-              {.stroke = Ink::grid, .width = 1.0});
+    draw_bars(part);
+    for (std::size_t r = 0; r < part.rows.size(); ++r) {
+      draw_name(part.block.rows[part.rows[r]].name, top + kRowHeight * static_cast<double>(r));
+    }
+    draw_values(part, false);
+    draw_values(part, true);
+    y_ = top + kRowHeight * static_cast<double>(part.rows.size());
+    draw_zero_lines(part.scale, top, part.end - part.first);
   }
 
-  void draw_cell(const BarRow& row, std::size_t column, double left, const Scale& scale) {
-    const std::optional<double>& value = row.values[column];
-    const std::string text = value ? label_number(*value) : "–";
-    svg_.open_group(fmt::format("{}, {}: {}", row.name, map_.columns[column], text));
-    if (value && *value != 0.0) {
-      draw_bar(*value, left, scale);
+  // Column by column, what is zero or not known softly.
+  void draw_values(const Part& part, bool is_soft) {
+    for (std::size_t c = part.first; c < part.end; ++c) {
+      std::vector<std::pair<double, std::string>> texts;
+      for (std::size_t r = 0; r < part.rows.size(); ++r) {
+        const std::optional<double>& value = part.block.rows[part.rows[r]].values[c];
+        if ((value.value_or(0.0) == 0.0) == is_soft) {
+          texts.emplace_back(y_ + kRowHeight * static_cast<double>(r) + 13.0,
+                             value ? label_number(*value) : "–");
+        }
+      }
+      svg_.column(
+          cell_left(c - part.first) + kBarWidth + kValueWidth,
+          texts,
+          {.ink = is_soft ? Ink::soft : Ink::ink, .size = kValueSize, .anchor = Anchor::end});
     }
-    svg_.text({.x = left + kBarWidth + kValueWidth, .y = y_ + 13.0},
-              text,
-              {.ink = value.value_or(0.0) == 0.0 ? Ink::soft : Ink::ink,
-               .size = kValueSize,
-               .anchor = Anchor::end});
+  }
+
+  // With the value, the left end and the top of each.
+  template <class Draw>
+  void each_cell(const Part& part, const Draw& draw) const {
+    for (std::size_t r = 0; r < part.rows.size(); ++r) {
+      for (std::size_t c = part.first; c < part.end; ++c) {
+        draw(part.block.rows[part.rows[r]].values[c],
+             cell_left(c - part.first),
+             y_ + kRowHeight * static_cast<double>(r));
+      }
+    }
+  }
+
+  // A name that is cut is whole where it is pointed at.
+  void draw_name(const std::string& name, double y) {
+    const std::string shown = fitting_text(name, kTextSize, name_width_);
+    const TextStyle style = {.size = kTextSize, .anchor = Anchor::end};
+    const PixelPoint place = {.x = name_width_, .y = y + 13.0};
+    if (shown == name) {
+      svg_.text(place, shown, style);
+      return;
+    }
+    svg_.open_group(name);
+    svg_.text(place, shown, style);
     svg_.close_group();
   }
 
   // Negative bars are hatched, so that the sign shows without colour.
-  void draw_bar(double value, double left, const Scale& scale) {
+  void draw_bars(const Part& part) {
+    const auto each_bar = [&](double sign, const auto& draw) {
+      each_cell(part, [&](const std::optional<double>& value, double left, double y) {
+        if (value && sign * *value > 0.0) {
+          draw(bar_of(*value, left, y, part.scale));
+        }
+      });
+    };
+    each_bar(1.0, [this](const PixelBox& bar) {
+      svg_.rectangle(bar, {.stroke = Ink::none, .fill = Ink::blue});
+    });
+    each_bar(-1.0, [this](const PixelBox& bar) {
+      svg_.rectangle(bar, {.stroke = Ink::vermilion, .fill = Ink::paper, .width = 1.0});
+    });
+    each_bar(-1.0, [this](const PixelBox& bar) { svg_.hatch(bar, Ink::vermilion, 4.0); });
+  }
+
+  static PixelBox bar_of(double value, double left, double y, const Scale& scale) {
     const double zero = left + scale.place(0.0);
     const double end = left + scale.place(value);
-    const double top = y_ + (kRowHeight - kBarHeight) / 2;
-    PixelBox box = {.left = std::min(zero, end),
-                    .top = top,
-                    .right = std::max(zero, end),
-                    .bottom = top + kBarHeight};
-    if (value > 0.0) {
-      svg_.rectangle(box, {.stroke = Ink::none, .fill = Ink::blue});
-      return;
-    }
-    svg_.rectangle(box, {.stroke = Ink::vermilion, .fill = Ink::paper, .width = 1.0});
-    svg_.hatch(box, Ink::vermilion, 4.0);
+    const double top = y + (kRowHeight - kBarHeight) / 2;
+    return {.left = std::min(zero, end),
+            .top = top,
+            .right = std::max(zero, end),
+            .bottom = top + kBarHeight};
   }
 
   void draw_zero_lines(const Scale& scale, double top, std::size_t count) {

@@ -35,12 +35,14 @@ std::string with_ids(const std::string& elements, std::string_view prefix) {
   return result;
 }
 
-// Without what the style of a page says by classes: colours, that nothing else is filled, the rim
-// of paper around letters, and that these are of ink. No text holds a quote that would look like
-// such an attribute.
+// Without what the style of a page says by classes: colours, that nothing else is filled, round
+// ends, the rim of paper around letters, and that these are of ink. No text holds a quote that
+// would look like such an attribute.
 std::string without_colours(std::string_view elements) {
   constexpr auto kWhole = std::to_array<std::string_view>(
-      {" stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\"", " fill=\"none\""});
+      {" stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\"",
+       " fill=\"none\"",
+       " stroke-linecap=\"round\" stroke-linejoin=\"round\""});
   constexpr auto kColours = std::to_array<std::string_view>({" fill=\"#", " stroke=\"#"});
   constexpr std::string_view kInk = " class=\"ks-f-ink\"";
   std::string result;
@@ -67,7 +69,7 @@ std::string without_colours(std::string_view elements) {
     const std::size_t next = std::min(elements.find(' ', 1), elements.size());
     const std::string_view word = elements.substr(0, next);
     if (const std::size_t tag = word.rfind('<'); tag != std::string_view::npos) {
-      is_text = word.substr(tag) == "<text";
+      is_text = word.substr(tag) == "<text" || word.substr(tag) == "<g";
     }
     result += word;
     elements.remove_prefix(next);
@@ -75,20 +77,19 @@ std::string without_colours(std::string_view elements) {
   return result;
 }
 
-// Everything of the element but the closing bracket of its begin.
-std::string opening(const Picture& picture) {
+// Everything of the element but the closing bracket of its begin; a file says more.
+std::string opening(const Picture& picture, std::string_view more = {}) {
   const PixelBox& view = picture.view;
   return fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" aria-label=\"{}\" width=\"{}\" "
-      "height=\"{}\" viewBox=\"{} {} {} {}\" font-family=\"{}\"",
+      "<svg{} role=\"img\" aria-label=\"{}\" width=\"{}\" height=\"{}\" viewBox=\"{} {} {} {}\"",
+      more,
       escape_markup(picture.title),
       format_coordinate(view.width()),
       format_coordinate(view.height()),
       format_coordinate(view.left),
       format_coordinate(view.top),
       format_coordinate(view.width()),
-      format_coordinate(view.height()),
-      kFontFamily);
+      format_coordinate(view.height()));
 }
 
 std::string words(const Picture& picture) {
@@ -145,7 +146,8 @@ std::string svg_file(const Picture& picture) {
       "{}{}>\n{}<style>:root{{{}}}"
       "@media (prefers-color-scheme:dark){{:root{{{}}}}}{}</style>\n{}{}</svg>\n",
       svg_signature(),
-      opening(whole),
+      opening(whole,
+              fmt::format(" xmlns=\"http://www.w3.org/2000/svg\" font-family=\"{}\"", kFontFamily)),
       words(whole),
       light_variables(),
       dark_variables(),

@@ -34,9 +34,10 @@ std::string svg_file(const Picture& picture);
 
 /// What the element `svg` of a page leaves to its style beside colours.
 inline constexpr std::string_view kPictureRules =
-    "figure svg :not(text,[class*=ks-f]){fill:none}"
-    "figure svg text:not([class*=ks-f]){fill:var(--ks-ink)}"
-    "figure svg text.ks-s-paper{stroke-width:3;stroke-linejoin:round;paint-order:stroke}";
+    "figure svg{fill:var(--ks-ink)}"
+    "figure svg :not(text,g,use,[class*=ks-f]){fill:none}"
+    ".ks-r{stroke-linecap:round;stroke-linejoin:round}"
+    "figure svg :is(text,g).ks-s-paper{stroke-width:3;stroke-linejoin:round;paint-order:stroke}";
 
 /// How every such file begins.
 std::string_view svg_signature();

@@ -28,8 +28,19 @@ bool is_finite(PixelPoint point) {
   return std::isfinite(point.x) && std::isfinite(point.y);
 }
 
+// Points of lines and areas have one decimal: by as much lines are thinned.
+std::string point_text(double value) {
+  return format_coordinate(std::round(10.0 * value) / 10.0);
+}
+
 std::string pair_text(PixelPoint point) {
-  return format_coordinate(point.x) + "," + format_coordinate(point.y);
+  return point_text(point.x) + "," + point_text(point.y);
+}
+
+// In the data of a path, where a sign parts numbers as well as a comma does.
+std::string data_text(PixelPoint point) {
+  const std::string y = point_text(point.y);
+  return point_text(point.x) + (y.starts_with('-') ? "" : ",") + y;
 }
 
 std::string_view anchor_word(Anchor anchor) {
@@ -53,20 +64,77 @@ Ink text_ink(Ink ink) {
   return ink == Ink::vermilion || ink == Ink::pink || ink == Ink::sky ? Ink::ink : ink;
 }
 
-// "ks-s-blue ks-f-paper"; empty if nothing is painted.
-std::string ink_classes(Ink stroke, Ink fill) {
+// "ks-f-paper ks-s-blue ks-r"; empty if nothing is painted.
+std::string ink_classes(Ink stroke, Ink fill, bool round_ends = false) {
   std::string text;
   if (fill != Ink::none) {
     text += fmt::format("ks-f-{}", ink_name(fill));
   }
   if (stroke != Ink::none) {
     text += fmt::format("{}ks-s-{}", text.empty() ? "" : " ", ink_name(stroke));
+    text += round_ends ? " ks-r" : "";
   }
   return text.empty() ? text : " class=\"" + text + "\"";
 }
 
 double stroke_margin(const Paint& paint) {
   return paint.stroke == Ink::none ? 0.0 : paint.width / 2;
+}
+
+std::string number_attribute(std::string_view name, double value) {
+  return fmt::format(" {}=\"{}\"", name, format_coordinate(value));
+}
+
+// Behind what is drawn: colours, width, dashes.
+std::string paint_attributes(const Paint& paint) {
+  std::string text =
+      ink_classes(paint.stroke, paint.fill, paint.round_ends) + ink_attributes("fill", paint.fill);
+  if (paint.fill != Ink::none && paint.opacity < 1.0) {
+    text += number_attribute("fill-opacity", paint.opacity);
+  }
+  if (paint.stroke != Ink::none) {
+    text += ink_attributes("stroke", paint.stroke);
+    if (paint.width != 1.0) {
+      text += number_attribute("stroke-width", paint.width);
+    }
+    if (!paint.dash.empty()) {
+      text += fmt::format(" stroke-dasharray=\"{}\"", paint.dash);
+    }
+    if (paint.round_ends) {
+      text += " stroke-linecap=\"round\" stroke-linejoin=\"round\"";
+    }
+  }
+  return text;
+}
+
+// Of a text, but its place.
+std::string text_attributes(const TextStyle& style) {
+  std::string text = number_attribute("font-size", style.size);
+  if (style.anchor != Anchor::start) {
+    text += fmt::format(" text-anchor=\"{}\"", anchor_word(style.anchor));
+  }
+  if (style.weight == Weight::bold) {
+    text += " font-weight=\"bold\"";
+  }
+  if (style.is_italic) {
+    text += " font-style=\"italic\"";
+  }
+  text += ink_classes(style.has_halo ? Ink::paper : Ink::none, text_ink(style.ink)) +
+          ink_attributes("fill", text_ink(style.ink));
+  if (style.has_halo) {
+    text += ink_attributes("stroke", Ink::paper) +
+            " stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\"";
+  }
+  return text;
+}
+
+// "M24,-22.35V-239"
+std::string line_data(PixelPoint from, PixelPoint to) {
+  const std::string x = point_text(to.x);
+  const std::string y = point_text(to.y);
+  const bool is_upright = x == point_text(from.x);
+  const bool is_level = y == point_text(from.y);
+  return "M" + data_text(from) + (is_upright ? "V" + y : is_level ? "H" + x : "L" + data_text(to));
 }
 
 }  // namespace
@@ -84,23 +152,32 @@ void Svg::attribute(std::string_view name, double value) {
 }
 
 void Svg::close_element(const Paint& paint) {
-  elements_ += ink_classes(paint.stroke, paint.fill) + ink_attributes("fill", paint.fill);
-  if (paint.fill != Ink::none && paint.opacity < 1.0) {
-    attribute("fill-opacity", paint.opacity);
+  elements_ += paint_attributes(paint) + "/>\n";
+}
+
+// An element that stands alone, or what it adds to those of its kind and style before it.
+void Svg::join(ElementRun::Kind kind,
+               std::string style,
+               std::string part,
+               const std::string& alone) {
+  const bool is_text = kind == ElementRun::Kind::texts;
+  const std::string tail = is_text ? "</g>\n" : "\"" + style + "/>\n";
+  if (run_.kind != kind || run_.end != elements_.size() || run_.style != style) {
+    run_ = {.kind = kind,
+            .style = std::move(style),
+            .first = std::move(part),
+            .begin = elements_.size(),
+            .end = 0,
+            .is_whole = false};
+    elements_ += alone;
+  } else if (run_.is_whole) {
+    elements_.insert(elements_.size() - tail.size(), part);
+  } else {
+    elements_.resize(run_.begin);
+    elements_ += (is_text ? "<g" + style + ">\n" : "<path d=\"") + run_.first + part + tail;
+    run_.is_whole = true;
   }
-  if (paint.stroke != Ink::none) {
-    elements_ += ink_attributes("stroke", paint.stroke);
-    if (paint.width != 1.0) {
-      attribute("stroke-width", paint.width);
-    }
-    if (!paint.dash.empty()) {
-      attribute("stroke-dasharray", paint.dash);
-    }
-    if (paint.round_ends) {
-      elements_ += " stroke-linecap=\"round\" stroke-linejoin=\"round\"";
-    }
-  }
-  elements_ += "/>\n";
+  run_.end = elements_.size();
 }
 
 void Svg::include(const PixelBox& box) {
@@ -128,12 +205,12 @@ void Svg::include(PixelPoint point, double margin) {
 }
 
 void Svg::line(PixelPoint from, PixelPoint to, const Paint& paint) {
-  open_element("line");
-  attribute("x1", from.x);
-  attribute("y1", from.y);
-  attribute("x2", to.x);
-  attribute("y2", to.y);
-  close_element(paint);
+  const std::string style = paint_attributes(paint);
+  join(ElementRun::Kind::lines,
+       style,
+       line_data(from, to),
+       "<line" + number_attribute("x1", from.x) + number_attribute("y1", from.y) +
+           number_attribute("x2", to.x) + number_attribute("y2", to.y) + style + "/>\n");
   include(from, stroke_margin(paint));
   include(to, stroke_margin(paint));
 }
@@ -150,7 +227,7 @@ void Svg::polyline(std::span<const PixelPoint> points, const Paint& paint) {
     const std::size_t end = end_of_piece(begin);
     const char* command = "M";
     for (const PixelPoint& point : thinned_line(points.subspan(begin, end - begin))) {
-      data += std::exchange(command, "L") + pair_text(point);
+      data += std::exchange(command, "L") + data_text(point);
     }
     if (end == begin + 1) {
       data += "h0.01";
@@ -165,9 +242,8 @@ void Svg::polyline(std::span<const PixelPoint> points, const Paint& paint) {
   }
   Paint round = paint;
   round.round_ends = paint.dash.empty();
-  open_element("path");
-  attribute("d", data);
-  close_element(round);
+  const std::string style = paint_attributes(round);
+  join(ElementRun::Kind::lines, style, data, "<path d=\"" + data + "\"" + style + "/>\n");
 }
 
 void Svg::polygon(std::span<const PixelPoint> corners, const Paint& paint) {
@@ -185,16 +261,27 @@ void Svg::polygon(std::span<const PixelPoint> corners, const Paint& paint) {
 
 void Svg::rectangle(const PixelBox& box, const Paint& paint, double corner_radius) {
   KINESTAT_EXPECTS(!box.is_empty());
-  open_element("rect");
-  attribute("x", box.left);
-  attribute("y", box.top);
-  attribute("width", box.width());
-  attribute("height", box.height());
-  if (corner_radius > 0.0) {
-    attribute("rx", corner_radius);
-  }
-  close_element(paint);
   include(box.grown(stroke_margin(paint)));
+  const std::string style = paint_attributes(paint);
+  std::string alone = "<rect" + number_attribute("x", box.left) + number_attribute("y", box.top) +
+                      number_attribute("width", box.width()) +
+                      number_attribute("height", box.height());
+  if (corner_radius > 0.0) {
+    alone += number_attribute("rx", corner_radius);
+  }
+  alone += style + "/>\n";
+  if (corner_radius > 0.0 || paint.stroke != Ink::none || paint.opacity < 1.0) {
+    elements_ += alone;
+    return;
+  }
+  join(ElementRun::Kind::areas,
+       style,
+       fmt::format("M{}h{}v{}h{}z",
+                   data_text({.x = box.left, .y = box.top}),
+                   format_coordinate(box.width()),
+                   format_coordinate(box.height()),
+                   format_coordinate(-box.width())),
+       alone);
 }
 
 void Svg::circle(PixelPoint centre, double radius, const Paint& paint) {
@@ -238,7 +325,20 @@ void Svg::arrow_head(PixelPoint tip, PixelPoint direction, Ink ink, double lengt
       {.x = base.x - half * unit.y, .y = base.y + half * unit.x},
       {.x = base.x + half * unit.y, .y = base.y - half * unit.x},
   }};
-  polygon(corners, {.stroke = Ink::none, .fill = ink});
+  // It turns the same way as rectangles: where areas overlap nothing is cut out.
+  const Paint paint = {.stroke = Ink::none, .fill = ink};
+  const std::string style = paint_attributes(paint);
+  std::string points;
+  std::string data;
+  for (const PixelPoint& corner : corners) {
+    include(corner, 0.0);
+    points += (points.empty() ? "" : " ") + pair_text(corner);
+    data += (data.empty() ? "M" : "L") + data_text(corner);
+  }
+  join(ElementRun::Kind::areas,
+       style,
+       data + "z",
+       "<polygon points=\"" + points + "\"" + style + "/>\n");
 }
 
 void Svg::hatch(const PixelBox& box, Ink ink, double distance) {
@@ -248,10 +348,13 @@ void Svg::hatch(const PixelBox& box, Ink ink, double distance) {
   for (double s = box.left + box.top + distance; s < box.right + box.bottom; s += distance) {
     const double low = std::min(box.bottom, s - box.left);
     const double high = std::max(box.top, s - box.right);
-    data += "M" + pair_text({.x = s - low, .y = low}) + "L" + pair_text({.x = s - high, .y = high});
+    data += "M" + data_text({.x = s - low, .y = low}) + "l" +
+            data_text({.x = low - high, .y = high - low});
   }
   if (!data.empty()) {
-    path(data, box.grown(-0.5), {.stroke = ink, .width = 1.0});
+    const std::string style = paint_attributes({.stroke = ink, .width = 1.0});
+    join(ElementRun::Kind::lines, style, data, "<path d=\"" + data + "\"" + style + "/>\n");
+    include(box);
   }
 }
 
@@ -259,34 +362,35 @@ void Svg::text(PixelPoint place, std::string_view text, const TextStyle& style) 
   if (text.empty()) {
     return;
   }
-  open_element("text");
-  attribute("x", place.x);
-  attribute("y", place.y);
-  attribute("font-size", style.size);
-  if (style.anchor != Anchor::start) {
-    attribute("text-anchor", anchor_word(style.anchor));
-  }
-  if (style.weight == Weight::bold) {
-    attribute("font-weight", "bold");
-  }
-  if (style.is_italic) {
-    attribute("font-style", "italic");
-  }
+  const std::string common = text_attributes(style);
+  const std::string begin =
+      "<text" + number_attribute("x", place.x) + number_attribute("y", place.y);
+  std::string rest;
   if (style.turn != 0.0) {
-    attribute("transform",
-              fmt::format("rotate({} {} {})",
-                          format_coordinate(style.turn),
-                          format_coordinate(place.x),
-                          format_coordinate(place.y)));
+    rest = fmt::format(" transform=\"rotate({} {} {})\"",
+                       format_coordinate(style.turn),
+                       format_coordinate(place.x),
+                       format_coordinate(place.y));
   }
-  elements_ += ink_classes(style.has_halo ? Ink::paper : Ink::none, text_ink(style.ink));
-  elements_ += ink_attributes("fill", text_ink(style.ink));
-  if (style.has_halo) {
-    elements_ += ink_attributes("stroke", Ink::paper) +
-                 " stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\"";
-  }
-  elements_ += ">" + escape_markup(text) + "</text>\n";
+  rest += ">" + escape_markup(text) + "</text>\n";
+  join(ElementRun::Kind::texts, common, begin + rest, begin + common + rest);
   include(text_box(place, text, style));
+}
+
+void Svg::column(double x,
+                 std::span<const std::pair<double, std::string>> texts,
+                 const TextStyle& style) {
+  KINESTAT_EXPECTS(style.turn == 0.0);
+  if (texts.empty()) {
+    return;
+  }
+  elements_ += fmt::format(
+      "<g transform=\"translate({})\"{}>\n", format_coordinate(x), text_attributes(style));
+  for (const auto& [y, text] : texts) {
+    elements_ += "<text" + number_attribute("y", y) + ">" + escape_markup(text) + "</text>\n";
+    include(text_box({.x = x, .y = y}, text, style));
+  }
+  elements_ += "</g>\n";
 }
 
 void Svg::open_group(std::string_view title, std::span<const Attribute> attributes) {
@@ -318,6 +422,12 @@ void Svg::close_group() {
 void Svg::add(const Svg& other) {
   elements_ += other.elements();
   include(other.bounds());
+}
+
+void Svg::use(const std::string& id, PixelPoint by, const PixelBox& bounds) {
+  elements_ += "<use href=\"#" + id + "\"" + number_attribute("x", by.x) +
+               number_attribute("y", by.y) + "/>\n";
+  include(bounds);
 }
 
 std::string Svg::id(std::string_view name) {

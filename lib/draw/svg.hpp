@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "draw/element_run.hpp"
 #include "draw/group_motion.hpp"
 #include "draw/palette.hpp"
 #include "draw/pixel_box.hpp"
@@ -41,7 +42,9 @@ struct TextStyle {
 /// An attribute of a group: a name of ours and a value, which is escaped.
 using Attribute = std::pair<std::string, std::string>;
 
-/// Writes elements one after the other. Coordinates must be finite unless a function says what a
+/// Writes elements one after the other; lines of one paint that follow each other become one path,
+/// likewise filled rectangles and arrow heads, and texts of one style a group that has it.
+/// Coordinates must be finite unless a function says what a
 /// gap is. Names that need an id get it by `id`, so that pictures may stand on one page.
 class Svg {
  public:
@@ -72,6 +75,11 @@ class Svg {
   /// `place` is on the base line.
   void text(PixelPoint place, std::string_view text, const TextStyle& style);
 
+  /// Texts below each other, in one style that is not turned: each with its height.
+  void column(double x,
+              std::span<const std::pair<double, std::string>> texts,
+              const TextStyle& style);
+
   /// Groups nest; an empty title is left out, any other is shown when pointed at.
   void open_group(std::string_view title = {}, std::span<const Attribute> attributes = {});
 
@@ -94,6 +102,10 @@ class Svg {
   /// Everything that the other has drawn; its groups must be closed.
   void add(const Svg& other);
 
+  /// Once more what the group with that `id`, as Svg::id gives it, has drawn, moved by so much:
+  /// `bounds` is where it then lies.
+  void use(const std::string& id, PixelPoint by, const PixelBox& bounds);
+
   /// The value for an attribute `id` or, after "#", `href` of a group, made unique where the
   /// picture is embedded; `name` is a word of ours.
   static std::string id(std::string_view name);
@@ -110,6 +122,7 @@ class Svg {
   void attribute(std::string_view name, std::string_view value);
   void attribute(std::string_view name, double value);
   void close_element(const Paint& paint);
+  void join(ElementRun::Kind kind, std::string style, std::string part, const std::string& alone);
   void include(PixelPoint point, double margin);
   void include(const PixelBox& box);
 
@@ -123,6 +136,7 @@ class Svg {
   void include_moved(const MovingGroup& group);
 
   std::string elements_;
+  ElementRun run_;
   PixelBox bounds_;
   int open_groups_ = 0;
   std::optional<MovingGroup> moving_;

@@ -6,9 +6,18 @@
 namespace kinestat {
 
 FileNames names_of(const Loaded& loaded) {
-  FileNames names{.parameters = parameter_names(loaded.description), .actuators = {}, .cases = {}};
-  for (const ActuatorTopology& actuator : loaded.mechanism.topology.actuators) {
+  FileNames names;
+  names.parameters = parameter_names(loaded.description);
+  const Topology& topology = loaded.mechanism.topology;
+  for (const ActuatorTopology& actuator : topology.actuators) {
     names.actuators.push_back(actuator.name);
+    names.quantities.push_back(actuator.name);
+  }
+  for (int f = 0; f < topology.freedom_count(); ++f) {
+    names.quantities.push_back(topology.freedom_name(f));
+  }
+  for (int a = 0; a < topology.action_count(); ++a) {
+    names.quantities.push_back(topology.action_name(a));
   }
   for (const Case& one : loaded.mechanism.cases) {
     names.cases.push_back(one.label);

@@ -12,7 +12,8 @@ namespace kinestat {
 struct FileNames {
   std::vector<std::string> parameters;
   std::vector<std::string> actuators;
-  std::vector<std::string> cases;  ///< those of gears, too
+  std::vector<std::string> cases;       ///< those of gears, too
+  std::vector<std::string> quantities;  ///< actuators, freedoms and actions, of which reports are
 };
 
 FileNames names_of(const Loaded& loaded);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -31,10 +32,36 @@ constexpr ReportWord kReportWords[] = {
     {"mechanical_advantage", &MotionReport::mechanical_advantage},
     {"dynamics", &MotionReport::dynamics}};
 
+// How far a slide may be from one limit to the other [m]. In a circuit without other slides the two
+// points that were drawn in one place are apart by what its other bodies bridge, at most the
+// greatest distance between two of the couplings of each, to either side.
+double longest_slide(const Mechanism& mechanism) {
+  const Topology& topology = mechanism.topology;
+  double bridged = 0.0;
+  for (int body = 0; body < static_cast<int>(topology.bodies.size()); ++body) {
+    std::vector<Vec3> points;
+    for (std::size_t e = 0; e < topology.couplings.size(); ++e) {
+      const CouplingTopology& coupling = topology.couplings[e];
+      if (coupling.tail.value == body || coupling.head.value == body) {
+        points.push_back(mechanism.geometry.points[e]);
+      }
+    }
+    double widest = 0.0;
+    for (const Vec3& a : points) {
+      for (const Vec3& b : points) {
+        widest = std::max(widest, (a - b).norm());
+      }
+    }
+    bridged += widest;
+  }
+  return 2.0 * std::max(bridged, mechanism.geometry.length);
+}
+
 class MotionBinder {
  public:
   MotionBinder(const MechanismDescription& description, const Mechanism& mechanism)
-      : motion_(*description.motion),
+      : description_(description),
+        motion_(*description.motion),
         mechanism_(mechanism),
         evaluator_(make_evaluator(description, ignored_)) {
     evaluator_.measure_from(mechanism.geometry.origin);
@@ -100,6 +127,13 @@ class MotionBinder {
 
   void plan_schedule() {
     const bool speeds_up = which() != nullptr && which()->has_inertia();
+    const auto to_limit = std::ranges::find_if(plan_.drives, &PlannedDrive::until_limit);
+    if (to_limit != plan_.drives.end()) {
+      if (motion_.law || motion_.time) {
+        complain(TimeProblem::to_limit, static_cast<std::size_t>(to_limit - plan_.drives.begin()));
+      }
+      return;
+    }
     if (motion_.law) {
       plan_law();
     } else if (motion_.time || speeds_up) {
@@ -190,10 +224,15 @@ class MotionBinder {
     const auto value = [&](const std::optional<Value>& text) {
       return text ? evaluator_.number(*text, kind).value_or(0.0) : 0.0;
     };
+    const double from = value(range.from);
+    const int sense = limit_sense(range.to, description_);
     plan_.drives.push_back({.actuator = static_cast<int>(at - topology.actuators.begin()),
                             .freedom = at->freedom,
-                            .from = value(range.from),
-                            .to = value(range.to),
+                            .from = from,
+                            .to = sense == 0 ? value(range.to)
+                                             : from + sense * (turns ? 2.0 * std::numbers::pi
+                                                                     : longest_slide(mechanism_)),
+                            .until_limit = sense != 0,
                             .where = range.actuator.where});
   }
 
@@ -224,6 +263,7 @@ class MotionBinder {
     }
   }
 
+  const MechanismDescription& description_;
   const MotionDescription& motion_;
   const Mechanism& mechanism_;
   Diagnostics ignored_;

@@ -19,6 +19,7 @@ struct PlannedDrive {
   int freedom = 0;   ///< index into Topology::freedoms
   double from = 0.0;
   double to = 0.0;
+  bool until_limit = false;  ///< it runs until it turns back; `to` is how far that is looked for
   SourceRange where;
 };
 
@@ -55,7 +56,8 @@ enum class TimeProblem {
   at_rest,     ///< a drive does not move, and nothing says how long
   never,       ///< a drive turns back before it comes to where it should end
   other_end,   ///< a drive ends elsewhere than the time says
-  other_time   ///< drives come to their ends at unlike times
+  other_time,  ///< drives come to their ends at unlike times
+  to_limit     ///< nobody knows before when a limit is met
 };
 
 struct MotionPlan {

@@ -40,6 +40,7 @@ PicturePlace place_of(const PictureKind& kind) {
   switch (kind.need) {
     case PictureNeed::motion:
     case PictureNeed::moving:
+    case PictureNeed::placed:
       return PicturePlace::motion;
     case PictureNeed::sweep:
       return PicturePlace::sweep;

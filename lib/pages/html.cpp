@@ -19,6 +19,12 @@ bool is_within_lines(std::string_view name) {
   return std::ranges::find(kNames, name) != kNames.end();
 }
 
+// Those that end where the next begins, or what they stand in, as HTML has it.
+bool ends_by_itself(std::string_view name) {
+  constexpr auto kNames = std::to_array<std::string_view>({"td", "th", "tr", "tbody", "thead"});
+  return std::ranges::find(kNames, name) != kNames.end();
+}
+
 }  // namespace
 
 void Html::begin(std::string_view name, Attributes attributes) {
@@ -37,7 +43,9 @@ void Html::open(std::string_view name, Attributes attributes) {
 
 void Html::close() {
   KINESTAT_EXPECTS(!open_.empty());
-  html_ += fmt::format("</{}>{}", open_.back(), is_within_lines(open_.back()) ? "" : "\n");
+  if (!ends_by_itself(open_.back())) {
+    html_ += fmt::format("</{}>{}", open_.back(), is_within_lines(open_.back()) ? "" : "\n");
+  }
   open_.pop_back();
 }
 

@@ -1,5 +1,7 @@
 #include "pages/html_document.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "core/sha256.hpp"
@@ -136,6 +138,32 @@ std::string source_of(std::string_view text) {
   return fmt::format("'sha256-{}'", base64(sha256(text)));
 }
 
+// Without comments and what lines are set in by, which readers of a page have no use for.
+std::string packed_script(std::string_view source) {
+  std::string text;
+  while (!source.empty()) {
+    const std::size_t end = std::min(source.find('\n'), source.size());
+    std::string_view line = source.substr(0, end);
+    source.remove_prefix(std::min(end + 1, source.size()));
+    line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+    if (!line.empty() && !line.starts_with("//")) {
+      text.append(line) += '\n';
+    }
+  }
+  return text;
+}
+
+std::string packed_style(std::string_view source) {
+  std::string text;
+  while (!source.empty()) {
+    const std::size_t begin = std::min(source.find("/*"), source.size());
+    text.append(source.substr(0, begin));
+    const std::size_t end = source.find("*/", begin);
+    source.remove_prefix(end == std::string_view::npos ? source.size() : end + 2);
+  }
+  return packed_script(text);
+}
+
 }  // namespace
 
 std::string page_style() {
@@ -148,13 +176,13 @@ std::string page_style() {
       dark_variables(),
       ink_rules(),
       kPictureRules,
-      embedded_style().front().text);
+      packed_style(embedded_style().front().text));
 }
 
 std::string page_script() {
   std::string script;
   for (const EmbeddedText& part : embedded_scripts()) {
-    script += part.text;
+    script += packed_script(part.text);
   }
   return script;
 }

@@ -12,6 +12,9 @@ namespace {
 // Tables of more rows scroll within a box that can be folded.
 constexpr std::size_t kLong = 24;
 
+// Of so many columns the table itself says which have numbers; the style has a rule for each.
+constexpr std::size_t kMostNumbered = 12;
+
 // Cells of more characters may be broken into lines.
 constexpr std::size_t kWide = 40;
 
@@ -30,7 +33,7 @@ bool is_number(const std::string& cell) {
                           cell.find_first_not_of("0123456789.e+-*") == std::string::npos);
 }
 
-// The class of a column: numbers to the right, signs in the middle.
+// The class of a column: numbers to the right, signs in the middle; words have none.
 std::string class_of(const Table& table, std::size_t column) {
   const auto all = [&](auto&& is) {
     return std::ranges::all_of(table.rows(), [&](const auto& row) { return is(row[column]); });
@@ -46,12 +49,16 @@ std::string class_of(const Table& table, std::size_t column) {
   }
   const bool is_wide = std::ranges::any_of(
       table.rows(), [&](const auto& row) { return row[column].size() > kWide; });
-  return is_wide ? "w" : "t";
+  return is_wide ? "w" : "";
 }
 
 // "Fx [N]": the unit is set apart.
 void add_head(const std::string& head, const std::string& kind, Html& html) {
-  html.open("th", {{"scope", "col"}, {"class", kind.empty() ? "t" : kind}});
+  if (kind.empty()) {
+    html.open("th", {{"scope", "col"}});
+  } else {
+    html.open("th", {{"scope", "col"}, {"class", kind}});
+  }
   const std::size_t unit = head.find(" [");
   html.text(head.substr(0, unit));
   if (unit != std::string::npos) {
@@ -61,13 +68,30 @@ void add_head(const std::string& head, const std::string& kind, Html& html) {
   html.close();
 }
 
+// "n1 n3": columns 1 and 3, from 0 on, have numbers; their cells then need no class.
+std::string take_numbers(std::vector<std::string>& kinds) {
+  std::string text;
+  for (std::size_t c = 0; c < std::min(kinds.size(), kMostNumbered); ++c) {
+    if (kinds[c] == "n") {
+      text += fmt::format("{}n{}", text.empty() ? "" : " ", c);
+      kinds[c].clear();
+    }
+  }
+  return text;
+}
+
 void add_rows(const Table& table, const std::vector<std::string>& kinds, Html& html) {
   html.open("tbody");
   for (const auto& row : table.rows()) {
+    html.markup("\n");
     html.open("tr");
     html.element("th", row.front(), {{"scope", "row"}});
     for (std::size_t c = 1; c < row.size(); ++c) {
-      html.element("td", row[c], {{"class", kinds[c]}});
+      if (kinds[c].empty()) {
+        html.element("td", row[c]);
+      } else {
+        html.element("td", row[c], {{"class", kinds[c]}});
+      }
     }
     html.close();
   }
@@ -84,7 +108,12 @@ void add_box(const Table& table, std::string_view name, Html& html) {
              {"role", "group"},
              {"tabindex", "0"},
              {"aria-label", fmt::format("{}: {}", name, table.head().front())}});
-  html.open("table");
+  const std::string numbers = take_numbers(kinds);
+  if (numbers.empty()) {
+    html.open("table");
+  } else {
+    html.open("table", {{"class", numbers}});
+  }
   html.open("thead");
   html.open("tr");
   for (std::size_t c = 0; c < kinds.size(); ++c) {

@@ -1,12 +1,14 @@
 #include "run/motion.hpp"
 
 #include <optional>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "files/each_file.hpp"
 #include "mechanism/bind/bind.hpp"
+#include "mechanism/check/report_name_check.hpp"
 #include "report/file/file_report.hpp"
 #include "studies/motion/task/find_motion.hpp"
 
@@ -54,6 +56,11 @@ bool write_motion(const FileReport& report,
 }
 
 }  // namespace
+
+std::vector<std::string> motion_words() {
+  const std::span<const std::string> words = motion_report_words();
+  return {words.begin(), words.end()};
+}
 
 Outcome motion_of_files(const std::vector<std::string>& paths,
                         const MotionChoice& choice,

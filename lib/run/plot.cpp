@@ -1,7 +1,6 @@
 #include "run/plot.hpp"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <span>
 #include <utility>
@@ -15,23 +14,12 @@
 #include "draw/picture_title.hpp"
 #include "files/each_file.hpp"
 #include "io/atomic_file.hpp"
-#include "mechanism/bind/bind.hpp"
-#include "run/analyse.hpp"
-#include "run/benchmark.hpp"
-#include "run/motion.hpp"
+#include "run/picture_finder.hpp"
 #include "run/picture_suffix.hpp"
-#include "run/sweep.hpp"
-#include "run/synthesis.hpp"
-#include "studies/duty/task/find_duty.hpp"
-#include "studies/motion/task/find_motion.hpp"
-#include "studies/synthesis/task/find_synthesis.hpp"
 
 namespace kinestat {
 
 namespace {
-
-// For each side of a case.
-constexpr double kTimingSeconds = 2.0;
 
 constexpr std::string_view kDotSignature = "// kinestat picture\n";
 
@@ -47,34 +35,13 @@ std::string_view signature_of(PictureForm form) {
   return {};
 }
 
-// Everything of a file that pictures are made of, as far as somebody asked for it.
-struct PictureSolutions {
-  std::optional<Analysis> analysis;
-  std::optional<FoundMotion> motion;
-  std::optional<MovingMechanism> moving;
-  std::optional<SynthesisAnalysis> synthesis;
-  std::optional<std::vector<BenchmarkedCase>> benchmark;
-  std::optional<SweepTable> sweep;
-  std::optional<std::vector<EfficiencyMap>> maps;
-
-  PictureSource source() const {
-    return {.analysis = analysis ? &*analysis : nullptr,
-            .motion = motion ? &motion->table : nullptr,
-            .moving = moving ? &*moving : nullptr,
-            .synthesis = synthesis ? &*synthesis : nullptr,
-            .benchmark = benchmark ? &*benchmark : nullptr,
-            .sweep = sweep ? &*sweep : nullptr,
-            .maps = maps ? &*maps : nullptr};
-  }
-};
-
 class PictureJob {
  public:
   PictureJob(const std::string& path,
              const PlotChoice& choice,
              const AnalyseOptions& options,
              const Clock& clock)
-      : path_(path), choice_(choice), options_(options), clock_(clock) {}
+      : path_(path), choice_(choice), options_(options), finder_(path, choice, options, clock) {}
 
   void run(Outcome& outcome) {
     if (!has_place()) {
@@ -91,19 +58,19 @@ class PictureJob {
  private:
   // Empty iff an error was added.
   std::optional<std::string> make_text() {
-    description_ = load_description(path_, options_.load, source_, found_);
-    if (!description_) {
+    if (!finder_.load(source_, found_)) {
       return std::nullopt;
     }
     if (choice_.picture == kListPictures) {
       return list_text();
     }
     const PictureKind* const kind = find_picture_kind(choice_.picture);
-    if (kind == nullptr || !find(kind->need)) {
+    if (kind == nullptr ||
+        !finder_.find(choice_.at.empty() ? kind->need : PictureNeed::placed, found_)) {
       return std::nullopt;
     }
-    PictureSource source = solutions_.source();
-    source.name = shown_name(path_, *description_);
+    PictureSource source = finder_.source();
+    source.name = shown_name(path_, description());
     if (!choose_case(source)) {
       return std::nullopt;
     }
@@ -114,168 +81,13 @@ class PictureJob {
     return text_of(*kind, source);
   }
 
+  const MechanismDescription& description() const { return finder_.description(); }
+
   void refuse(const std::string& why_not) {
     found_.error("E0909",
                  {},
                  fmt::format("there is no picture '{}' of this file: {}", choice_.picture, why_not),
                  fmt::format("'kinestat plot {} FILE' says which pictures it has", kListPictures));
-  }
-
-  // Looks for it once. False if it was not found, with an error the first time. What is wrong with
-  // one is no reason to leave out another.
-  bool find(PictureNeed need) {
-    std::optional<bool>& is_found = is_found_[static_cast<std::size_t>(need)];
-    if (!is_found) {
-      Diagnostics found;
-      is_found = solve(need, found);
-      add_new(found, found_);
-    }
-    return *is_found;
-  }
-
-  bool solve(PictureNeed need, Diagnostics& found) {
-    switch (need) {
-      case PictureNeed::analysis:
-        return find_analysis(found);
-      case PictureNeed::synthesis:
-        solutions_.synthesis = find_synthesis(path_, *description_, {}, found);
-        return solutions_.synthesis.has_value();
-      case PictureNeed::benchmark:
-        return find_benchmark(found);
-      case PictureNeed::motion:
-        return find_motion_of_file(found);
-      case PictureNeed::moving:
-        return find_moving(found);
-      case PictureNeed::sweep:
-        return find_sweep(found);
-      case PictureNeed::maps:
-        return find_maps(found);
-    }
-    return false;
-  }
-
-  std::optional<Mechanism> bind_mechanism(Diagnostics& found) const {
-    std::optional<Mechanism> mechanism = bind(*description_, found);
-    if (!mechanism && !found.has_errors()) {
-      refuse_without_mechanism(*description_, found);
-    }
-    return mechanism;
-  }
-
-  bool find_analysis(Diagnostics& found) {
-    std::optional<Mechanism> mechanism = bind_mechanism(found);
-    if (!mechanism) {
-      return false;
-    }
-    auto certified = analyse_mechanism(
-        path_,
-        {.description = *description_, .mechanism = *std::move(mechanism), .shift = std::nullopt},
-        options_.accuracy,
-        found);
-    if (certified) {
-      solutions_.analysis = std::move(certified->analysis);
-    }
-    return certified.has_value();
-  }
-
-  bool find_motion_of_file(Diagnostics& found) {
-    if (!description_->motion) {
-      found.error("E0303",
-                  {},
-                  "the file has no section 'motion'",
-                  "add motion: {drive: …, from: …, to: …}; 'kinestat help motion' says more");
-      return false;
-    }
-    // Also of a drawing that does not close: the motion closes it first.
-    const std::optional<Mechanism> mechanism = bind_unassembled(*description_, found);
-    if (!mechanism) {
-      return false;
-    }
-    solutions_.motion = find_motion(*description_, *mechanism, found);
-    return solutions_.motion.has_value();
-  }
-
-  // Of a drawing that does not close a picture would show bodies that hang in no joint.
-  bool find_moving(Diagnostics& found) {
-    if (!find(PictureNeed::motion)) {
-      return false;
-    }
-    const std::optional<Mechanism> mechanism = bind_mechanism(found);
-    if (mechanism) {
-      solutions_.moving = moving_mechanism(path_, *description_, *mechanism, *solutions_.motion);
-    }
-    return mechanism.has_value();
-  }
-
-  bool find_sweep(Diagnostics& found) {
-    if (!description_->sweep) {
-      found.error("E0303",
-                  {},
-                  "the file has no section 'sweep'",
-                  "add sweep: {vary: {…}}; 'kinestat help sweeps' says more");
-      return false;
-    }
-    solutions_.sweep = find_sweep_table(source_, *description_, found);
-    return solutions_.sweep.has_value();
-  }
-
-  // Of the duty or, without one, of the gears.
-  bool find_maps(Diagnostics& found) {
-    if (const std::string why_not = why_no_maps(); !why_not.empty()) {
-      found.error("E0303",
-                  {},
-                  why_not,
-                  "add duty: {points: [{case: …, input_motion: …, input_action: …, duration: …}]}; "
-                  "'kinestat help duty' says more");
-      return false;
-    }
-    if (!find(PictureNeed::analysis)) {
-      return false;
-    }
-    const Analysis& analysis = *solutions_.analysis;
-    if (!analysis.description.duty) {
-      solutions_.maps = map_cases(analysis.mechanism, gears_of(analysis));
-    } else if (const auto duty = find_duty(path_, "", judged_file(analysis), found)) {
-      solutions_.maps = map_duty(analysis.mechanism, duty->plan);
-    }
-    return solutions_.maps.has_value();
-  }
-
-  std::string why_no_maps() const {
-    if (description_->duty) {
-      return "";
-    }
-    if (!description_->shift) {
-      return "the file has no section 'duty' or 'shift'";
-    }
-    return description_->shift->input_action.empty()
-               ? "the file has no section 'duty', and its 'shift' no 'input_action'"
-               : "";
-  }
-
-  // Their cases stand behind those of the file.
-  static std::vector<std::size_t> gears_of(const Analysis& analysis) {
-    std::vector<std::size_t> gears;
-    const auto count = std::ranges::count(
-        analysis.shift->solution.states, ShiftClass::gear, [](const NamedShiftState& one) {
-          return one.state.kind;
-        });
-    const std::size_t end = analysis.mechanism.cases.size();
-    for (std::size_t i = end - static_cast<std::size_t>(count); i < end; ++i) {
-      gears.push_back(i);
-    }
-    return gears;
-  }
-
-  bool find_benchmark(Diagnostics& found) {
-    const std::optional<Mechanism> mechanism = bind_mechanism(found);
-    if (!mechanism) {
-      return false;
-    }
-    const BenchmarkChoice choice = {.case_label = choice_.case_label,
-                                    .limits = {.seconds = kTimingSeconds}};
-    solutions_.benchmark = benchmark_cases(*mechanism, choice, clock_, found);
-    return solutions_.benchmark.has_value();
   }
 
   // False iff an error was added: there is no such case.
@@ -328,33 +140,33 @@ class PictureJob {
 
   std::string why_not_of(const PictureKind& kind) {
     const bool is_of_synthesis = kind.need == PictureNeed::synthesis;
-    if (is_of_synthesis && !description_->synthesis) {
+    if (is_of_synthesis && !description().synthesis) {
       return "the file has no section 'synthesis'";
     }
-    if (!is_of_synthesis && !description_->has_mechanism()) {
+    if (!is_of_synthesis && !description().has_mechanism()) {
       return "the file holds no mechanism";
     }
     const bool is_of_motion = kind.need == PictureNeed::motion || kind.need == PictureNeed::moving;
-    if (is_of_motion && !description_->motion) {
+    if (is_of_motion && !description().motion) {
       return "the file has no section 'motion'";
     }
-    if (kind.need == PictureNeed::sweep && !description_->sweep) {
+    if (kind.need == PictureNeed::sweep && !description().sweep) {
       return "the file has no section 'sweep'";
     }
     if (kind.need == PictureNeed::maps) {
-      if (std::string why_not = why_no_maps(); !why_not.empty()) {
+      if (std::string why_not = finder_.why_no_maps(); !why_not.empty()) {
         return why_not;
       }
     }
     const bool is_of_time = kind.need == PictureNeed::benchmark;
-    if (is_of_time && description_->cases.empty()) {
+    if (is_of_time && description().cases.empty()) {
       return "the file has no cases";
     }
     // Nothing is timed for a list.
-    if (!find(is_of_time ? PictureNeed::analysis : kind.need)) {
+    if (!finder_.find(is_of_time ? PictureNeed::analysis : kind.need, found_)) {
       return "the file has errors";
     }
-    return is_of_time ? "" : kind.why_not(solutions_.source());
+    return is_of_time ? "" : kind.why_not(finder_.source());
   }
 
   OutputFile output(std::string content) const {
@@ -383,12 +195,9 @@ class PictureJob {
   const std::string& path_;
   const PlotChoice& choice_;
   const AnalyseOptions& options_;
-  const Clock& clock_;
   SourceFile source_;
   Diagnostics found_;
-  std::optional<MechanismDescription> description_;
-  PictureSolutions solutions_;
-  std::array<std::optional<bool>, 7> is_found_;  ///< by PictureNeed
+  PictureFinder finder_;
 };
 
 // Forms that a picture has, beside svg.
@@ -396,6 +205,45 @@ std::string other_forms(const PictureKind& kind) {
   return kind.dot != nullptr       ? "its other form is dot"
          : kind.gnuplot != nullptr ? "its other form is gnuplot"
                                    : "it has no other form than svg";
+}
+
+// "'motion-curves' and 'paths'": the pictures of which that holds.
+template <class Holds>
+std::string pictures_with(const Holds& holds) {
+  std::vector<std::string> names;
+  for (const PictureKind& kind : picture_kinds()) {
+    if (holds(kind)) {
+      names.emplace_back(kind.name);
+    }
+  }
+  return quoted_list(names);
+}
+
+// Complains about options that the picture has no use for.
+bool check_options(const PlotChoice& choice, const PictureKind& kind, Outcome& outcome) {
+  const auto refuse = [&](std::string_view option, const auto& holds) {
+    add_message("E0101",
+                fmt::format("{}: picture '{}' has no use for it", option, choice.picture),
+                fmt::format("it is for {}", pictures_with(holds)),
+                outcome);
+    return false;
+  };
+  const auto takes_positions = [](const PictureKind& one) { return one.takes_positions; };
+  const auto is_of_motion = [](const PictureKind& one) { return one.need == PictureNeed::motion; };
+  if (!choice.at.empty() && !takes_positions(kind)) {
+    return refuse("--at", takes_positions);
+  }
+  if (!choice.report.empty() && !is_of_motion(kind)) {
+    return refuse("--report", is_of_motion);
+  }
+  if (choice.drive && choice.at.empty()) {
+    add_message("E0101",
+                "--drive stands without --at",
+                "write where it stands: --drive NAME --at '30 deg'",
+                outcome);
+    return false;
+  }
+  return true;
 }
 
 // Complains about a picture or a form that there is not.
@@ -423,7 +271,7 @@ bool check_choice(const PlotChoice& choice, Outcome& outcome) {
                 other_forms(*kind),
                 outcome);
   }
-  return has_form;
+  return has_form && check_options(choice, *kind, outcome);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Single pictures of a file.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,8 +15,11 @@ namespace kinestat {
 enum class PictureForm { svg, dot, gnuplot };
 
 struct PlotChoice {
-  std::string picture;     ///< a name of the catalogue, or `kListPictures`
-  std::string case_label;  ///< empty: all cases or, for pictures of one, the first
+  std::string picture;               ///< a name of the catalogue, or `kListPictures`
+  std::string case_label;            ///< empty: all cases or, for pictures of one, the first
+  std::vector<std::string> at = {};  ///< positions of the drive in which the mechanism is drawn
+  std::optional<std::string> drive = {};  ///< the actuator that drives, before what the file says
+  std::vector<std::string> report = {};   ///< of charts of a motion, before what the file says
   PictureForm form = PictureForm::svg;
   std::string path;  ///< of the file to write; empty: standard output
   Overwrite overwrite = Overwrite::own_only;

@@ -81,6 +81,24 @@ class Candidates(unittest.TestCase):
         self.assertEqual(parameters, [f"{name}=" for name in names])
         self.assertEqual(candidates("motion", RAVIGNEAUX, "--case=M1")[1], ["--case=M1"])
 
+    def test_help_explains_types_keys_and_codes(self) -> None:
+        topics = candidates("help", "")[1]
+        self.assertIn("signs", topics)
+        self.assertNotIn("revolute", topics)  # hundreds more follow a letter
+        for word in ("revolute", "pin_in_slot", "line_of_action", "E0312", "W0511", "analyze"):
+            for typed in (word[:2], word):
+                self.assertIn(word, candidates("help", typed)[1], typed)
+        words = candidates("help", "s")[1]
+        self.assertEqual(len(words), len(set(words)))
+        meanings = run("completion", "candidates", "--", "help", "revol").splitlines()[1]
+        self.assertRegex(meanings, r"^revolute\t\w+")
+
+    def test_reports_of_motions_name_words_and_quantities_of_the_file(self) -> None:
+        for command in (["motion"], ["plot", "motion-curves"]):
+            words = candidates(*command, RAVIGNEAUX, "--report", "")[1]
+            for word in ("velocity", "transmission_angle", "C1", "a.wz", "a.Rx"):
+                self.assertIn(word, words)
+
     def test_paths_stand_where_files_and_folders_do(self) -> None:
         self.assertEqual(candidates("analyze", ""), ("files", []))
         self.assertEqual(candidates("analyze", "a.yaml", "b"), ("files", []))
@@ -101,7 +119,7 @@ class Candidates(unittest.TestCase):
 
     def test_what_a_value_may_be_is_known(self) -> None:
         """Everything in the help but numbers and texts that a user makes up."""
-        free = {"VALUE", "N", "K/N", "SIZE", "X", "KEY=VALUE", "NAME", "NAMES", "QUANTITY", "SEED",
+        free = {"VALUE", "N", "K/N", "SIZE", "X", "KEY=VALUE", "NAME", "NAMES", "SEED",
                 "CRITERIA"}
         for command in commands():
             for long_names, value in entries(command):
@@ -148,6 +166,9 @@ class Shells(unittest.TestCase):
         "kinestat analyze cr": "kinestat analyze crank.yaml",
         "kinestat analyze ~/cr": "kinestat analyze ~/crank.yaml",
         "kinestat analyze --out fol": "kinestat analyze --out folder/",
+        "kinestat help revol": "kinestat help revolute",
+        "kinestat help E031": "kinestat help E031",
+        "kinestat help line_of": "kinestat help line_of_action",
     }
 
     def setUp(self) -> None:

@@ -64,7 +64,7 @@ const isSeen = (one) => one.getClientRects().length && !one.closest('[display=no
 const texts = [...svg.querySelectorAll('text')].filter(isSeen).map((one) => {
   const box = one.getBBox();
   const base = Number(one.getAttribute('y'));
-  const top = base - 0.66 * Number(one.getAttribute('font-size'));
+  const top = base - 0.66 * Number(parseFloat(getComputedStyle(one).fontSize));
   const m = back.multiply(one.getScreenCTM());
   const corners = [[box.x + 1, top], [box.x + box.width - 1, base]]
     .map(([x, y]) => new DOMPoint(x, y).matrixTransform(m));

@@ -174,6 +174,14 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "or expressions; or let an uncertain link go, if one too many is drawn."},
     {"W0511",
      done,
+     "no limit was found",
+     "'to: limit' runs until the drive turns back. A drive that turns is followed through a full "
+     "turn: one that comes round meets no limit, as the crank of a crank-rocker, but for trains "
+     "in which a later turn differs from the first. A drive that slides is followed over twice "
+     "what the other bodies of its circuits could bridge; a limit farther away would need another "
+     "slide, a screw or teeth. Everything up to there is in the report."},
+    {"W0512",
+     done,
      "law whose speed jumps",
      "With the law constant_speed a drive begins and ends at full speed, which would take an "
      "infinite acceleration and an infinite force there. The rows at both ends have the values of "

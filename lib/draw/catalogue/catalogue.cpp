@@ -27,6 +27,8 @@ bool has_need(PictureNeed need, const PictureSource& source) {
       return source.motion != nullptr;
     case PictureNeed::moving:
       return source.moving != nullptr;
+    case PictureNeed::placed:
+      return source.placed != nullptr;
     case PictureNeed::sweep:
       return source.sweep != nullptr;
     case PictureNeed::maps:

@@ -12,6 +12,7 @@
 #include "studies/benchmark/report/benchmark_report.hpp"
 #include "studies/duty/efficiency_map.hpp"
 #include "studies/motion/picture/animation.hpp"
+#include "studies/motion/picture/placed_mechanism.hpp"
 #include "studies/motion/report/motion_table.hpp"
 #include "studies/sweep/report/sweep_table.hpp"
 #include "studies/synthesis/report/synthesis_report.hpp"
@@ -25,6 +26,7 @@ struct PictureSource {
   const Analysis* analysis = nullptr;
   const MotionTable* motion = nullptr;
   const MovingMechanism* moving = nullptr;  ///< only beside `motion`
+  const PlacedMechanism* placed = nullptr;  ///< instead of `analysis`, of a drawing in positions
   const SynthesisAnalysis* synthesis = nullptr;
   const std::vector<BenchmarkedCase>* benchmark = nullptr;
   const SweepTable* sweep = nullptr;
@@ -37,7 +39,7 @@ struct PictureSource {
 };
 
 /// What must be found for a picture.
-enum class PictureNeed { analysis, motion, moving, synthesis, benchmark, sweep, maps };
+enum class PictureNeed { analysis, motion, moving, placed, synthesis, benchmark, sweep, maps };
 
 /// Whether a picture is of the file, or of one of its cases.
 enum class PictureScope { file, one_case };
@@ -50,6 +52,7 @@ struct PictureKind {
   std::string_view sentence;  ///< what it shows, in a few words
   PictureNeed need = PictureNeed::analysis;
   PictureScope scope = PictureScope::file;
+  bool takes_positions = false;  ///< of a drive: may be drawn with what PictureNeed::placed finds
   std::string (*why_not)(const PictureSource&) = nullptr;
   Picture (*draw)(const PictureSource&) = nullptr;
   std::string (*gnuplot)(const PictureSource&) = nullptr;

@@ -62,6 +62,9 @@ std::string why_no_cutsets(const PictureSource& source) {
 }
 
 Picture draw_mechanism(const PictureSource& source) {
+  if (source.placed != nullptr) {
+    return draw_placed(*source.placed);
+  }
   LinkageOptions options;
   if (!source.analysis->cases.empty()) {
     options.which = source.which.value_or(0);
@@ -127,6 +130,7 @@ constexpr auto kDrawingKinds = std::to_array<PictureKind>({
     {.name = "linkage",
      .sentence = "the mechanism to scale, with the forces of a case",
      .scope = PictureScope::one_case,
+     .takes_positions = true,
      .why_not = why_no_nothing,
      .draw = draw_mechanism},
     {.name = "gear-scheme",

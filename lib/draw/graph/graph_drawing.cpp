@@ -90,6 +90,13 @@ std::vector<PixelPoint> moved(std::vector<PixelPoint> places, PixelPoint by) {
   return places;
 }
 
+PixelBox moved(const PixelBox& box, PixelPoint by) {
+  return {.left = box.left + by.x,
+          .top = box.top + by.y,
+          .right = box.right + by.x,
+          .bottom = box.bottom + by.y};
+}
+
 }  // namespace
 
 Picture draw_graph(const GraphModel& model) {
@@ -106,10 +113,17 @@ std::optional<Picture> draw_graphs(const std::vector<GraphModel>& models, std::s
   }
   const GraphModel& first = models.front();
   const std::vector<PixelPoint> places = lay_out(digraph_of(first), 0.8 * distance_of(first));
-  PixelBox cell;
+  // Drawn once, and used again by the others.
+  GraphModel plain = first;
+  for (ModelEdge& edge : plain.edges) {
+    edge.stroke = EdgeStroke::background;
+  }
+  Svg alone;
+  write_graph(alone, plain, places);
+  PixelBox cell = alone.bounds().grown(10.0);
   for (const GraphModel& model : models) {
     Svg one;
-    write_graph(one, model, places);
+    write_highlights(one, model, places);
     cell.add(one.bounds().grown(10.0));
   }
   const TextStyle style = {.ink = Ink::ink, .size = 12.0, .weight = Weight::bold};
@@ -119,6 +133,9 @@ std::optional<Picture> draw_graphs(const std::vector<GraphModel>& models, std::s
   }
   constexpr double kPage = 1000.0;
   const auto columns = static_cast<std::size_t>(std::max(1.0, std::floor(kPage / (width + 20.0))));
+  const std::string id = Svg::id("graph");
+  const std::vector<Attribute> marks = {{"id", id}};
+  PixelPoint first_place = {.x = 0.0, .y = 0.0};
   Svg svg;
   for (std::size_t i = 0; i < models.size(); ++i) {
     const PixelPoint corner = {.x = static_cast<double>(i % columns) * (width + 20.0),
@@ -126,7 +143,15 @@ std::optional<Picture> draw_graphs(const std::vector<GraphModel>& models, std::s
     svg.open_group(models[i].title);
     svg.text(corner, models[i].title, style);
     const PixelPoint by = {.x = corner.x - cell.left, .y = corner.y + 14.0 - cell.top};
-    write_graph(svg, models[i], moved(places, by));
+    if (i == 0) {
+      first_place = by;
+      svg.open_group({}, marks);
+      write_graph(svg, plain, moved(places, by));
+      svg.close_group();
+    } else {
+      svg.use(id, by - first_place, moved(alone.bounds(), by));
+    }
+    write_highlights(svg, models[i], moved(places, by));
     svg.close_group();
   }
   std::string words = fmt::format("{}: {} pictures of one graph.", title, models.size());

@@ -60,22 +60,11 @@ class GraphWriter {
   }
 
   void write() {
-    find_offsets();
-    std::vector<std::vector<Curve>> curves;
-    for (std::size_t e = 0; e < model_.edges.size(); ++e) {
-      curves.push_back(curves_of(e));
-      for (const Curve& curve : curves.back()) {
-        for (std::size_t i = 1; i < curve.points.size(); ++i) {
-          placer_.keep_off(curve.points[i - 1], curve.points[i]);
-        }
-      }
-    }
+    const std::vector<std::vector<Curve>> curves = find_curves();
     // What is highlighted, and what carries most power, lies on top.
     for (const std::size_t e : order_of_drawing()) {
       svg_.open_group(model_.edges[e].label);
-      for (const Curve& curve : curves[e]) {
-        draw_edge(e, curve);
-      }
+      draw_edge(e, curves[e]);
       svg_.close_group();
     }
     for (std::size_t v = 0; v < model_.nodes.size(); ++v) {
@@ -90,7 +79,39 @@ class GraphWriter {
     }
   }
 
+  // Its labels name the edges.
+  void write_highlights() {
+    const std::vector<std::vector<Curve>> curves = find_curves();
+    const auto each = [&](const auto& draw) {
+      for (std::size_t e = 0; e < model_.edges.size(); ++e) {
+        if (model_.edges[e].stroke == EdgeStroke::highlight) {
+          std::ranges::for_each(curves[e], [&](const Curve& curve) { draw(e, curve); });
+        }
+      }
+    };
+    each([this](std::size_t e, const Curve& curve) { svg_.polyline(curve.points, paint_of(e)); });
+    each([this](std::size_t e, const Curve& curve) { draw_head(e, curve); });
+    for (std::size_t e = 0; e < model_.edges.size(); ++e) {
+      draw_label(e, curves[e][curves[e].size() / 2]);
+    }
+  }
+
  private:
+  // Of each edge, from which names keep off.
+  std::vector<std::vector<Curve>> find_curves() {
+    find_offsets();
+    std::vector<std::vector<Curve>> curves;
+    for (std::size_t e = 0; e < model_.edges.size(); ++e) {
+      curves.push_back(curves_of(e));
+      for (const Curve& curve : curves.back()) {
+        for (std::size_t i = 1; i < curve.points.size(); ++i) {
+          placer_.keep_off(curve.points[i - 1], curve.points[i]);
+        }
+      }
+    }
+    return curves;
+  }
+
   PixelPoint place(int node) const { return places_[static_cast<std::size_t>(node)]; }
 
   // By how much the middle of each edge lies off the straight line, to the left of the line from
@@ -189,17 +210,28 @@ class GraphWriter {
     return {};
   }
 
-  void draw_edge(std::size_t e, const Curve& curve) {
+  // All its lines, then all heads: so they are short to write.
+  void draw_edge(std::size_t e, const std::vector<Curve>& curves) {
     const ModelPower* power = power_of(e);
-    if (power != nullptr) {
-      draw_power(*power, curve);
-      return;
+    for (const Curve& curve : curves) {
+      if (power != nullptr) {
+        draw_power(*power, curve);
+      } else {
+        svg_.polyline(curve.points, paint_of(e));
+      }
     }
-    const Paint paint = paint_of(e);
-    svg_.polyline(curve.points, paint);
+    for (std::size_t i = 0; power == nullptr && i < curves.size(); ++i) {
+      draw_head(e, curves[i]);
+    }
+  }
+
+  // From tail to head.
+  void draw_head(std::size_t e, const Curve& curve) {
     const double share = 0.64;
-    svg_.arrow_head(
-        curve.at(share) + 5.0 * curve.direction(share), curve.direction(share), paint.stroke, 10.0);
+    svg_.arrow_head(curve.at(share) + 5.0 * curve.direction(share),
+                    curve.direction(share),
+                    paint_of(e).stroke,
+                    10.0);
   }
 
   // Of an arrow that wide, so that its head is twice as wide.
@@ -324,6 +356,10 @@ PixelPoint node_half(const ModelNode& node) {
 
 void write_graph(Svg& svg, const GraphModel& model, const std::vector<PixelPoint>& places) {
   GraphWriter(svg, model, places).write();
+}
+
+void write_highlights(Svg& svg, const GraphModel& model, const std::vector<PixelPoint>& places) {
+  GraphWriter(svg, model, places).write_highlights();
 }
 
 }  // namespace kinestat

@@ -17,4 +17,7 @@ PixelPoint node_half(const ModelNode& node);
 /// Draws nodes, edges and labels; `places` are of the nodes.
 void write_graph(Svg& svg, const GraphModel& model, const std::vector<PixelPoint>& places);
 
+/// Of the same graph drawn there, in which nothing is highlighted, what this model highlights.
+void write_highlights(Svg& svg, const GraphModel& model, const std::vector<PixelPoint>& places);
+
 }  // namespace kinestat

@@ -309,10 +309,15 @@ void LinkageCanvas::draw_legend() {
                                           units.text(QuantityKind::force));
     svg_.text({.x = x + arrow + 8, .y = y + 4}, words, kSmall);
   }
+  std::vector<std::string> lines;
+  if (!options_.remark.empty()) {
+    lines.push_back(options_.remark);
+  }
   if (options_.which && *options_.which < analysis_.cases.size()) {
-    svg_.text({.x = drawn.left, .y = y + 22},
-              "case: " + analysis_.cases[*options_.which].which.label,
-              kSmall);
+    lines.push_back("case: " + analysis_.cases[*options_.which].which.label);
+  }
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    svg_.text({.x = drawn.left, .y = y + 22 + 18 * static_cast<double>(i)}, lines[i], kSmall);
   }
 }
 

@@ -74,6 +74,12 @@ void draw_planar(const Analysis& analysis,
                  const LinkageParts& parts,
                  LinkageCanvas& canvas);
 
+/// The moving bodies, cables and couplings alone.
+void draw_planar_bodies(const Analysis& analysis,
+                        const LinkageOptions& options,
+                        const LinkageParts& parts,
+                        LinkageCanvas& canvas);
+
 /// From above, z upwards; of some directions around z the one from which couplings stand apart
 /// best. `points` are what the picture must hold.
 LinkageView best_view(const Analysis& analysis, const std::vector<Vec3>& points);
@@ -83,5 +89,11 @@ void draw_spatial(const Analysis& analysis,
                   const LinkageOptions& options,
                   const LinkageParts& parts,
                   LinkageCanvas& canvas);
+
+/// The mechanism alone, without names, arrows and axes.
+void draw_spatial_bodies(const Analysis& analysis,
+                         const LinkageOptions& options,
+                         const LinkageParts& parts,
+                         LinkageCanvas& canvas);
 
 }  // namespace kinestat

@@ -1,6 +1,8 @@
 #include "draw/linkage/linkage_drawing.hpp"
 
 #include <cmath>
+#include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -8,6 +10,7 @@
 
 #include "draw/linkage/linkage_canvas.hpp"
 #include "draw/linkage/linkage_drawer.hpp"
+#include "draw/linkage/linkage_frames.hpp"
 #include "draw/picture_title.hpp"
 
 namespace kinestat {
@@ -23,6 +26,12 @@ std::string drawn_words(const Analysis& analysis, const LinkageOptions& options)
                     : "Mechanism";
 }
 
+Analysis standing_at(const LinkagePosition& position, const Analysis& analysis) {
+  Analysis moved = analysis;
+  moved.mechanism.geometry = position.geometry;
+  return moved;
+}
+
 std::string vector_text(const Vec3& v) {
   return fmt::format("{:.9g} {:.9g} {:.9g}", v.x(), v.y(), v.z());
 }
@@ -35,8 +44,15 @@ std::string describe(const Topology& topology) {
 
 }  // namespace
 
-Picture draw_linkage(const Analysis& analysis, const LinkageOptions& options) {
-  const LinkageParts parts = find_linkage_parts(analysis.description, analysis.mechanism);
+Picture draw_linkage(const Analysis& drawn, const LinkageOptions& options) {
+  const std::optional<Analysis> moved =
+      options.stands.empty() ? std::nullopt
+                             : std::optional(standing_at(options.stands.front(), drawn));
+  const Analysis& analysis = moved ? *moved : drawn;
+  const LinkageParts parts =
+      find_linkage_parts(drawn.description,
+                         drawn.mechanism,
+                         moved ? std::span(options.stands.front().poses) : std::span<BodyPose>());
   const std::vector<Vec3> points = extent_points(parts, analysis, options);
   const bool is_planar = analysis.mechanism.space == Space::planar;
   const LinkageView view = is_planar ? fit_view({}, points) : best_view(analysis, points);
@@ -51,6 +67,8 @@ Picture draw_linkage(const Analysis& analysis, const LinkageOptions& options) {
     marks.emplace_back("data-up", vector_text(view.up));
   }
   canvas.svg().open_group({}, marks);
+  draw_faint_positions(
+      drawn, options, canvas, is_planar ? draw_planar_bodies : draw_spatial_bodies);
   if (is_planar) {
     draw_planar(analysis, options, parts, canvas);
   } else {

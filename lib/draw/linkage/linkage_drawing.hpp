@@ -73,6 +73,9 @@ struct LinkageOptions {
   std::vector<TracedPath> paths;
   std::vector<Vec3> reach;  ///< points that the picture holds, such as all places in a motion [m]
   std::vector<std::vector<Vec3>> travel;  ///< of each coupling, where it comes [m]; or empty
+  std::vector<LinkagePosition> stands;    ///< where it stands, and faintly in all but the first; or
+                                          ///< empty: as drawn
+  std::string remark;                     ///< beside the scale; or empty
   std::vector<LinkagePosition> frames;
   std::optional<LinkageCycle> cycle;  ///< empty: the drawing stands still
 };

@@ -74,4 +74,27 @@ void draw_linkage_frames(const Analysis& analysis,
   }
 }
 
+void draw_faint_positions(const Analysis& drawn,
+                          const LinkageOptions& options,
+                          LinkageCanvas& canvas,
+                          FrameWriter write) {
+  if (options.stands.size() < 2) {
+    return;
+  }
+  const std::vector<Attribute> faint = {{"opacity", "0.35"}};
+  Analysis moved = without_solutions(drawn);
+  for (std::size_t i = options.stands.size() - 1; i > 0; --i) {
+    const LinkagePosition& position = options.stands[i];
+    const LinkageParts parts =
+        find_linkage_parts(drawn.description, drawn.mechanism, position.poses);
+    moved.mechanism.geometry = position.geometry;
+    const LinkageOptions at_position = options_at(position, options);
+    LinkageCanvas frame(moved, at_position, canvas.view());
+    write(moved, at_position, parts, frame);
+    canvas.svg().open_group({}, faint);
+    canvas.svg().add(frame.svg());
+    canvas.svg().close_group();
+  }
+}
+
 }  // namespace kinestat

@@ -18,4 +18,11 @@ void draw_linkage_frames(const Analysis& analysis,
                          LinkageCanvas& canvas,
                          FrameWriter write);
 
+/// Adds the mechanism as it stands in all but the first of LinkageOptions::stands, so that it shows
+/// faintly; `drawn` is as in the file.
+void draw_faint_positions(const Analysis& drawn,
+                          const LinkageOptions& options,
+                          LinkageCanvas& canvas,
+                          FrameWriter write);
+
 }  // namespace kinestat

@@ -52,9 +52,7 @@ class PlanarDrawing : private PlanarDrawer {
     }
   }
 
-  void draw() {
-    place_cables();
-    draw_ground();
+  void draw_bodies() {
     for (const BodyId body : bodies_from_behind()) {
       canvas_.open_body(body);
       draw_wheels(body);
@@ -62,6 +60,12 @@ class PlanarDrawing : private PlanarDrawer {
       draw_traced(body);
       svg_.close_group();
     }
+  }
+
+  void draw() {
+    place_cables();
+    draw_ground();
+    draw_bodies();
     if (!options_.cycle) {
       draw_cables();
     }
@@ -358,6 +362,16 @@ void draw_planar(const Analysis& analysis,
                  const LinkageParts& parts,
                  LinkageCanvas& canvas) {
   PlanarDrawing(analysis, options, parts, canvas).draw();
+}
+
+void draw_planar_bodies(const Analysis& analysis,
+                        const LinkageOptions& options,
+                        const LinkageParts& parts,
+                        LinkageCanvas& canvas) {
+  PlanarDrawing drawing(analysis, options, parts, canvas);
+  drawing.draw_bodies();
+  drawing.draw_cables();
+  draw_planar_couplings(analysis, options, parts, canvas);
 }
 
 }  // namespace kinestat

@@ -50,11 +50,6 @@ double least_distance(const LinkageView& view, const std::vector<Vec3>& places, 
   return least;
 }
 
-void draw_mechanism_at(const Analysis& analysis,
-                       const LinkageOptions& options,
-                       const LinkageParts& parts,
-                       LinkageCanvas& canvas);
-
 class SpatialDrawing : private LinkageDrawer {
  public:
   using LinkageDrawer::LinkageDrawer;
@@ -66,7 +61,7 @@ class SpatialDrawing : private LinkageDrawer {
       draw_mechanism();
       svg_.close_group();
     }
-    draw_linkage_frames(analysis_, options_, canvas_, draw_mechanism_at);
+    draw_linkage_frames(analysis_, options_, canvas_, draw_spatial_bodies);
     if (options_.shows_names) {
       add_names();
     }
@@ -308,13 +303,6 @@ class SpatialDrawing : private LinkageDrawer {
   }
 };
 
-void draw_mechanism_at(const Analysis& analysis,
-                       const LinkageOptions& options,
-                       const LinkageParts& parts,
-                       LinkageCanvas& canvas) {
-  SpatialDrawing(analysis, options, parts, canvas).draw_mechanism();
-}
-
 }  // namespace
 
 LinkageView best_view(const Analysis& analysis, const std::vector<Vec3>& points) {
@@ -352,6 +340,13 @@ void draw_spatial(const Analysis& analysis,
                   const LinkageParts& parts,
                   LinkageCanvas& canvas) {
   SpatialDrawing(analysis, options, parts, canvas).draw();
+}
+
+void draw_spatial_bodies(const Analysis& analysis,
+                         const LinkageOptions& options,
+                         const LinkageParts& parts,
+                         LinkageCanvas& canvas) {
+  SpatialDrawing(analysis, options, parts, canvas).draw_mechanism();
 }
 
 }  // namespace kinestat

@@ -21,15 +21,18 @@ void declare_drive(Mapping<DriveRange>& m) {
 }
 
 const Mapping<DriveRange>& drive_range() {
-  static const Mapping<DriveRange> mapping(
-      "drive_range",
-      "A drive and the range it runs through.",
-      "{drive: drive, from: 0 deg, to: 360 deg}",
-      [](auto& m) {
-        declare_drive(m);
-        m.key("to", "Where the motion ends, measured from the drawn position.")
-            .needed(&DriveRange::to, drawn_position(), "360 deg");
-      });
+  static const Mapping<DriveRange> mapping("drive_range",
+                                           "A drive and the range it runs through.",
+                                           "{drive: drive, from: 0 deg, to: 360 deg}",
+                                           [](auto& m) {
+                                             declare_drive(m);
+                                             m.key("to",
+                                                   "Where the motion ends, measured from the drawn "
+                                                   "position; limit: where the drive turns "
+                                                   "back, -limit: where it does so backwards.")
+                                                 .needed(
+                                                     &DriveRange::to, drawn_position(), "360 deg");
+                                           });
   return mapping;
 }
 

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "mechanism/check/report_name_check.hpp"
@@ -37,11 +39,21 @@ std::optional<double> position(const std::optional<Value>& value,
   return std::nullopt;
 }
 
-// The first of several drives must move; others may hold still.
-void check_range(const DriveRange& range, bool must_move, const SectionContext& context) {
+// The first of several drives must move; others may hold still. Answers whether it moves.
+bool check_range(const DriveRange& range, bool must_move, const SectionContext& context) {
   context.names.check_actuator(range.actuator, "'motion' drives", context.found);
   const DriveKind kind = context.names.kind_of_actuator(range.actuator.text);
+  if (limit_sense(range.from, context.description) != 0) {
+    context.found.error("E0305",
+                        range.from->where,
+                        fmt::format("drive '{}' cannot begin at a limit", range.actuator.text),
+                        "let it run there: to: limit, or backwards, to: -limit");
+    return true;
+  }
   const std::optional<double> from = position(range.from, kind, context);
+  if (limit_sense(range.to, context.description) != 0) {
+    return true;
+  }
   const std::optional<double> to = position(range.to, kind, context);
   if (must_move && range.to && from && to && *from == *to) {
     context.found.error("E0305",
@@ -49,6 +61,23 @@ void check_range(const DriveRange& range, bool must_move, const SectionContext& 
                         fmt::format("drive '{}' ends where it begins", range.actuator.text),
                         "give 'to' another value than 'from'; a full turn is to: 360 deg; drives "
                         "that hold still come behind one that moves");
+  }
+  return !from || !to || *from != *to;
+}
+
+// How far others would run until one comes to its limit, nobody knows before.
+void check_runs_alone(const DriveRange& moving, const SectionContext& context) {
+  const MotionDescription& motion = *context.description.motion;
+  const auto until_limit = std::ranges::find_if(motion.drives, [&](const DriveRange& one) {
+    return limit_sense(one.to, context.description) != 0;
+  });
+  if (until_limit != motion.drives.end()) {
+    context.found.error("E0305",
+                        until_limit->to->where,
+                        fmt::format("drive '{}' runs to a limit, and '{}' moves too",
+                                    until_limit->actuator.text,
+                                    moving.actuator.text),
+                        "let all others hold still: their 'from' and 'to' alike");
   }
 }
 
@@ -85,9 +114,14 @@ void check_motion(const SectionContext& context) {
   }
   const MotionDescription& motion = *context.description.motion;
   std::vector<Name> drives;
+  const DriveRange* second = nullptr;  // that moves
   for (const DriveRange& range : motion.drives) {
-    check_range(range, drives.empty(), context);
+    const bool moves = check_range(range, drives.empty(), context);
+    second = moves && !drives.empty() ? &range : second;
     drives.push_back(range.actuator);
+  }
+  if (second != nullptr) {
+    check_runs_alone(*second, context);
   }
   context.repeats(drives, "'drives' of 'motion'");
   context.number(motion.steps, kStepCount, "'steps' of 'motion'");

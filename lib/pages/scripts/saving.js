@@ -9,7 +9,8 @@ for (const figure of all("figure")) {
     const copy = svg.cloneNode(true);
     const whole = svg.dataset.whole || svg.getAttribute("viewBox");
     const [x, y, width, height] = whole.split(" ");
-    copy.setAttribute("xmlns", SVG);
+    copy.setAttribute("font-family", getComputedStyle(svg).fontFamily);
+    copy.setAttribute("fill", light("ink"));
     copy.setAttribute("viewBox", whole);
     copy.setAttribute("width", width);
     copy.setAttribute("height", height);
@@ -26,10 +27,14 @@ for (const figure of all("figure")) {
       for (const [, part, ink] of classes.matchAll(/ks-([fs])-(\w+)/g)) {
         one.setAttribute(part === "f" ? "fill" : "stroke", light(ink));
       }
-      if (!classes.includes("ks-f")) {
-        one.setAttribute("fill", one.tagName === "text" ? light("ink") : "none");
+      if (!classes.includes("ks-f") && !["text", "g", "use"].includes(one.tagName)) {
+        one.setAttribute("fill", "none");
       }
-      if (one.tagName === "text" && classes.includes("ks-s-paper")) {
+      if (/\bks-r\b/.test(classes)) {
+        one.setAttribute("stroke-linecap", "round");
+        one.setAttribute("stroke-linejoin", "round");
+      }
+      if (["text", "g"].includes(one.tagName) && classes.includes("ks-s-paper")) {
         one.setAttribute("stroke-width", 3);
         one.setAttribute("stroke-linejoin", "round");
         one.setAttribute("paint-order", "stroke");

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "core/codes.hpp"
 #include "core/contract.hpp"
 #include "core/page_text.hpp"
 #include "core/text.hpp"
@@ -142,6 +143,22 @@ std::vector<std::string> all_words(std::span<const std::string> commands) {
 
 std::vector<std::string> help_topics() {
   return names_of(embedded_topics());
+}
+
+std::vector<HelpWord> help_words() {
+  std::vector<HelpWord> words;
+  for (const CouplingKind* kind : coupling_kinds()) {
+    words.push_back({.word = std::string(kind->word), .meaning = std::string(kind->meaning)});
+  }
+  for (std::string& key : format_keys()) {
+    if (std::ranges::find(words, key, &HelpWord::word) == words.end()) {
+      words.push_back({.word = std::move(key)});
+    }
+  }
+  for (const Code& row : all_codes()) {
+    words.push_back({.word = std::string(row.code), .meaning = std::string(row.title)});
+  }
+  return words;
 }
 
 Outcome help_topic(const std::string& word, std::span<const std::string> commands) {

@@ -276,6 +276,33 @@ class MotionSolver {
     solution_.angles.insert(solution_.angles.end(), point.angles.begin(), point.angles.end());
   }
 
+  // The share at which the way ends, of what lies before it; 1 where it does not.
+  double find_end(PathPoint now) const {
+    PathTracker<Frames> ahead = tracker_;
+    PathPoint before = ahead.make_point();
+    return ahead.advance(now, before, 1.0) == Arrival::reached ? 1.0 : now.share;
+  }
+
+  // Makes the end of the way, where it is before that of the ranges, that of the ranges.
+  void end_ranges_at(double end) {
+    if (!(end > 0.0) || end == 1.0) {
+      return;
+    }
+    for (MotionDrive& drive : solution_.drives) {
+      drive.to = drive.from + end * (drive.to - drive.from);
+    }
+    for (std::size_t p = 0; p < solution_.shares.size(); ++p) {
+      double& share = solution_.shares[p];
+      share = share == end ? 1.0 : static_cast<double>(p) / task_.steps;
+    }
+    for (SpecialPosition& one : solution_.special) {
+      if (one.step >= 0) {
+        one.share /= end;
+        one.uncertainty /= end;
+      }
+    }
+  }
+
   void follow(PathPoint& now) {
     tracker_.set_range(from_, to_);
     if (!tracker_.is_beside_change_point()) {
@@ -286,6 +313,7 @@ class MotionSolver {
       }
       tracker_.find_rates(now);
     }
+    const double end = task_.until_limit ? find_end(now) : 1.0;
     const auto positions = at(task_.steps + 1);
     solution_.shares.reserve(positions);
     solution_.closure_errors.reserve(positions);
@@ -294,7 +322,8 @@ class MotionSolver {
     keep(now);
     PathPoint before = tracker_.make_point();
     for (int k = 1; k <= task_.steps; ++k) {
-      const double share = share_of(k);
+      // Beyond the end, where it is a limit: there the last step stops.
+      const double share = k == task_.steps ? 1.0 : end * share_of(k);
       const Arrival arrival = task_.path ? go_on(now, solution_.shares.back(), share)
                                          : tracker_.advance(now, before, share);
       if (tracker_.has_special()) {
@@ -302,12 +331,14 @@ class MotionSolver {
       }
       if (arrival == Arrival::lost) {
         note_lost(drive_values(now.share, false));
+        end_ranges_at(end);
         return;
       }
       keep(now);
       if (arrival != Arrival::reached) {
         solution_.status =
             arrival == Arrival::lift_off ? MotionStatus::lift_off : MotionStatus::limit;
+        end_ranges_at(task_.until_limit ? now.share : 1.0);
         return;
       }
     }

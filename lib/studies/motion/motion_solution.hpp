@@ -27,6 +27,8 @@ struct MotionTask {
   int steps = 360;
   std::vector<double> shares = {};  ///< of each position, of the ranges; empty: equal steps
   DrivePath path = {};              ///< instead of straight lines; then a share is of the path
+  bool until_limit = false;  ///< the steps divide the way to where the drives turn back; `to` is
+                             ///< how far that is looked for
 };
 
 enum class MotionStatus {
@@ -82,10 +84,10 @@ struct Assembly {
 struct MotionSolution {
   MotionStatus status = MotionStatus::completed;
   Assembly assembly;
-  std::vector<MotionDrive> drives;
-  DrivePath path;              ///< as in the task
-  std::vector<double> shares;  ///< of each position found, rising from 0; the last is a limit
-                               ///< or lift-off where the status says so
+  std::vector<MotionDrive> drives;  ///< `to` of a task until the limit is where that was found
+  DrivePath path;                   ///< as in the task
+  std::vector<double> shares;       ///< of each position found, rising from 0; the last is a limit
+                                    ///< or lift-off where the status says so
   std::vector<double> closure_errors;  ///< of each: largest, as share of the mechanism's size
   std::vector<double> coordinates;     ///< those of all positions, one after the other
   std::vector<double> angles;          ///< likewise

@@ -93,6 +93,60 @@ TEST(FourBar, CrankComesToItsLimit) {
   EXPECT_NEAR(solution.special.back().drive_values.at(0), limit, 1e-12);
 }
 
+// The rocker of a crank-rocker turns back where crank and coupler are in line: stretched one way,
+// folded the other way, by the law of cosines at its pivot.
+TEST(FourBar, RockerRunsToBothItsLimits) {
+  const FourBar linkage{.crank = 1.0, .coupler = 3.0, .rocker = 2.5, .ground = 3.2};
+  const double start = 0.7;
+  const Moving subject = moving(linkage.text(start), {"d.wz"});
+  const Vec3 pin = linkage.rocker_pin(start) - Vec3(linkage.ground, 0.0, 0.0);
+  const double drawn = kPi - std::atan2(pin.y(), pin.x());  // between ground and rocker
+  const auto stop = [&](double distance) {
+    return std::acos(
+        (linkage.rocker * linkage.rocker + linkage.ground * linkage.ground - distance * distance) /
+        (2.0 * linkage.rocker * linkage.ground));
+  };
+  // Clockwise, the pin goes away from the crank's pivot.
+  for (const double sense : {1.0, -1.0}) {
+    const double distance = linkage.coupler - sense * linkage.crank;
+    const MotionSolution solution =
+        solve_motion(subject.network,
+                     {.drives = {{.freedom = subject.network.driven_freedoms.at(0),
+                                  .from = 0.0,
+                                  .to = sense * 2.0 * kPi}},
+                      .steps = 7,
+                      .until_limit = true});
+
+    ASSERT_EQ(solution.status, MotionStatus::limit);
+    ASSERT_EQ(solution.position_count(), 8);
+    EXPECT_NEAR(solution.drives.at(0).to, drawn - stop(distance), 1e-12);
+    for (int k = 0; k <= 7; ++k) {
+      EXPECT_EQ(solution.shares.at(static_cast<std::size_t>(k)), k / 7.0);
+      EXPECT_NEAR(subject.position(solution.configuration_at(k), "d.wz"),
+                  (drawn - stop(distance)) * k / 7.0,
+                  1e-12);
+    }
+    ASSERT_FALSE(solution.special.empty());
+    EXPECT_EQ(solution.special.back().kind, SpecialKind::limit);
+    EXPECT_EQ(solution.special.back().share, 1.0);
+  }
+}
+
+TEST(FourBar, CrankThatTurnsFullyComesToNoLimit) {
+  const FourBar linkage;
+  const Moving subject = moving(linkage.text(0.7), {"a.wz"});
+
+  const MotionSolution solution = solve_motion(
+      subject.network,
+      {.drives = {{.freedom = subject.network.driven_freedoms.at(0), .from = 0.0, .to = 2.0 * kPi}},
+       .steps = 9,
+       .until_limit = true});
+
+  EXPECT_EQ(solution.status, MotionStatus::completed);
+  EXPECT_EQ(solution.drives.at(0).to, 2.0 * kPi);
+  EXPECT_EQ(solution.position_count(), 10);
+}
+
 // 0.001 + t³ - 0.3 t² (1 - t)² is zero at two places between ends that are positive; the cubic of
 // the ends is 0.001 + t³, and off it by 0.3/16 at most.
 TEST(StretchCubic, DoubtsARateThatHardlyLeavesZeroAtAnEnd) {

@@ -21,7 +21,7 @@ TEST(BarMap, HasABarForWhatIsNotZero) {
   const Picture picture = draw_bar_map(map_of(
       {{.name = "a", .values = {3.0, 0.0}}, {.name = "b", .values = {{}, 2.0}}}, {"M1", "M2"}));
 
-  EXPECT_EQ(count_of(picture, "<rect"), 2U);
+  EXPECT_EQ(count_of(picture, "v11h-"), 2U);  // one path of both
   EXPECT_EQ(count_of(picture, ">–<"), 1U);
 }
 
@@ -29,8 +29,8 @@ TEST(BarMap, HasABarForWhatIsNotZero) {
 TEST(BarMap, HasOneScaleForAllCases) {
   const Picture picture = draw_bar_map(map_of({{.name = "a", .values = {8.0, 4.0}}}, {"M1", "M2"}));
 
-  EXPECT_EQ(count_of(picture, "width=\"88\""), 1U);
-  EXPECT_EQ(count_of(picture, "width=\"44\""), 1U);
+  EXPECT_EQ(count_of(picture, "h88v11h-88z"), 1U);
+  EXPECT_EQ(count_of(picture, "h44v11h-44z"), 1U);
 }
 
 TEST(BarMap, HatchesNegativeValues) {
@@ -39,6 +39,16 @@ TEST(BarMap, HatchesNegativeValues) {
 
   EXPECT_EQ(count_of(positive, "<path"), 0U);
   EXPECT_EQ(count_of(negative, "<path"), 1U);
+}
+
+// Rows and columns head what is whole; a name that is cut is told where it is pointed at.
+TEST(BarMap, TellsNamesThatAreCut) {
+  const std::string name(60, 'w');
+  const Picture picture = draw_bar_map(
+      map_of({{.name = name, .values = {8.0}}, {.name = "a", .values = {4.0}}}, {"M1"}));
+
+  EXPECT_EQ(count_of(picture, "<title>" + name + "</title>"), 1U);
+  EXPECT_EQ(count_of(picture, "<title>"), 1U);
 }
 
 TEST(BarMap, LeavesSmallValuesOfManyOut) {

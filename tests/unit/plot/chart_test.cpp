@@ -60,7 +60,7 @@ TEST(Chart, LeavesGapsWhereThereIsNoValue) {
 
   const Picture picture = draw_figure(figure_of(chart));
 
-  const std::size_t begin = picture.elements.find(" d=\"M");
+  const std::size_t begin = picture.elements.find(" d=\"M", picture.elements.find("data-series"));
   const std::string data =
       picture.elements.substr(begin + 4, picture.elements.find('"', begin + 4) - begin - 4);
   EXPECT_EQ(std::count(data.begin(), data.end(), 'M'), 2);

@@ -104,6 +104,69 @@ TEST(Svg, DrawsOnlyTheHeadOfAShortArrow) {
   EXPECT_TRUE(has(svg, "<polygon points=\"3,0 "));
 }
 
+TEST(Svg, MakesOnePathOfLinesOfOnePaint) {
+  Svg svg;
+  const Paint grid = {.stroke = Ink::grid, .width = 1.0};
+  svg.line({.x = 0.0, .y = 0.0}, {.x = 5.0, .y = 0.0}, grid);
+  EXPECT_TRUE(has(svg, "<line x1=\"0\""));
+  svg.line({.x = 1.0, .y = 2.0}, {.x = 1.0, .y = 7.5}, grid);
+  svg.line({.x = 1.0, .y = 2.0}, {.x = 3.0, .y = 4.0}, grid);
+  EXPECT_TRUE(has(svg, "<path d=\"M0,0H5M1,2V7.5M1,2L3,4\" "));
+  EXPECT_FALSE(has(svg, "<line"));
+  svg.line({.x = 1.0, .y = 2.0}, {.x = 3.0, .y = 4.0}, {.stroke = Ink::ink});
+  EXPECT_TRUE(has(svg, "<line x1=\"1\""));
+}
+
+// What lies between them would come to lie below or above both.
+TEST(Svg, JoinsNothingAcrossOtherElements) {
+  Svg svg;
+  svg.line({.x = 0.0, .y = 0.0}, {.x = 5.0, .y = 0.0}, {});
+  svg.circle({.x = 0.0, .y = 0.0}, 1.0, {});
+  svg.line({.x = 1.0, .y = 2.0}, {.x = 1.0, .y = 7.5}, {});
+  svg.open_group();
+  svg.line({.x = 1.0, .y = 2.0}, {.x = 1.0, .y = 7.5}, {});
+  svg.close_group();
+
+  EXPECT_FALSE(has(svg, "<path"));
+}
+
+TEST(Svg, MakesOnePathOfFilledRectanglesButNotOfOthers) {
+  const PixelBox one = {.left = 1.0, .top = 2.0, .right = 4.0, .bottom = 4.0};
+  const PixelBox other = {.left = 5.0, .top = 2.0, .right = 6.0, .bottom = 4.0};
+  const Paint blue = {.stroke = Ink::none, .fill = Ink::blue};
+  Svg filled;
+  filled.rectangle(one, blue);
+  filled.rectangle(other, blue);
+  EXPECT_TRUE(has(filled, "<path d=\"M1,2h3v2h-3zM5,2h1v2h-1z\" "));
+  for (const Paint& paint : {Paint{.stroke = Ink::ink, .fill = Ink::blue},
+                             Paint{.stroke = Ink::none, .fill = Ink::blue, .opacity = 0.5}}) {
+    Svg apart;
+    apart.rectangle(one, paint);
+    apart.rectangle(other, paint);
+    EXPECT_FALSE(has(apart, "<path"));
+  }
+}
+
+TEST(Svg, SaysTheStyleOfTextsOnce) {
+  Svg svg;
+  svg.text({.x = 1.0, .y = 2.0}, "a", {.size = 11.0, .anchor = Anchor::end});
+  svg.text({.x = 3.0, .y = 4.0}, "b", {.size = 11.0, .anchor = Anchor::end});
+
+  EXPECT_TRUE(has(svg, "<g font-size=\"11\" text-anchor=\"end\""));
+  EXPECT_TRUE(has(svg, "<text x=\"1\" y=\"2\">a</text>\n<text x=\"3\" y=\"4\">b</text>\n</g>"));
+}
+
+TEST(Svg, WritesColumnsAndKnowsWhereTheyLie) {
+  Svg svg;
+  const std::vector<std::pair<double, std::string>> texts = {{20.0, "12"}, {40.0, "<"}};
+  svg.column(100.0, texts, {.size = 10.0, .anchor = Anchor::end});
+
+  EXPECT_TRUE(has(svg, "<g transform=\"translate(100)\" "));
+  EXPECT_TRUE(has(svg, "<text y=\"40\">&lt;</text>"));
+  EXPECT_DOUBLE_EQ(svg.bounds().right, 100.0);
+  EXPECT_DOUBLE_EQ(svg.bounds().left, 100.0 - text_width("12", 10.0));
+}
+
 TEST(Svg, WantsItsGroupsClosed) {
   Svg svg;
   svg.open_group();

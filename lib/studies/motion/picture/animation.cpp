@@ -40,7 +40,7 @@ bool goes_round(const FoundMotion& found, const Mechanism& mechanism) {
 // With each step divided, where that ends as it did.
 MotionSolution divided(const FoundMotion& found, std::size_t parts) {
   const std::size_t steps = static_cast<std::size_t>(found.plan.steps) * parts;
-  if (parts < 2 || steps > kMostSteps) {
+  if (parts < 2 || steps > kMostSteps || found.plan.schedule) {  // whose steps are those of time
     return found.solution;
   }
   MotionSolution finer = solve_motion(

@@ -25,6 +25,12 @@ std::vector<double> values_of(const MotionTable& motion, std::size_t column) {
   return values;
 }
 
+// Rates that nothing determines have none.
+bool has_values(const MotionTable& motion, std::size_t column) {
+  return std::ranges::any_of(
+      motion.rows, [column](const MotionRow& row) { return row.values[column].has_value(); });
+}
+
 // Whether there are different values, and not by rounding alone.
 bool changes(const std::vector<double>& values) {
   double low = std::numeric_limits<double>::infinity();
@@ -108,7 +114,8 @@ std::vector<Group> groups_of(const MotionTable& motion) {
   for (std::size_t c = motion.drives.size(); c < motion.columns.size(); ++c) {
     const MotionColumn& column = motion.columns[c];
     // How well circuits close is rounding, of which there is nothing to see.
-    if (column.quantity.starts_with(kPlace) || column.quantity == kClosureErrorColumn) {
+    if (column.quantity.starts_with(kPlace) || column.quantity == kClosureErrorColumn ||
+        !has_values(motion, c)) {
       continue;
     }
     const auto at = std::ranges::find_if(groups, [&column](const Group& group) {

@@ -121,8 +121,9 @@ struct ColumnFigures {
 
 struct MotionTable {
   MotionEnd end = MotionEnd::complete;
-  std::string label;  ///< of the case that gives speeds and loads; may be empty
-  int steps = 0;      ///< that the file asks for
+  std::string label;         ///< of the case that gives speeds and loads; may be empty
+  int steps = 0;             ///< that the file asks for
+  bool until_limit = false;  ///< the file asks for the way to the limit, wherever that is
   std::vector<DriveTravel> drives;
   std::vector<MotionColumn> columns;  ///< first the position of each drive
   std::vector<MotionRow> rows;

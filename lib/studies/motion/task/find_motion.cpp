@@ -38,6 +38,7 @@ std::optional<FoundMotion> follow_motion(const MechanismDescription& description
   std::vector<int> driven;
   for (const PlannedDrive& drive : motion.plan.drives) {
     task.drives.push_back({.freedom = drive.freedom, .from = drive.from, .to = drive.to});
+    task.until_limit = task.until_limit || drive.until_limit;
     driven.push_back(drive.freedom);
   }
   if (motion.plan.schedule) {
@@ -57,6 +58,9 @@ std::optional<FoundMotion> follow_motion(const MechanismDescription& description
     return std::nullopt;
   }
   motion.solution = solve_motion(motion.network, task);
+  for (std::size_t d = 0; d < motion.plan.drives.size(); ++d) {
+    motion.plan.drives[d].to = motion.solution.drives[d].to;
+  }
   return motion;
 }
 

@@ -18,6 +18,7 @@ struct MotionReading {
   QuantityKind kind = QuantityKind::dimensionless;
   std::function<std::optional<double>(const MotionPosition&)> value;
   std::optional<double> fold = {};  ///< at which values are folded: none is above it
+  bool is_idle = false;             ///< without values, as nothing determines it
 };
 
 /// What must be worked out for the report of a plan.

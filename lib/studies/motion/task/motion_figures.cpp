@@ -94,7 +94,9 @@ class FigureMaker {
   // reaches its end.
   template <class Measure>
   std::optional<double> mean(std::size_t column, const Measure& measure) const {
-    const bool has_all = table_.end == MotionEnd::complete && table_.rows.size() > 1 &&
+    const bool is_whole = table_.end == MotionEnd::complete ||
+                          (table_.end == MotionEnd::limited && table_.until_limit);
+    const bool has_all = is_whole && table_.rows.size() > 1 &&
                          std::ranges::all_of(table_.rows, [&](const MotionRow& row) {
                            return row.values[column].has_value();
                          });

@@ -49,6 +49,7 @@ class Findings {
     add_closure_error();
     switch (motion_.solution.status) {
       case MotionStatus::completed:
+        return add_missing_limit();
       case MotionStatus::not_movable:
         return;
       case MotionStatus::not_assembled:
@@ -254,14 +255,44 @@ class Findings {
     });
   }
 
+  void add_missing_limit() const {
+    if (!table_.until_limit) {
+      return;
+    }
+    const auto at = std::ranges::find(motion_.plan.drives, true, &PlannedDrive::until_limit);
+    const DriveTravel& drive =
+        table_.drives[static_cast<std::size_t>(at - motion_.plan.drives.begin())];
+    const bool turns = topology_.freedoms[static_cast<std::size_t>(at->freedom)].is_rotation;
+    found_.warning(
+        "W0511",
+        at->where,
+        fmt::format("drive '{}' comes to no limit {} {}",
+                    drive.name,
+                    turns ? "within a full turn, to" : "up to",
+                    with_unit(drive.to, drive.unit)),
+        turns
+            ? "it turns fully, unless a limit lies in a later turn: give 'to' the number of turns, "
+              "as 720 deg; the report has this one"
+            : "links between it and the ground would not reach so far: something else slides or "
+              "rolls with it; the report goes up to there");
+  }
+
   void add_limit() const {
-    if (ends_where_asked()) {
+    if (!table_.rows.empty() && (table_.until_limit || ends_where_asked())) {
       return;
     }
     const DriveTravel& drive = table_.drives.front();
     const bool has_way_to_start =
         std::ranges::any_of(table_.drives, [](const DriveTravel& one) { return one.from != 0.0; });
     const bool has_begun = !table_.rows.empty() || table_.events.empty() || !has_way_to_start;
+    if (table_.until_limit && has_begun) {
+      found_.error("E0505",
+                   place_of_drive(),
+                   fmt::format("the drawn position is a limit of '{}' itself", drive.name),
+                   "nothing tells which of the ways from there is meant: draw another position, or "
+                   "drive another coupling");
+      return;
+    }
     found_.error("E0505",
                  place_of_drive(),
                  fmt::format("the motion comes to its limit {}, before {} = {}",

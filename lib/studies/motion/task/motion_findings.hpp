@@ -16,7 +16,7 @@ bool check_report(const MotionPlan& plan,
                   Diagnostics& found,
                   CasePlace place = CasePlace::motion);
 
-/// How the drives run in time: E0509, W0511. False iff an error was added.
+/// How the drives run in time: E0509, W0512. False iff an error was added.
 bool check_time(const MotionPlan& plan,
                 const Mechanism& mechanism,
                 const FileUnits& units,

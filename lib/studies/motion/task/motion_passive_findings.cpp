@@ -9,6 +9,7 @@
 #include "core/tolerance.hpp"
 #include "studies/mobility/passive_freedom.hpp"
 #include "studies/motion/configuration.hpp"
+#include "studies/motion/task/idle_rates.hpp"
 #include "studies/motion/task/motion_findings.hpp"
 
 namespace kinestat {
@@ -29,27 +30,16 @@ class PassiveFindings {
   }
 
   bool shows_open_rate(const PassiveFreedom& one) const {
-    return has_speeds() && (report_.velocity || report_.acceleration || shows(one, false)) &&
-           !is_given(one);
+    return (report_.velocity || report_.acceleration || shows(one, false)) &&
+           is_rate_open(one, plan_, mechanism_);
   }
 
  private:
   // A report of all positions has the turns of all bodies.
   bool shows_body(const PassiveFreedom& one) const {
     return report_.position || std::ranges::any_of(plan_.trace, [&](const TracedPoint& point) {
-             return has(one, point.body) && moves(one, point.at);
+             return moves_point(one, point.body, point.at, mechanism_);
            });
-  }
-
-  static bool has(const PassiveFreedom& one, BodyId body) {
-    return std::ranges::find(one.bodies, body) != one.bodies.end();
-  }
-
-  bool moves(const PassiveFreedom& one, const Vec3& point) const {
-    const double length = mechanism_.geometry.length;
-    const Vec3 velocity = velocity_at(one.twist, point);
-    const double fastest = std::max(one.twist.angular.norm() * length, velocity.norm());
-    return velocity.norm() > kRankZero * fastest;
   }
 
   // A freedom of it, by name or as all are; of some there are only rates.
@@ -59,30 +49,12 @@ class PassiveFindings {
         return std::ranges::find(some, static_cast<int>(f)) != some.end();
       };
       const bool is_named = names(report_.freedoms) || (has_position && names(report_.positions));
-      if ((report_.is_default || is_named) && turns(one, f) &&
+      if ((report_.is_default || is_named) && moves_freedom(one, static_cast<int>(f)) &&
           (!has_position || has_position_[f].has_value())) {
         return true;
       }
     }
     return false;
-  }
-
-  bool has_speeds() const {
-    return plan_.which >= 0 &&
-           !mechanism_.cases[static_cast<std::size_t>(plan_.which)].motions.empty();
-  }
-
-  static bool turns(const PassiveFreedom& one, std::size_t freedom) {
-    const double rate = one.rates[static_cast<Eigen::Index>(freedom)];
-    return std::abs(rate) > kRankZero * one.rates.cwiseAbs().maxCoeff();
-  }
-
-  // By a case that knows the rate of one of its freedoms.
-  bool is_given(const PassiveFreedom& one) const {
-    const Case& which = mechanism_.cases[static_cast<std::size_t>(plan_.which)];
-    return std::ranges::any_of(which.motions, [&](const Primary& known) {
-      return turns(one, static_cast<std::size_t>(known.index));
-    });
   }
 
   const MotionPlan& plan_;

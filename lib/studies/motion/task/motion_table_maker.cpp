@@ -9,6 +9,7 @@
 #include "studies/motion/motion.hpp"
 #include "studies/motion/task/drive_counts.hpp"
 #include "studies/motion/task/friction_turns.hpp"
+#include "studies/motion/task/idle_rates.hpp"
 #include "studies/motion/task/motion_columns.hpp"
 #include "studies/motion/task/motion_events.hpp"
 #include "studies/motion/task/motion_figures.hpp"
@@ -77,6 +78,7 @@ class TableMaker {
     table_.label =
         plan_.which < 0 ? "" : mechanism_.cases[static_cast<std::size_t>(plan_.which)].label;
     table_.steps = plan_.steps;
+    table_.until_limit = std::ranges::any_of(plan_.drives, &PlannedDrive::until_limit);
     if (plan_.schedule) {
       table_.duration = units_.from_si(QuantityKind::time, plan_.schedule->duration());
       table_.time_unit = units_.text(QuantityKind::time);
@@ -154,6 +156,7 @@ class TableMaker {
     MotionPositions positions(mechanism_, plan_, motion_.network, motion_.drawn, detail_);
     readings_ = motion_readings(
         description_, mechanism_, plan_, positions.at(solution_.configuration_at(0), 0.0));
+    leave_out_idle_rates(motion_, mechanism_, readings_);
     if (scope_.columns) {
       std::erase_if(readings_, [&](const MotionReading& one) { return !is_asked(one.column); });
     }
@@ -241,7 +244,7 @@ class TableMaker {
       row.values.push_back(value && std::isfinite(*value)
                                ? std::optional(value_in_unit(r, p, *value))
                                : std::nullopt);
-      const bool is_left_out = !value && has_motion(position);
+      const bool is_left_out = !value && !reading.is_idle && has_motion(position);
       row.drops_velocities |= is_left_out && is_rate(reading.kind);
       row.drops_accelerations |=
           is_left_out && !row.lacks_accelerations && is_rate_of_rate(reading.kind);

@@ -40,6 +40,10 @@ TimeText text_of(const MotionPlan& plan, const std::string& drive, const std::st
                           drive,
                           label),
               "leave out 'to' or 'time', or give a law"};
+    case TimeProblem::to_limit:
+      return {fmt::format("drive '{}' runs to a limit, which nobody knows before in time", drive),
+              "leave out 'time' and 'law', or write the place of the limit, which the report of a "
+              "motion without them tells"};
     case TimeProblem::other_time:
       return {fmt::format("drive '{}' comes to its end at another time than the first one", drive),
               "give 'time' in place of 'to', or a law for all"};
@@ -70,7 +74,7 @@ bool check_time(const MotionPlan& plan,
   }
   if (plan.schedule && plan.schedule->has_jumps() && plan.which >= 0 &&
       mechanism.cases[static_cast<std::size_t>(plan.which)].has_inertia()) {
-    found.warning("W0511",
+    found.warning("W0512",
                   plan.where,
                   fmt::format("law constant_speed asks for infinite accelerations at the beginning "
                               "and after {:.6g} {}",

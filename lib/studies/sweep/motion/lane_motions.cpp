@@ -87,10 +87,14 @@ std::optional<LaneMotions> LaneMotions::make(const MechanismDescription& descrip
                                              const SweptMotion& asked,
                                              const std::vector<bool>& varies) {
   const MotionPlan plan = *bind_motion(description, mechanism);
-  if (plan.drives.size() != 1 || asked.cases.size() != 1 || !moves_alike(description, varies)) {
+  if (plan.drives.size() != 1 || plan.schedule || asked.cases.size() != 1 ||
+      !moves_alike(description, varies)) {
     return std::nullopt;
   }
   const PlannedDrive& drive = plan.drives.front();
+  if (drive.until_limit) {
+    return std::nullopt;
+  }
   const MotionNetwork network = make_motion_network(
       mechanism, bind_drawn_couplings(description, mechanism), std::array<int, 1>{drive.freedom});
   std::optional<LaneLinkage> linkage = make_lane_linkage(mechanism, network);

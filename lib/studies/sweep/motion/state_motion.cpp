@@ -137,8 +137,9 @@ std::string StateMotion::find_figures(const MechanismDescription& description,
   if (gap != nullptr && gap->status != kSolved) {
     return gap->status;
   }
-  const auto unsolved =
-      std::ranges::find_if(table.rows, [](const MotionRow& one) { return one.status != kSolved; });
+  const auto unsolved = std::ranges::find_if(table.rows, [&](const MotionRow& one) {
+    return one.status != kSolved && !(table.until_limit && one.status == kLimitEvent);
+  });
   if (unsolved != table.rows.end()) {
     return unsolved->status;
   }
