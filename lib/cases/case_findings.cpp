@@ -107,8 +107,18 @@ void add_inertia_obstacle(const JudgedFile& file, const CaseAnalysis& one, CaseF
                       one.which.label,
                       file.mechanism.topology.coupling(obstacle.coupling->coupling).name,
                       reason_of(obstacle.coupling->why)),
-          "'kinestat help dynamics' says what each type needs; without 'acceleration' the case is "
-          "solved as statics");
+          "'kinestat help couplings' says what each type needs to be moved, and a ball cannot be "
+          "driven; without 'acceleration' the case is solved as statics");
+      return;
+    case InertiaObstacle::Kind::idle_spin:
+      found.error("E0511",
+                  one.which.where,
+                  fmt::format("case '{}' has no forces of inertia: it does not tell how fast body "
+                              "'{}' turns by itself, and they hang on that",
+                              one.which.label,
+                              file.mechanism.topology.body(*obstacle.body).name),
+                  "join one of its ends by a universal coupling instead of a ball; or give it no "
+                  "inertia about the axis of that turn, as a slender rod has none");
       return;
     case InertiaObstacle::Kind::singular:
       found.error("E0511",
@@ -189,7 +199,7 @@ void add_inertia_findings(const JudgedFile& file, const CaseAnalysis& one, CaseF
   if (one.spring_obstacle) {
     add_spring_obstacle(file, one, found);
   }
-  if (one.dynamics && one.motion) {
+  if (one.dynamics && one.motion && one.motion->status == SolveStatus::solved) {
     add_point_masses(file, one, found);
   }
 }

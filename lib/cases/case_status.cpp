@@ -26,6 +26,9 @@ std::string_view case_status(const Mechanism& mechanism, const CaseAnalysis& one
   if (one.motion && one.motion->status != SolveStatus::solved) {
     return word_of(one.motion->status);
   }
+  if (one.inertia_obstacle || one.spring_obstacle) {
+    return kUnknownLoad;
+  }
   const SolveStatus status = one.action ? one.action->status : SolveStatus::solved;
   if (status != SolveStatus::solved && status != SolveStatus::underdetermined) {
     return one.action && !one.action->other_actions.empty() ? kAmbiguous : word_of(status);

@@ -14,10 +14,11 @@ inline constexpr std::string_view kContactPulls = "contact_pulls";
 inline constexpr std::string_view kCableSlips = "cable_slips";
 inline constexpr std::string_view kUnbalanced = "unbalanced";
 inline constexpr std::string_view kSelfLocking = "self_locking";
+inline constexpr std::string_view kUnknownLoad = "unknown_load";
 
 /// What case_status may say beside the words of SolveStatus.
 inline constexpr std::array kCaseStatuses = {
-    kAmbiguous, kCableSlack, kContactPulls, kCableSlips, kUnbalanced, kSelfLocking};
+    kAmbiguous, kCableSlack, kContactPulls, kCableSlips, kUnbalanced, kSelfLocking, kUnknownLoad};
 
 /// Whether the answer is one that the mechanism can have: "cable_slack", "contact_pulls" or
 /// "cable_slips" where a cable would have to push, surfaces to pull on each other or a cable to

@@ -302,6 +302,13 @@ SpringPlace drawn_place(const KinematicSolution* motion) {
   return place;
 }
 
+// Whether nothing acts that follows from the motion, of which numbers as typed know nothing.
+bool has_typed_loads(const Case& given, const Case& solved) {
+  return std::all_of(solved.loads.begin() + static_cast<std::ptrdiff_t>(given.loads.size()),
+                     solved.loads.end(),
+                     [](const Load& load) { return load.acts.wrench.coordinates().isZero(0.0); });
+}
+
 // The forces of springs become loads, unless nothing can be said of one.
 void add_springs(const Mechanism& mechanism,
                  const CaseRequest& request,
@@ -344,7 +351,7 @@ CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const CaseRe
   LoadedFlanks flanks;
   if (which.asks_actions && !result.inertia_obstacle && !result.spring_obstacle) {
     flanks = solve_on_loaded_flanks(drawn, bases, which, request.accuracy, motion);
-    if (request.exact_input != nullptr && !which.has_inertia() && drawn.springs.empty() &&
+    if (request.exact_input != nullptr && has_typed_loads(request.which, which) &&
         find_frictions(drawn, which, motion).laws.empty()) {
       request.certainty->has_exact_input_action =
           request.exact_input->improve(request.index, flanks.turned, flanks.action);

@@ -120,6 +120,10 @@ inline constexpr double kSameEnd = 1e-6;
 /// The sine of the angle by which a body may turn about another axis than that of its inertia.
 inline constexpr double kRotorAxis = 1e-9;
 
+/// A body that turns by itself has no inertia about that axis if it is this share of what it could
+/// have at most: that of a slender rod is as exact as its coordinates are typed.
+inline constexpr double kIdleInertia = 1e-9;
+
 /// The points of a spring that are nearer than this share of the mechanism's size meet.
 inline constexpr double kNoSpringLength = 1e-12;
 

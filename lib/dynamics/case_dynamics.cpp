@@ -7,7 +7,6 @@
 #include "core/tolerance.hpp"
 #include "dynamics/body_inertia.hpp"
 #include "math/numbers/settled.hpp"
-#include "statics/coupling_wrenches.hpp"
 
 namespace kinestat {
 
@@ -104,26 +103,22 @@ std::optional<double> compare_two_ways(const Mechanism& mechanism,
   return worst;
 }
 
-std::optional<Wrench> find_ground(const Mechanism& mechanism, const StaticSolution& action) {
-  const Topology& topology = mechanism.topology;
+// All loads on the moving bodies but those of springs, which join them with each other or the
+// ground.
+Wrench find_ground(const Case& which) {
   BoundedWrench sum;
-  for (std::size_t e = 0; e < topology.couplings.size(); ++e) {
-    const CouplingTopology& coupling = topology.couplings[e];
-    const bool is_tail = coupling.tail.value == 0;
-    if (!is_tail && coupling.head.value != 0) {
-      continue;
+  for (const Load& load : which.loads) {
+    if (!load.name.starts_with(kSpringPrefix)) {
+      sum = sum + written(load.acts.wrench);
     }
-    std::optional<BoundedWrench> wrench = bounded_wrench(action, CouplingId{static_cast<int>(e)});
-    if (!wrench) {
-      return std::nullopt;
-    }
-    if (is_tail) {
-      wrench->moment.value = -wrench->moment.value;
-      wrench->force.value = -wrench->force.value;
-    }
-    sum = sum + *wrench;
   }
   return sum.zeroed();
+}
+
+// Planets that stand for several shake less than they would where the one is drawn.
+bool stands_for_several(const Mechanism& mechanism) {
+  return std::ranges::any_of(mechanism.masses,
+                             [](const BodyMass& one) { return one.counts() && one.count > 1; });
 }
 
 }  // namespace
@@ -154,10 +149,13 @@ CaseDynamics find_dynamics(const Mechanism& mechanism,
     result.kinetic_energy_rate -= power(inertial, twist);
     shaking = shaking + bounded;
   }
-  result.shaking = shaking.zeroed();
+  const bool is_whole = !stands_for_several(mechanism);
+  if (is_whole) {
+    result.shaking = shaking.zeroed();
+  }
   result.reduced = find_reduced(mechanism, motion);
   if (has_answer(action)) {
-    result.ground = find_ground(mechanism, *action);
+    result.ground = is_whole ? std::optional(find_ground(which)) : std::nullopt;
     result.two_ways = compare_two_ways(mechanism, which, motion, *action);
   }
   return result;

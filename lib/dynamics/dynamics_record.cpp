@@ -137,6 +137,11 @@ void emit_reduced(const DynamicsView& v, const Each<ReducedView>& each) {
   }
 }
 
+std::optional<Sixfold> in_world(const DynamicsView& v, const std::optional<Wrench>& wrench) {
+  return wrench ? std::optional(sixfold_of(about_world(*wrench, v.mechanism.geometry.origin)))
+                : std::nullopt;
+}
+
 }  // namespace
 
 const Record<DynamicsView>& dynamics_record() {
@@ -153,27 +158,18 @@ const Record<DynamicsView>& dynamics_record() {
             });
         keys.map("bodies", body_record(), "Every body with mass or inertia.", emit_bodies)
             .in_tables_as("body");
-        keys.sixfold(
-            "shaking",
-            moment,
-            force,
-            "All forces of inertia together, as they shake the ground: couple about the "
-            "origin and force.",
-            [](const DynamicsView& v) {
-              return sixfold_of(about_world(v.dynamics.shaking, v.mechanism.geometry.origin));
-            });
-        keys.sixfold(
-            "ground",
-            moment,
-            force,
-            "What all couplings exert on the ground: couple about the origin and force; "
-            "null where some of them are open.",
-            [](const DynamicsView& v) -> std::optional<Sixfold> {
-              if (!v.dynamics.ground) {
-                return std::nullopt;
-              }
-              return sixfold_of(about_world(*v.dynamics.ground, v.mechanism.geometry.origin));
-            });
+        keys.sixfold("shaking",
+                     moment,
+                     force,
+                     "All forces of inertia together, as they shake the ground: couple about the "
+                     "origin and force; null where a planet stands for several.",
+                     [](const DynamicsView& v) { return in_world(v, v.dynamics.shaking); });
+        keys.sixfold("ground",
+                     moment,
+                     force,
+                     "What all couplings and springs exert on the ground: couple about the origin "
+                     "and force; likewise.",
+                     [](const DynamicsView& v) { return in_world(v, v.dynamics.ground); });
         keys.map("reduced", reduced_record(), "By the freedoms that the case drives.", emit_reduced)
             .in_tables_as("reduced");
         keys.number("two_ways",

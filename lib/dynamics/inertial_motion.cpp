@@ -55,23 +55,37 @@ std::vector<Twist> unit_motion(MotionStates& states,
   return states.solve(configuration, speeds, StateDetail::velocity).twists;
 }
 
-double generalised_force(std::span<const Load> loads, const std::vector<Twist>& motion) {
-  double sum = 0.0;
-  for (const Load& load : loads) {
-    sum += power(load.acts.wrench, motion[at(load.acts.body.value)]);
+// The first body whose inertia a motion of its own has to speed up.
+std::optional<BodyId> find_spinning_body(const Mechanism& mechanism,
+                                         const std::vector<BodyPose>& poses,
+                                         const std::vector<Twist>& idle) {
+  const double length = mechanism.geometry.length;
+  for (std::size_t b = 0; b < mechanism.masses.size(); ++b) {
+    if (!mechanism.masses[b].counts()) {
+      continue;
+    }
+    const BodyInertia body = inertia_at(mechanism.masses[b], poses[b]);
+    const double most =
+        (body.tensor.norm() + body.mass * length * length) *
+        (idle[b].angular.squaredNorm() + idle[b].linear.squaredNorm() / (length * length));
+    if (shared_inertia(body, idle[b], idle[b]) > kIdleInertia * most) {
+      return BodyId{static_cast<int>(b)};
+    }
   }
-  return sum;
+  return std::nullopt;
 }
 
 }  // namespace
 
-std::optional<InertialMotion> find_inertial_motion(const MotionNetwork& network,
-                                                   MotionStates& states,
-                                                   const Configuration& configuration,
-                                                   const GivenSpeeds& speeds) {
+std::variant<InertialMotion, InertiaObstacle> find_inertial_motion(
+    const Mechanism& mechanism,
+    const MotionNetwork& network,
+    MotionStates& states,
+    const Configuration& configuration,
+    const GivenSpeeds& speeds) {
   MotionState state = states.solve_bounded(configuration, speeds, StateDetail::acceleration);
   if (state.is_singular || state.twist_rates.empty()) {
-    return std::nullopt;
+    return InertiaObstacle{.kind = InertiaObstacle::Kind::singular};
   }
   InertialMotion motion{.poses = std::move(state.poses),
                         .twists = std::move(state.twists),
@@ -80,23 +94,25 @@ std::optional<InertialMotion> find_inertial_motion(const MotionNetwork& network,
                         .drives = network.driven_freedoms,
                         .rates = {},
                         .accelerations = {},
-                        .of_drives = {},
-                        .of_idle = {}};
+                        .of_drives = {}};
   std::vector<PassiveSpeed> at_rest;
   for (const int freedom : network.passive_freedoms) {
     at_rest.push_back({.freedom = freedom, .speed = 0.0});
   }
   const std::size_t count = speeds.drives.size();
+  for (std::size_t p = 0; p < at_rest.size(); ++p) {
+    std::vector<PassiveSpeed> one = at_rest;
+    one[p].speed = 1.0;
+    const std::vector<Twist> idle =
+        unit_motion(states, configuration, count, std::nullopt, std::move(one));
+    if (const std::optional<BodyId> body = find_spinning_body(mechanism, motion.poses, idle)) {
+      return InertiaObstacle{.kind = InertiaObstacle::Kind::idle_spin, .body = body};
+    }
+  }
   for (std::size_t d = 0; d < count; ++d) {
     motion.rates.push_back(speeds.drives[d].speed);
     motion.accelerations.push_back(speeds.drives[d].acceleration);
     motion.of_drives.push_back(unit_motion(states, configuration, count, d, at_rest));
-  }
-  for (std::size_t p = 0; p < at_rest.size(); ++p) {
-    std::vector<PassiveSpeed> one = at_rest;
-    one[p].speed = 1.0;
-    motion.of_idle.push_back(
-        unit_motion(states, configuration, count, std::nullopt, std::move(one)));
   }
   return motion;
 }
@@ -104,9 +120,8 @@ std::optional<InertialMotion> find_inertial_motion(const MotionNetwork& network,
 std::variant<InertialMotion, InertiaObstacle> find_drawn_motion(const Mechanism& mechanism,
                                                                 const Case& which,
                                                                 const KinematicSolution& motion) {
-  using enum InertiaObstacle::Kind;
   if (motion.status != SolveStatus::solved) {
-    return InertiaObstacle{.kind = unknown_motion};
+    return InertiaObstacle{.kind = InertiaObstacle::Kind::unknown_motion};
   }
   const MotionNetwork network =
       make_motion_network(mechanism, mechanism.drawn_couplings, drives_of(which));
@@ -114,13 +129,18 @@ std::variant<InertialMotion, InertiaObstacle> find_drawn_motion(const Mechanism&
     return obstacle_of(network);
   }
   MotionStates states(network, mechanism);
-  std::optional<InertialMotion> found =
-      find_inertial_motion(network, states, drawn_configuration(network), speeds_of(which));
-  if (!found) {
-    return InertiaObstacle{.kind = singular};
+  return find_inertial_motion(
+      mechanism, network, states, drawn_configuration(network), speeds_of(which));
+}
+
+std::vector<std::string> inertial_load_names(const Mechanism& mechanism) {
+  std::vector<std::string> names;
+  for (std::size_t b = 0; b < mechanism.masses.size(); ++b) {
+    if (mechanism.masses[b].counts()) {
+      names.push_back(std::string(kInertiaPrefix) + mechanism.topology.bodies[b].name);
+    }
   }
-  settle_idle_motions(mechanism, which, *found);
-  return *std::move(found);
+  return names;
 }
 
 std::vector<Load> inertial_loads(const Mechanism& mechanism, const InertialMotion& motion) {
@@ -141,35 +161,6 @@ std::vector<Load> inertial_loads(const Mechanism& mechanism, const InertialMotio
          .where = mass.where});
   }
   return loads;
-}
-
-void settle_idle_motions(const Mechanism& mechanism, const Case& which, InertialMotion& motion) {
-  const auto count = static_cast<Eigen::Index>(motion.of_idle.size());
-  if (count == 0) {
-    return;
-  }
-  const std::vector<Load> inertial = inertial_loads(mechanism, motion);
-  MatX inertia = MatX::Zero(count, count);
-  VecX force = VecX::Zero(count);
-  for (Eigen::Index p = 0; p < count; ++p) {
-    const std::vector<Twist>& one = motion.of_idle[static_cast<std::size_t>(p)];
-    force[p] = generalised_force(which.loads, one) + generalised_force(inertial, one);
-    for (std::size_t b = 0; b < mechanism.masses.size(); ++b) {
-      const BodyInertia body = inertia_at(mechanism.masses[b], motion.poses[b]);
-      for (Eigen::Index q = 0; q < count; ++q) {
-        inertia(p, q) +=
-            shared_inertia(body, one[b], motion.of_idle[static_cast<std::size_t>(q)][b]);
-      }
-    }
-  }
-  // Idle motions of bodies without inertia have none, and ask for nothing.
-  const VecX acceleration = Eigen::CompleteOrthogonalDecomposition<MatX>(inertia).solve(force);
-  for (Eigen::Index p = 0; p < count; ++p) {
-    const std::vector<Twist>& one = motion.of_idle[static_cast<std::size_t>(p)];
-    for (std::size_t b = 0; b < one.size(); ++b) {
-      motion.twist_rates[b] = motion.twist_rates[b] + acceleration[p] * one[b];
-    }
-  }
 }
 
 }  // namespace kinestat

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -21,7 +22,6 @@ struct InertialMotion {
   std::vector<double> rates;                  ///< of the drives [rad/s or m/s]
   std::vector<double> accelerations;          ///< of the drives [rad/s² or m/s²]
   std::vector<std::vector<Twist>> of_drives;  ///< for a unit rate of each drive alone
-  std::vector<std::vector<Twist>> of_idle;    ///< of each motion that no other body feels
 };
 
 /// Why accelerations are not known.
@@ -29,11 +29,13 @@ struct InertiaObstacle {
   enum class Kind {
     unknown_motion,  ///< the case does not determine the velocities
     unmovable,       ///< a coupling has no finite law
-    singular         ///< velocities determine no accelerations
+    singular,        ///< velocities determine no accelerations
+    idle_spin        ///< a body turns by itself, and its inertia about that axis counts
   };
 
   Kind kind = Kind::unknown_motion;
   std::optional<UnmovableCoupling> coupling = {};  ///< unmovable
+  std::optional<BodyId> body = {};                 ///< idle_spin
 };
 
 /// Of a mechanism in its drawn position, moved by what the case knows; `motion` are its velocities.
@@ -42,18 +44,18 @@ std::variant<InertialMotion, InertiaObstacle> find_drawn_motion(const Mechanism&
                                                                 const KinematicSolution& motion);
 
 /// In any position: `states` are of a network that is driven by `drives`, whose speeds are given.
-/// Empty where the position is singular.
-std::optional<InertialMotion> find_inertial_motion(const MotionNetwork& network,
-                                                   MotionStates& states,
-                                                   const Configuration& configuration,
-                                                   const GivenSpeeds& speeds);
+/// What a body does by itself is open: forces of inertia must not hang on it.
+std::variant<InertialMotion, InertiaObstacle> find_inertial_motion(
+    const Mechanism& mechanism,
+    const MotionNetwork& network,
+    MotionStates& states,
+    const Configuration& configuration,
+    const GivenSpeeds& speeds);
 
-/// What no other body feels moves as the forces ask it to: adds the accelerations of idle motions
-/// by which the loads and the forces of inertia have no power on them.
-void settle_idle_motions(const Mechanism& mechanism, const Case& which, InertialMotion& motion);
-
-/// One load inertia.BODY for every body with mass or inertia, at its centre of mass. Its force of
-/// planets is that of all of them together.
+/// One load inertia.BODY for every body with mass or inertia, at its centre of mass; of planets
+/// that of all of them together. Their names are `inertial_load_names`, in that order.
 std::vector<Load> inertial_loads(const Mechanism& mechanism, const InertialMotion& motion);
+
+std::vector<std::string> inertial_load_names(const Mechanism& mechanism);
 
 }  // namespace kinestat

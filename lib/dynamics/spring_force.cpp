@@ -56,6 +56,13 @@ std::optional<double> gas_tension(const GasSpring& gas, double length) {
   return -gas.force * std::pow(1.0 - gas.hold * pushed_in / gas.stroke, -gas.exponent);
 }
 
+// Of what a spring does to a body.
+std::string load_name(const Spring& spring, BodyId body, const Topology& topology) {
+  const bool is_alone = spring.tail.value == 0 || spring.head.value == 0;
+  const std::string name = std::string(kSpringPrefix) + spring.name;
+  return is_alone ? name : name + "." + topology.body(body).name;
+}
+
 }  // namespace
 
 std::variant<std::vector<SpringState>, SpringObstacle> spring_states(const Mechanism& drawn,
@@ -105,9 +112,7 @@ std::vector<Load> spring_loads(const Mechanism& moved,
     if (body.value == 0) {
       return;
     }
-    const bool is_alone = spring.tail.value == 0 || spring.head.value == 0;
-    const std::string name = std::string(kSpringPrefix) + spring.name;
-    loads.push_back({.name = is_alone ? name : name + "." + topology.body(body).name,
+    loads.push_back({.name = load_name(spring, body, topology),
                      .acts = {.body = body, .wrench = wrench},
                      .point = point,
                      .where = spring.where});
@@ -139,6 +144,18 @@ std::vector<Load> spring_loads(const Mechanism& moved,
         std::optional<Vec3>(ends.from));
   }
   return loads;
+}
+
+std::vector<std::string> spring_load_names(const Mechanism& mechanism) {
+  std::vector<std::string> names;
+  for (const Spring& spring : mechanism.springs) {
+    for (const BodyId body : {spring.head, spring.tail}) {
+      if (body.value != 0) {
+        names.push_back(load_name(spring, body, mechanism.topology));
+      }
+    }
+  }
+  return names;
 }
 
 }  // namespace kinestat

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <optional>
-#include <span>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -41,10 +41,13 @@ struct SpringObstacle {
 std::variant<std::vector<SpringState>, SpringObstacle> spring_states(const Mechanism& drawn,
                                                                      const SpringPlace& place);
 
-/// Their forces on the bodies they join, as loads spring.NAME, or spring.NAME.BODY where both move.
+/// Their forces on the bodies they join, as loads spring.NAME, or spring.NAME.BODY where both move;
+/// the names are `spring_load_names`, in that order.
 /// `moved` has the screws of the position.
 std::vector<Load> spring_loads(const Mechanism& moved,
                                const SpringPlace& place,
                                const std::vector<SpringState>& states);
+
+std::vector<std::string> spring_load_names(const Mechanism& mechanism);
 
 }  // namespace kinestat

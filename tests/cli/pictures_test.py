@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import argparse
+import cmath
 import math
 import re
 import subprocess
@@ -30,6 +31,12 @@ HELVETICA = [int(width) for width in (
     "778 667 778 722 667 611 722 667 944 667 667 611 278 278 278 469 556 333 556 556 500 556 556 278 "
     "556 556 222 222 500 222 833 556 556 556 556 333 500 278 556 500 722 500 500 500 334 260 334 "
     "584").split()]
+SHAPES = {"line", "rect", "circle", "polygon", "polyline", "path"}
+NOT_DRAWN = {"title", "desc", "style", "animate", "animateTransform"}
+# What texts have from the groups that they are in.
+INHERITED = {"font-size", "text-anchor"}
+# How many numbers each command of a path takes.
+PATH_NUMBERS = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 7}
 
 
 @dataclass
@@ -47,6 +54,29 @@ class Box:
     def holds(self, other: Box, slack: float) -> bool:
         return (other.left >= self.left - slack and other.right <= self.right + slack
                 and other.top >= self.top - slack and other.bottom <= self.bottom + slack)
+
+
+@dataclass
+class Frame:
+    """Where coordinates lie in the view: turned, then moved; points as complex numbers."""
+    turn: complex = 1.0
+    move: complex = 0.0
+
+    def place(self, x: float, y: float) -> tuple[float, float]:
+        point = self.turn * complex(x, y) + self.move
+        return point.real, point.imag
+
+    def of(self, inner: Frame) -> Frame:
+        return Frame(self.turn * inner.turn, self.turn * inner.move + self.move)
+
+
+@dataclass
+class Drawn:
+    """A text or a shape, once for each time that it is drawn."""
+    element: ElementTree.Element
+    kind: str
+    frame: Frame
+    inherited: dict[str, str]
 
 
 def kinestat(*words: str) -> subprocess.CompletedProcess[str]:
@@ -100,31 +130,37 @@ def arc_bounds(at: tuple[float, float], words: list[float]) -> Iterator[tuple[fl
 def path_points(data: str) -> Iterator[tuple[float, float]]:
     """Points of a path; control points of curves among them."""
     x = y = 0.0
+    begin = (x, y)
     for letter, rest in re.findall(r"([a-zA-Z])([^a-zA-Z]*)", data):
+        kind = letter.upper()
         words = numbers(rest)
-        if letter in "MLT":
-            for i in range(0, len(words), 2):
-                x, y = words[i], words[i + 1]
-                yield x, y
-        elif letter in "CSQ":
-            for i in range(0, len(words), 2):
-                x, y = words[i], words[i + 1]
-                yield x, y
-        elif letter == "H":
-            x = words[-1]
-            yield x, y
-        elif letter == "V":
-            y = words[-1]
-            yield x, y
-        elif letter == "h":
-            yield x + words[0], y
-        elif letter == "A":
-            for i in range(0, len(words), 7):
-                yield from arc_bounds((x, y), words[i:i + 7])
-                x, y = words[i + 5], words[i + 6]
-                yield x, y
-        elif letter not in "Zz":
+        if kind == "Z":
+            x, y = begin
+            continue
+        if kind not in PATH_NUMBERS:
             raise AssertionError(f"unknown path command {letter}")
+        size = PATH_NUMBERS[kind]
+        if not words or len(words) % size != 0:
+            raise AssertionError(f"{len(words)} numbers for path command {letter}")
+        for i in range(0, len(words), size):
+            part = words[i:i + size]
+            # Relative numbers of a part all count from where the part before it ends.
+            from_x, from_y = (x, y) if letter.islower() else (0.0, 0.0)
+            if kind == "H":
+                x = from_x + part[0]
+            elif kind == "V":
+                y = from_y + part[0]
+            elif kind == "A":
+                end = (from_x + part[5], from_y + part[6])
+                yield from arc_bounds((x, y), [*part[:5], *end])
+                x, y = end
+            else:
+                for j in range(0, size, 2):
+                    x, y = from_x + part[j], from_y + part[j + 1]
+                    yield x, y
+            yield x, y
+            if kind == "M" and i == 0:
+                begin = (x, y)
 
 
 def box_of(points: list[tuple[float, float]]) -> Box:
@@ -132,44 +168,99 @@ def box_of(points: list[tuple[float, float]]) -> Box:
     return Box(min(xs), min(ys), max(xs), max(ys))
 
 
+def corners_of(box: Box) -> list[tuple[float, float]]:
+    return [(x, y) for x in (box.left, box.right) for y in (box.top, box.bottom)]
+
+
 def text_width(text: str, size: float) -> float:
     return size / 1000 * sum(HELVETICA[ord(c) - 32] if " " <= c <= "~" else 500 for c in text)
 
 
-def text_box(element: ElementTree.Element) -> Box:
-    x, y = float(element.attrib["x"]), float(element.attrib["y"])
-    size = float(element.attrib["font-size"])
-    width = text_width(element.text or "", size)
-    anchor = element.attrib.get("text-anchor", "start")
-    left = {"start": 0.0, "middle": -width / 2, "end": -width}[anchor]
-    corners = [(dx, dy) for dx in (left, left + width) for dy in (-0.72 * size, 0.2 * size)]
-    angle = 0.0
-    if "transform" in element.attrib:
-        angle = math.radians(numbers(element.attrib["transform"])[0])
-    turned = [(x + dx * math.cos(angle) - dy * math.sin(angle),
-               y + dx * math.sin(angle) + dy * math.cos(angle)) for dx, dy in corners]
-    return box_of(turned)
+def frame_of(element: ElementTree.Element) -> Frame:
+    """What `transform` says of the element and all in it."""
+    frame = Frame()
+    text = element.attrib.get("transform", "")
+    if not re.fullmatch(r"(\s*\w+\([^()]*\))*", text):
+        raise AssertionError(f"unknown transform {text}")
+    for kind, rest in re.findall(r"(\w+)\(([^()]*)\)", text):
+        words = numbers(rest)
+        if kind == "translate" and len(words) in (1, 2):
+            frame = frame.of(Frame(move=complex(*words)))
+        elif kind == "rotate" and len(words) in (1, 3):
+            turn = cmath.rect(1.0, math.radians(words[0]))
+            centre = complex(*words[1:])
+            frame = frame.of(Frame(turn, centre - turn * centre))
+        else:
+            raise AssertionError(f"unknown transform {kind}({rest})")
+    return frame
 
 
-def shape_box(element: ElementTree.Element) -> Box | None:
-    kind = element.tag.removeprefix(SVG)
-    value = {key: float(text) for key, text in element.attrib.items()
+def all_drawn(root: ElementTree.Element) -> Iterator[Drawn]:
+    """Texts and shapes where they are drawn; what is used again is drawn again."""
+    named = {element.attrib["id"]: element for element in root.iter() if "id" in element.attrib}
+
+    def walk(element: ElementTree.Element, frame: Frame, inherited: dict[str, str],
+             using: tuple[str, ...]) -> Iterator[Drawn]:
+        kind = element.tag.removeprefix(SVG)
+        if kind in NOT_DRAWN:
+            return
+        frame = frame.of(frame_of(element))
+        inherited = inherited | {key: text for key, text in element.attrib.items()
+                                 if key in INHERITED}
+        if kind == "use":
+            name = element.attrib["href"].removeprefix("#")
+            if name in using:
+                raise AssertionError(f"{name} uses itself")
+            move = complex(float(element.attrib.get("x", "0")), float(element.attrib.get("y", "0")))
+            yield from walk(named[name], frame.of(Frame(move=move)), inherited, (*using, name))
+        elif kind == "text" or kind in SHAPES:
+            yield Drawn(element, kind, frame, inherited)
+        elif kind != "g" and element is not root:
+            raise AssertionError(f"unknown element {kind}")
+        for child in element:
+            if kind not in ("svg", "g") and child.tag.removeprefix(SVG) not in NOT_DRAWN:
+                raise AssertionError(f"{child.tag} in {kind}")
+            yield from walk(child, frame, inherited, using)
+
+    yield from walk(root, Frame(), {}, ())
+
+
+def written(element: ElementTree.Element) -> str:
+    """The letters of a text, without those of its title."""
+    return (element.text or "") + "".join(child.tail or "" for child in element)
+
+
+def text_corners(one: Drawn) -> list[tuple[float, float]]:
+    x, y = float(one.element.attrib.get("x", "0")), float(one.element.attrib.get("y", "0"))
+    size = float(one.inherited["font-size"])
+    width = text_width(written(one.element), size)
+    anchor = one.inherited.get("text-anchor", "start")
+    left = x + {"start": 0.0, "middle": -width / 2, "end": -width}[anchor]
+    return corners_of(Box(left, y - 0.72 * size, left + width, y + 0.2 * size))
+
+
+def shape_points(one: Drawn) -> list[tuple[float, float]]:
+    """Points between which the shape lies, before it is moved into the view."""
+    attributes = one.element.attrib
+    value = {key: float(text) for key, text in attributes.items()
              if key in ("x", "y", "x1", "y1", "x2", "y2", "cx", "cy", "r", "width", "height")}
-    if kind == "line":
-        return box_of([(value["x1"], value["y1"]), (value["x2"], value["y2"])])
-    if kind == "rect":
-        return Box(value["x"], value["y"], value["x"] + value["width"],
-                   value["y"] + value["height"])
-    if kind == "circle":
-        return Box(value["cx"] - value["r"], value["cy"] - value["r"], value["cx"] + value["r"],
-                   value["cy"] + value["r"])
-    if kind in ("polygon", "polyline"):
-        words = numbers(element.attrib["points"])
-        return box_of(list(zip(words[::2], words[1::2])))
-    if kind == "path":
-        points = list(path_points(element.attrib["d"]))
-        return box_of(points) if points else None
-    return None
+    if one.kind == "line":
+        return [(value["x1"], value["y1"]), (value["x2"], value["y2"])]
+    if one.kind == "rect":
+        return corners_of(Box(value["x"], value["y"], value["x"] + value["width"],
+                              value["y"] + value["height"]))
+    if one.kind == "circle":
+        return corners_of(Box(value["cx"] - value["r"], value["cy"] - value["r"],
+                              value["cx"] + value["r"], value["cy"] + value["r"]))
+    if one.kind in ("polygon", "polyline"):
+        words = numbers(attributes["points"])
+        return list(zip(words[::2], words[1::2]))
+    return list(path_points(attributes["d"]))
+
+
+def box_in_view(one: Drawn) -> Box:
+    points = text_corners(one) if one.kind == "text" else shape_points(one)
+    return box_of([one.frame.place(x, y) for x, y in points])
 
 
 def view_of(root: ElementTree.Element) -> Box:
@@ -211,12 +302,17 @@ class Pictures(unittest.TestCase):
 
     def test_load_and_run_nothing(self) -> None:
         def check(root: ElementTree.Element, text: str) -> None:
+            ids = {"#" + element.attrib["id"] for element in root.iter() if "id" in element.attrib}
             for element in root.iter():
-                self.assertNotIn(element.tag.removeprefix(SVG),
-                                 ("script", "image", "use", "foreignObject", "a", "set"))
+                kind = element.tag.removeprefix(SVG)
+                self.assertNotIn(kind, ("script", "image", "foreignObject", "a", "set"))
+                if kind == "use":
+                    # Only what the picture itself has may be drawn again.
+                    self.assertIn(element.attrib["href"], ids)
                 for key in element.attrib:
-                    self.assertFalse(key.startswith("on") or "href" in key or key == "style", key)
-            self.assertNotIn("url(", text)
+                    self.assertFalse(key.startswith("on") or key == "style", key)
+                    self.assertTrue("href" not in key or (kind, key) == ("use", "href"), key)
+            self.assertNotRegex(text, r"(?i)url\(|@import")
 
         self.each(check)
 
@@ -249,17 +345,17 @@ class Pictures(unittest.TestCase):
     def test_lie_inside_their_views(self) -> None:
         def check(root: ElementTree.Element, _: str) -> None:
             view = view_of(root)
-            for element in root.iter():
-                box = text_box(element) if element.tag == f"{SVG}text" else shape_box(element)
-                if box is not None:
-                    self.assertTrue(view.holds(box, 0.51),
-                                    f"{ElementTree.tostring(element)!r} {box} {view}")
+            for one in all_drawn(root):
+                box = box_in_view(one)
+                self.assertTrue(view.holds(box, 0.51),
+                                f"{ElementTree.tostring(one.element)!r} {box} {view}")
 
         self.each(check)
 
     def test_have_no_text_upon_another(self) -> None:
         def check(root: ElementTree.Element, _: str) -> None:
-            texts = [(text_box(element), element.text) for element in root.iter(f"{SVG}text")]
+            texts = [(box_in_view(one), written(one.element))
+                     for one in all_drawn(root) if one.kind == "text"]
             texts.sort(key=lambda one: one[0].left)
             for i, (box, text) in enumerate(texts):
                 for other, other_text in texts[i + 1:]:

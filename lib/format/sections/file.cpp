@@ -188,7 +188,7 @@ void declare_loads(Mapping<File>& m) {
   m.key("gravity",
         "The acceleration of gravity as a vector, [x, y] in the plane, [x, y, z] in space; it acts "
         "on bodies with a mass.")
-      .may(&File::gravity, vector_of(acceleration(), "", "", {}), "[0, -9.81]")
+      .may(&File::gravity, vector_of(acceleration(), "", "", {}), "[0, -9.81 m/s^2]")
       .offer("0, ${1:-9.81 m/s^2}", "in the plane, down is -y")
       .offer("0, 0, ${1:-9.81 m/s^2}", "in space, down is -z");
   m.key("losses",

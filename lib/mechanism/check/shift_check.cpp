@@ -47,6 +47,7 @@ class ShiftCheck {
     check_actuators(shift_.outputs, "'output' of 'shift'");
     check_actuators(shift_.elements, "'elements' of 'shift'");
     check_actuators(shift_.reacts, "'reacts' of 'shift'");
+    check_reacting();
     check_roles();
     check_elements();
     check_values(shift_.input_motion, kMotion, "'input_motion'");
@@ -144,6 +145,18 @@ class ShiftCheck {
                          fmt::format("'{}' cannot be {}", name.text, roles),
                          "name it in one of the two; a shaft that is driven and shifted has an "
                          "actuator for each");
+  }
+
+  // Their speeds and torques are told as those of shafts.
+  void check_reacting() {
+    for (const Name& machine : shift_.reacts) {
+      if (context_.names.kind_of_actuator(machine.text) == DriveKind::sliding) {
+        context_.found.error("E0305",
+                             machine.where,
+                             fmt::format("machine '{}' of 'reacts' slides", machine.text),
+                             "machines that react turn: name an actuator of a revolute");
+      }
+    }
   }
 
   void check_values(const std::vector<InputValue>& values,

@@ -9,7 +9,7 @@
 namespace kinestat {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+constexpr double kHalfTurn = std::numbers::pi;
 
 struct Peaks {
   DriveLaw law;
@@ -18,15 +18,16 @@ struct Peaks {
 };
 
 // Norton, Design of Machinery, chapter 8; of the polynomials from their derivatives.
-const Peaks kPeaks[] = {
-    {DriveLaw::constant_acceleration, 2.0, 4.0},
-    {DriveLaw::trapezoid, 1.5, 4.5},
-    {DriveLaw::polynomial_345, 15.0 / 8.0, 10.0 / std::sqrt(3.0)},
-    {DriveLaw::polynomial_4567, 35.0 / 16.0, 7.513188404399},
-    {DriveLaw::cycloidal, 2.0, 2.0 * kPi},
-    {DriveLaw::harmonic, kPi / 2.0, kPi* kPi / 2.0},
-    {DriveLaw::modified_trapezoid, 2.0, 8.0 * kPi / (kPi + 2.0)},
-    {DriveLaw::modified_sine, 4.0 * kPi / (kPi + 4.0), 4.0 * kPi* kPi / (kPi + 4.0)}};
+const Peaks kPeaks[] = {{DriveLaw::constant_acceleration, 2.0, 4.0},
+                        {DriveLaw::trapezoid, 1.5, 4.5},
+                        {DriveLaw::polynomial_345, 15.0 / 8.0, 10.0 / std::sqrt(3.0)},
+                        {DriveLaw::polynomial_4567, 35.0 / 16.0, 7.513188404399},
+                        {DriveLaw::cycloidal, 2.0, 2.0 * kHalfTurn},
+                        {DriveLaw::harmonic, kHalfTurn / 2.0, kHalfTurn* kHalfTurn / 2.0},
+                        {DriveLaw::modified_trapezoid, 2.0, 8.0 * kHalfTurn / (kHalfTurn + 2.0)},
+                        {DriveLaw::modified_sine,
+                         4.0 * kHalfTurn / (kHalfTurn + 4.0),
+                         4.0 * kHalfTurn* kHalfTurn / (kHalfTurn + 4.0)}};
 
 TEST(DriveLaw, has_the_peaks_of_the_literature) {
   for (const Peaks& one : kPeaks) {

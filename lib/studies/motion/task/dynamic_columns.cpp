@@ -26,7 +26,7 @@ class DynamicReadings {
       return std::optional(one.kinetic_energy_rate);
     });
     add_wrench("ground", [](const CaseDynamics& one) { return one.ground; });
-    add_wrench("shaking", [](const CaseDynamics& one) { return std::optional(one.shaking); });
+    add_wrench("shaking", [](const CaseDynamics& one) { return one.shaking; });
     for (std::size_t d = 0; d < plan_.drives.size(); ++d) {
       add_drive(d);
     }

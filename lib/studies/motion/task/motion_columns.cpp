@@ -361,9 +361,9 @@ class ReadingList {
     if (!report().power || plan_.which < 0) {
       return;
     }
-    const std::vector<Load>& loads = mechanism_.cases[static_cast<std::size_t>(plan_.which)].loads;
+    const std::vector<std::string> loads = load_names();
     for (std::size_t i = 0; i < loads.size(); ++i) {
-      add(loads[i].name,
+      add(loads[i],
           "power",
           QuantityKind::power,
           [i](const MotionPosition& at) -> std::optional<double> {
@@ -371,6 +371,19 @@ class ReadingList {
                                                  : std::nullopt;
           });
     }
+  }
+
+  // Those of the case, then those that follow from the motion, in the order of a solved case.
+  std::vector<std::string> load_names() const {
+    std::vector<std::string> names;
+    for (const Load& load : which().loads) {
+      names.push_back(load.name);
+    }
+    std::ranges::move(spring_load_names(mechanism_), std::back_inserter(names));
+    if (which().has_inertia()) {
+      std::ranges::move(inertial_load_names(mechanism_), std::back_inserter(names));
+    }
+    return names;
   }
 
   const Case& which() const { return mechanism_.cases[static_cast<std::size_t>(plan_.which)]; }

@@ -17,8 +17,14 @@ class FigureMaker {
               const std::vector<std::optional<ClimbedColumn>>& climbed,
               const BetweenSteps& between,
               const std::function<double(double)>& drive_at,
+              const std::function<double(std::size_t)>& middle_behind,
               MotionTable& table)
-      : shares_(shares), climbed_(climbed), between_(between), drive_at_(drive_at), table_(table) {
+      : shares_(shares),
+        climbed_(climbed),
+        between_(between),
+        drive_at_(drive_at),
+        middle_behind_(middle_behind),
+        table_(table) {
     for (const MotionRow& row : table.rows) {
       places_.push_back(&row.values);
     }
@@ -91,26 +97,35 @@ class FigureMaker {
   }
 
   // Over the way of the drives, or in time: the trapezoids between the steps of a motion that
-  // reaches its end.
+  // reaches its end, or the middle where an end has no value.
   template <class Measure>
   std::optional<double> mean(std::size_t column, const Measure& measure) const {
     const bool is_whole = table_.end == MotionEnd::complete ||
                           (table_.end == MotionEnd::limited && table_.until_limit);
-    const bool has_all = is_whole && table_.rows.size() > 1 &&
-                         std::ranges::all_of(table_.rows, [&](const MotionRow& row) {
-                           return row.values[column].has_value();
-                         });
-    if (!has_all) {
+    if (!is_whole || table_.rows.size() < 2) {
       return std::nullopt;
     }
     const std::size_t last = table_.rows.size() - 1;
     double sum = 0.0;
     double size = 0.0;
-    for (std::size_t row = 0; row <= last; ++row) {
-      const double value = measure(*table_.rows[row].values[column]);
-      const double term = row == 0 || row == last ? value / 2.0 : value;
-      sum += term;
-      size += std::abs(term);
+    const auto add = [&](double value, double weight) {
+      sum += weight * measure(value);
+      size += weight * std::abs(measure(value));
+    };
+    for (std::size_t row = 0; row < last; ++row) {
+      const std::optional<double>& low = table_.rows[row].values[column];
+      const std::optional<double>& high = table_.rows[row + 1].values[column];
+      if (low && high) {
+        add(*low, 0.5);
+        add(*high, 0.5);
+        continue;
+      }
+      const std::optional<double> middle =
+          (low || high) && between_ ? between_(column, row, middle_behind_(row)) : std::nullopt;
+      if (!middle) {
+        return std::nullopt;
+      }
+      add(*middle, 1.0);
     }
     return settled(sum, kCancellation * size) / static_cast<double>(last);
   }
@@ -119,6 +134,7 @@ class FigureMaker {
   const std::vector<std::optional<ClimbedColumn>>& climbed_;
   const BetweenSteps& between_;
   const std::function<double(double)>& drive_at_;
+  const std::function<double(std::size_t)>& middle_behind_;
   MotionTable& table_;
   std::vector<const std::vector<std::optional<double>>*> places_;  // parallel to the columns
 };
@@ -129,8 +145,9 @@ void add_figures(std::span<const double> shares,
                  const std::vector<std::optional<ClimbedColumn>>& climbed,
                  const BetweenSteps& between,
                  const std::function<double(double share)>& drive_at,
+                 const std::function<double(std::size_t row)>& middle_behind,
                  MotionTable& table) {
-  FigureMaker(shares, climbed, between, drive_at, table).run();
+  FigureMaker(shares, climbed, between, drive_at, middle_behind, table).run();
 }
 
 }  // namespace kinestat

@@ -23,12 +23,15 @@ struct ClimbedColumn {
 
 /// Fills the figures of a table whose rows stand at those shares of the ranges and whose events are
 /// known. Extremes are those of the steps, of positions at dead points too; in the columns that are
-/// climbed, which may be fewer than all, they are looked for between the steps. `drive_at` answers
-/// where the first drive is at a share, in its unit.
+/// climbed, which may be fewer than all, they are looked for between the steps. Means take the
+/// middle of an interval where one of its ends has no value, as friction has none where it turns
+/// round. `drive_at` answers where the first drive is at a share, in its unit, `middle_behind` the
+/// share in the middle between a row and the next.
 void add_figures(std::span<const double> shares,
                  const std::vector<std::optional<ClimbedColumn>>& climbed,
                  const BetweenSteps& between,
                  const std::function<double(double share)>& drive_at,
+                 const std::function<double(std::size_t row)>& middle_behind,
                  MotionTable& table);
 
 }  // namespace kinestat

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <variant>
 
 #include "cases/case_passes.hpp"
 #include "core/motion_tolerance.hpp"
@@ -209,10 +210,13 @@ void MotionPositions::solve_passes(const Configuration& configuration,
     return;
   }
   std::optional<InertialMotion> inertial;
+  std::optional<InertiaObstacle> obstacle;
   if (judged.asks_actions && judged.has_inertia() && position.has_speeds()) {
-    inertial = find_inertial_motion(network_, states_, configuration, speeds);
-    if (inertial) {
-      settle_idle_motions(moved_, judged, *inertial);
+    auto found = find_inertial_motion(moved_, network_, states_, configuration, speeds);
+    if (auto* const motion = std::get_if<InertialMotion>(&found)) {
+      inertial = std::move(*motion);
+    } else {
+      obstacle = std::get<InertiaObstacle>(found);
     }
   }
   judged.asks_actions = judged.asks_actions && (inertial || !judged.has_inertia());
@@ -224,7 +228,9 @@ void MotionPositions::solve_passes(const Configuration& configuration,
       .rates = position.has_speeds() ? position.state.rates : std::vector<std::optional<double>>()};
   const KnownState known{
       .motion = nullptr, .inertial = inertial ? &*inertial : nullptr, .springs = &springs};
-  if (!has_own_rank() && which.asks_motions) {
+  // What bodies do by themselves is that of the state, too.
+  const bool is_of_state = !has_own_rank() || !network_.passive_motions.empty();
+  if (is_of_state && which.asks_motions) {
     const KinematicSolution motion = motion_of_state(position);
     position.solved = solve_row(
         moved_, judged, {.motion = &motion, .inertial = known.inertial, .springs = known.springs});
@@ -236,6 +242,7 @@ void MotionPositions::solve_passes(const Configuration& configuration,
   } else {
     position.solved = solve_row(moved_, judged, known);
   }
+  position.solved->inertia_obstacle = obstacle;
 }
 
 }  // namespace kinestat

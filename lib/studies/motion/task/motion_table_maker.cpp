@@ -379,8 +379,13 @@ class TableMaker {
 
   void add_column_figures() {
     const auto drive_at = [this](double share) { return drives_at(share).front(); };
+    const auto middle_behind = [this](std::size_t row) {
+      const double middle = (static_cast<double>(row) + 0.5) / static_cast<double>(plan_.steps);
+      return plan_.schedule ? plan_.schedule->share_at(middle)
+                            : 0.5 * (solution_.shares[row] + solution_.shares[row + 1]);
+    };
     if (readings_.empty() || (!scope_.extremes && table_.columns.size() > kMostClimbed)) {
-      add_figures(solution_.shares, {}, {}, drive_at, table_);
+      add_figures(solution_.shares, {}, {}, drive_at, middle_behind, table_);
       return;
     }
     table_.looks_between_steps = true;
@@ -407,6 +412,7 @@ class TableMaker {
           return there ? read(column - first, positions.at(*there, share)) : std::nullopt;
         },
         drive_at,
+        middle_behind,
         table_);
   }
 

@@ -1,8 +1,12 @@
 #include "studies/synthesis/task/synthesis_task.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "core/tolerance.hpp"
 #include "studies/synthesis/task/given_dyad_fault.hpp"
 
 namespace kinestat {
@@ -86,6 +90,19 @@ std::optional<PlaneArea> SynthesisValues::area(const std::optional<AreaDescripti
                              : PlaneArea(std::move(corners));
 }
 
+namespace {
+
+// No linkage is made of two dyads between the same points.
+bool are_alike(const Dyad& one, const Dyad& other) {
+  const double size = std::abs(one.circle_point) + std::abs(one.centre_point);
+  return one.kind == other.kind &&
+         std::abs(one.circle_point - other.circle_point) <= kSameValue * size &&
+         std::abs(one.centre_point - other.centre_point) <= kSameValue * size &&
+         std::abs(one.direction - other.direction) <= kSameValue;
+}
+
+}  // namespace
+
 GivenDyad SynthesisValues::given(const DyadDescription& dyad) const {
   GivenDyad result;
   if (dyad.circle_point) {
@@ -106,6 +123,13 @@ std::optional<std::vector<Dyad>> SynthesisValues::given_dyads(
     const CompletedDyad completed = complete_dyad(positions, given(task_.dyads[i]));
     if (!completed.dyad) {
       add_fault(completed, i, positions, description_, found);
+      return std::nullopt;
+    }
+    if (!dyads.empty() && are_alike(dyads.back(), *completed.dyad)) {
+      found.error("E0307",
+                  task_.dyads[i].where,
+                  fmt::format("dyad {} is the same as dyad {}", i + 1, i),
+                  "two different dyads make a linkage: give it other points, or leave it out");
       return std::nullopt;
     }
     dyads.push_back(*completed.dyad);
