@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
-#include <variant>
 
 #include "cases/case_passes.hpp"
 #include "cases/converter_slip.hpp"
 #include "cases/exact_input_cases.hpp"
 #include "cases/idle_freedoms.hpp"
+#include "cases/moving_loads.hpp"
 #include "core/contract.hpp"
 #include "core/tolerance.hpp"
 #include "kinematics/velocity.hpp"
@@ -273,59 +273,6 @@ std::optional<CaseAnalysis> solve_by_converter(const Mechanism& drawn,
   return result;
 }
 
-// What speeds the bodies up, for a case with inertia whose motion is solved; its forces of inertia
-// become loads. Empty where they are not known: then nothing can be said of its actions.
-std::optional<InertialMotion> add_inertia(const Mechanism& drawn,
-                                          const CaseRequest& request,
-                                          CaseAnalysis& result) {
-  std::variant<InertialMotion, InertiaObstacle> found =
-      request.inertial != nullptr ? std::variant<InertialMotion, InertiaObstacle>(*request.inertial)
-                                  : find_drawn_motion(drawn, result.which, *result.motion);
-  if (const auto* obstacle = std::get_if<InertiaObstacle>(&found)) {
-    result.inertia_obstacle = *obstacle;
-    return std::nullopt;
-  }
-  auto& motion = std::get<InertialMotion>(found);
-  for (Load& load : inertial_loads(drawn, motion)) {
-    result.which.loads.push_back(std::move(load));
-  }
-  return std::move(motion);
-}
-
-// As drawn, where springs feel the speeds of the case.
-SpringPlace drawn_place(const KinematicSolution* motion) {
-  SpringPlace place;
-  if (motion != nullptr) {
-    place.twists = motion->bodies;
-    place.rates.assign(motion->rates.begin(), motion->rates.end());
-  }
-  return place;
-}
-
-// Whether nothing acts that follows from the motion, of which numbers as typed know nothing.
-bool has_typed_loads(const Case& given, const Case& solved) {
-  return std::all_of(solved.loads.begin() + static_cast<std::ptrdiff_t>(given.loads.size()),
-                     solved.loads.end(),
-                     [](const Load& load) { return load.acts.wrench.coordinates().isZero(0.0); });
-}
-
-// The forces of springs become loads, unless nothing can be said of one.
-void add_springs(const Mechanism& mechanism,
-                 const CaseRequest& request,
-                 const KinematicSolution* motion,
-                 CaseAnalysis& result) {
-  const SpringPlace place = request.springs != nullptr ? *request.springs : drawn_place(motion);
-  auto found = spring_states(mechanism, place);
-  if (const auto* obstacle = std::get_if<SpringObstacle>(&found)) {
-    result.spring_obstacle = *obstacle;
-    return;
-  }
-  result.springs = std::get<std::vector<SpringState>>(std::move(found));
-  for (Load& load : spring_loads(mechanism, place, result.springs)) {
-    result.which.loads.push_back(std::move(load));
-  }
-}
-
 CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const CaseRequest& request) {
   CaseAnalysis result;
   result.which = request.which;
@@ -344,10 +291,10 @@ CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const CaseRe
   }
   const KinematicSolution* motion = is_solved(result.motion) ? &*result.motion : nullptr;
   if (which.asks_actions && !drawn.springs.empty()) {
-    add_springs(drawn, request, motion, result);
+    add_spring_loads(drawn, request.springs, result);
   }
   const std::optional<InertialMotion> inertial =
-      which.has_inertia() ? add_inertia(drawn, request, result) : std::nullopt;
+      which.has_inertia() ? add_inertial_loads(drawn, request.inertial, result) : std::nullopt;
   LoadedFlanks flanks;
   if (which.asks_actions && !result.inertia_obstacle && !result.spring_obstacle) {
     flanks = solve_on_loaded_flanks(drawn, bases, which, request.accuracy, motion);

@@ -60,14 +60,17 @@ std::optional<BodyId> find_spinning_body(const Mechanism& mechanism,
                                          const std::vector<BodyPose>& poses,
                                          const std::vector<Twist>& idle) {
   const double length = mechanism.geometry.length;
+  double fastest = 0.0;
+  for (const Twist& one : idle) {
+    fastest =
+        std::max(fastest, one.angular.squaredNorm() + one.linear.squaredNorm() / (length * length));
+  }
   for (std::size_t b = 0; b < mechanism.masses.size(); ++b) {
     if (!mechanism.masses[b].counts()) {
       continue;
     }
     const BodyInertia body = inertia_at(mechanism.masses[b], poses[b]);
-    const double most =
-        (body.tensor.norm() + body.mass * length * length) *
-        (idle[b].angular.squaredNorm() + idle[b].linear.squaredNorm() / (length * length));
+    const double most = (body.tensor.norm() + body.mass * length * length) * fastest;
     if (shared_inertia(body, idle[b], idle[b]) > kIdleInertia * most) {
       return BodyId{static_cast<int>(b)};
     }

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "core/rounding.hpp"
 #include "couplings/kinds.hpp"
@@ -43,8 +46,9 @@ bool holds(const std::vector<Index>& first, const std::vector<Index>& second, st
          std::ranges::find(second, index) != second.end();
 }
 
-// Whether all power comes from the inputs and goes to the outputs and into losses.
-bool is_between_inputs_and_outputs(const Case& which, const CasePowers& powers) {
+// Why not all power comes from the inputs and goes to the outputs and into losses; empty if it
+// does.
+std::string exchange_beside(const Case& which, const CasePowers& powers) {
   double largest = 0.0;
   double beside = 0.0;
   for (std::size_t i = 0; i < powers.actuators.size(); ++i) {
@@ -56,11 +60,23 @@ bool is_between_inputs_and_outputs(const Case& which, const CasePowers& powers) 
     double& size = is_named ? largest : beside;
     size = std::max(size, std::abs(powers.actuators[i]));
   }
+  const Load* load = nullptr;
   for (std::size_t i = 0; i < powers.loads.size(); ++i) {
-    double& size = holds(which.input_loads, which.output_loads, i) ? largest : beside;
-    size = std::max(size, std::abs(powers.loads[i]));
+    const double power = std::abs(powers.loads[i]);
+    const bool is_named = holds(which.input_loads, which.output_loads, i);
+    load = !is_named && power > beside ? &which.loads[i] : load;
+    double& size = is_named ? largest : beside;
+    size = std::max(size, power);
   }
-  return beside <= kPowerBalance * largest;
+  if (beside <= kPowerBalance * largest) {
+    return {};
+  }
+  return load == nullptr
+             ? "other actuators exchange power too"
+             : fmt::format(
+                   "load '{}' exchanges power too; it may be named beside the others in "
+                   "'input' or 'output'",
+                   load->name);
 }
 
 // Whether one of them has a power of that sign, +1 or -1.
@@ -85,8 +101,8 @@ Efficiency find_efficiency(const Case& which, const CasePowers& powers) {
   if (!which.names_both_ends()) {
     return {};
   }
-  if (!is_between_inputs_and_outputs(which, powers)) {
-    return no_efficiency("other loads or actuators exchange power too");
+  if (std::string reason = exchange_beside(which, powers); !reason.empty()) {
+    return no_efficiency(std::move(reason));
   }
   const std::vector<double> inputs = powers_of(which.inputs, which.input_loads, powers);
   const std::vector<double> outputs = powers_of(which.outputs, which.output_loads, powers);

@@ -449,7 +449,7 @@ class Answers(unittest.TestCase):
                                delta=1e-12)
 
     def test_load_that_drives(self) -> None:
-        self.check("wind", "other loads or actuators exchange power too")
+        self.check("wind", "load 'w' exchanges power too")
 
     # Two planets share the load in a proportion that equilibrium does not tell.
     def test_forces_that_equilibrium_leaves_open(self) -> None:

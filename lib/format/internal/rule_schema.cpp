@@ -34,6 +34,42 @@ Json refused(const SharedList<std::string_view>& keys) {
   return properties;
 }
 
+bool is_spared_by(const FormRule& rule) {
+  return rule.kind == FormRule::Kind::instead || rule.kind == FormRule::Kind::spares ||
+         rule.kind == FormRule::Kind::alone;
+}
+
+// The keys each of which makes that one needless.
+std::vector<std::string_view> sparing_keys(const FormShape& shape, std::string_view key) {
+  std::vector<std::string_view> sparing;
+  for (const FormRule& rule : shape.rules) {
+    if (is_spared_by(rule) && std::ranges::find(rule.others, key) != rule.others.end()) {
+      sparing.push_back(rule.key);
+    }
+  }
+  return sparing;
+}
+
+// What the key spares: what several spare is needed where none of them stands.
+void add_spared(const FormShape& shape, const FormRule& rule, Json& schema) {
+  Json alone = Json::array();
+  for (const std::string_view other : rule.others) {
+    const std::vector<std::string_view> sparing = sparing_keys(shape, other);
+    if (sparing.size() == 1) {
+      alone.push_back(std::string(other));
+      continue;
+    }
+    Json any = {has(other)};
+    for (const std::string_view key : sparing) {
+      any.push_back(has(key));
+    }
+    schema["allOf"].push_back({{"anyOf", any}});
+  }
+  if (!alone.empty()) {
+    schema["allOf"].push_back({{"if", {{"not", has(rule.key)}}}, {"then", {{"required", alone}}}});
+  }
+}
+
 // Either the key, or what is needed of those that it replaces.
 void add_instead(const FormShape& shape, const FormRule& rule, Json& schema) {
   Json refused = Json::object();
@@ -41,7 +77,7 @@ void add_instead(const FormShape& shape, const FormRule& rule, Json& schema) {
   for (const FormKey& key : shape.keys) {
     if (std::ranges::find(rule.others, key.key) != rule.others.end()) {
       refused[std::string(key.key)] = false;
-      if (key.is_needed) {
+      if (key.is_needed && sparing_keys(shape, key.key).size() == 1) {
         needed.push_back(std::string(key.key));
       }
     }
@@ -154,11 +190,6 @@ void add_dependencies(std::string_view key,
   }
 }
 
-bool is_spared_by(const FormRule& rule) {
-  return rule.kind == FormRule::Kind::instead || rule.kind == FormRule::Kind::spares ||
-         rule.kind == FormRule::Kind::alone;
-}
-
 }  // namespace
 
 void add_any_of(const SharedList<std::string_view>& keys, Json& schema) {
@@ -170,9 +201,7 @@ void add_any_of(const SharedList<std::string_view>& keys, Json& schema) {
 }
 
 bool is_replaceable(const FormShape& shape, std::string_view key) {
-  return std::ranges::any_of(shape.rules, [&](const FormRule& rule) {
-    return is_spared_by(rule) && std::ranges::find(rule.others, key) != rule.others.end();
-  });
+  return !sparing_keys(shape, key).empty();
 }
 
 void add_rules(const FormShape& shape, Json& schema) {
@@ -195,8 +224,7 @@ void add_rules(const FormShape& shape, Json& schema) {
         add_no_two_of(rule, schema);
         break;
       case FormRule::Kind::spares:
-        schema["allOf"].push_back(
-            {{"if", {{"not", has(rule.key)}}}, {"then", {{"required", json_list(rule.others)}}}});
+        add_spared(shape, rule, schema);
         break;
       case FormRule::Kind::unless_true:
         schema["allOf"].push_back(

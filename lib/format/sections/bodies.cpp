@@ -132,7 +132,8 @@ const Mapping<BodyDescription>& body() {
               "about axes parallel to x, y and z as drawn, the three rows of the tensor (Jxy = "
               "-integral of x*y), or {polar: NUMBER, axis: z} of a rotor. It acts in cases with "
               "'acceleration'; default none.")
-            .may(&BodyDescription::inertia, inertia);
+            .may(&BodyDescription::inertia, inertia, "0.002")
+            .example("{polar: 0.05, axis: z}");
         m.key("outline", "Points of the body's outline in the drawn position, for pictures.")
             .may(&BodyDescription::outline,
                  list_of(point(), "", "", {.least = 0}),

@@ -34,7 +34,7 @@ const Mapping<DutyPointDescription>& point_mapping() {
             .example("{engine: 1500 rpm}");
         m.key("input_action",
               "Torque of the input, for every input or by name; default that of the case.")
-            .may(&DutyPointDescription::input_action, input_values(input_load()), "80 N*m")
+            .may(&DutyPointDescription::input_action, input_values(action()), "80 N*m")
             .example("{engine: 80 N*m}");
         m.key("duration", "How long it lasts.")
             .needed(&DutyPointDescription::duration, duration(), "20 s");

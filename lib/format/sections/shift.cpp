@@ -113,6 +113,11 @@ const Mapping<ShiftDescription>& shift_section() {
                  "named")
             .usual("all");
         m.rule({.kind = FormRule::Kind::together,
+                .key = "input_acceleration",
+                .others = {"input_action"},
+                .message = "'input_acceleration' of {0} needs the key 'input_action'",
+                .hint = "add the torque of the input, for example input_action: 100 N*m"});
+        m.rule({.kind = FormRule::Kind::together,
                 .key = "combinations",
                 .others = {"names"},
                 .message = "'combinations' of {0} needs the key 'names'",

@@ -36,8 +36,8 @@ const Mapping<GasSpringDescription>& gas() {
             .needed(&GasSpringDescription::length, size(), "480 mm");
         m.key("stroke", "How far it can be pushed in.")
             .needed(&GasSpringDescription::stroke, size(), "200 mm");
-        m.key("ratio", "Its force pushed in over that where it is extended, above 1.")
-            .needed(&GasSpringDescription::ratio, above_zero(), "1.35");
+        m.key("ratio", "Its force pushed in over that where it is extended, at least 1.")
+            .needed(&GasSpringDescription::ratio, at_least_one(), "1.35");
         m.key("exponent", "Of the gas: 1 where it moves slowly, up to 1.4 where fast.")
             .may(&GasSpringDescription::exponent, above_zero(), "1.2")
             .usual("1");
@@ -59,7 +59,7 @@ const Mapping<SpringDescription>& spring() {
             .may(&SpringDescription::at, points_of_bodies(), "{frame: [0, 80], follower: [0, 60]}");
         m.key("coupling", "The coupling of whose freedom it is, instead of bodies and points.")
             .may(&SpringDescription::coupling, coupling_name(), "hinge");
-        m.key("freedom", "Which freedom, of a coupling that has several: wz, vx, …")
+        m.key("freedom", "Which freedom, of a coupling that has several, as wz or vx.")
             .may(&SpringDescription::freedom, free_name(), "wz");
         m.key("stiffness", "How much its force changes with its length or with the freedom.")
             .may(&SpringDescription::stiffness, spring_stiffness());
@@ -92,6 +92,11 @@ const Mapping<SpringDescription>& spring() {
                 .others = {"at"},
                 .message = "{} has no points at which it holds the bodies",
                 .hint = "add at: {TAIL: […], HEAD: […]}, in the drawn position"});
+        m.rule({.kind = FormRule::Kind::pointless,
+                .key = "gas",
+                .others = {"bodies"},
+                .message = "{} is a gas spring, which needs two points",
+                .hint = "write bodies: [TAIL, HEAD] and at: {TAIL: […], HEAD: […]}"});
         m.rule({.kind = FormRule::Kind::any_of,
                 .others = {"stiffness", "damping", "gas"},
                 .message = "{} has neither 'stiffness' nor 'damping' nor 'gas'",

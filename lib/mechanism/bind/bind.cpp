@@ -170,14 +170,14 @@ void ask_for_actions(const Mechanism& mechanism, std::vector<Case>& cases) {
 void bind_sections(const SectionContext& context, bool has_structure, Mechanism& result) {
   const int errors_before = context.found.error_count();
   check_sections(context);
-  const std::vector<BodyMass> masses = bind_masses(context);
+  const std::vector<DescribedMass> masses = bind_masses(context);
   std::vector<std::vector<Load>> loads = bind_loads(context, masses);
   std::vector<Spring> springs = bind_springs(context, has_structure ? &result.topology : nullptr);
   if (context.found.error_count() > errors_before || !has_structure) {
     return;
   }
   result.springs = std::move(springs);
-  if (std::ranges::any_of(masses, &BodyMass::counts)) {
+  if (!masses.empty()) {
     result.masses = masses_of_bodies(context, result, masses);
   }
   add_loads(std::move(loads), result.cases);

@@ -88,7 +88,7 @@ std::vector<Named> replaced(std::vector<Named> common, std::vector<Named> own) {
 }  // namespace
 
 std::vector<std::vector<Load>> bind_loads(const SectionContext& context,
-                                          const std::vector<BodyMass>& masses) {
+                                          const std::vector<DescribedMass>& masses) {
   const std::vector<Load> weights = bind_weights(context, masses);
   const std::vector<Named> common = bind_all(context.description.loads, context);
   std::vector<std::vector<Load>> cases;

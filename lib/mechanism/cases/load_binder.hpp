@@ -6,7 +6,7 @@
 #include "mechanism/cases/case.hpp"
 #include "mechanism/cases/load.hpp"
 #include "mechanism/check/section_context.hpp"
-#include "mechanism/inertia/body_mass.hpp"
+#include "mechanism/inertia/mass_binder.hpp"
 
 namespace kinestat {
 
@@ -15,7 +15,7 @@ namespace kinestat {
 /// wrenches are from the origin of the evaluator. Evaluates every load and complains; one on the
 /// ground, which does nothing, is left out with a warning.
 std::vector<std::vector<Load>> bind_loads(const SectionContext& context,
-                                          const std::vector<BodyMass>& masses);
+                                          const std::vector<DescribedMass>& masses);
 
 /// Gives the cases their loads; one on which any acts asks for its actions.
 void add_loads(std::vector<std::vector<Load>> loads, std::vector<Case>& cases);
@@ -32,6 +32,7 @@ void bind_load_ends(const SectionContext& context, std::vector<Case>& cases);
 /// the origin of the evaluator. None without gravity; `masses` are those of the description's
 /// bodies. Bodies without a mass are massless. A mass without a centre is an error, gravity without
 /// any mass a warning.
-std::vector<Load> bind_weights(const SectionContext& context, const std::vector<BodyMass>& masses);
+std::vector<Load> bind_weights(const SectionContext& context,
+                               const std::vector<DescribedMass>& masses);
 
 }  // namespace kinestat

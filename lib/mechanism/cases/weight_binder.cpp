@@ -53,7 +53,8 @@ void warn_of_idle_gravity(const SectionContext& context) {
 
 }  // namespace
 
-std::vector<Load> bind_weights(const SectionContext& context, const std::vector<BodyMass>& masses) {
+std::vector<Load> bind_weights(const SectionContext& context,
+                               const std::vector<DescribedMass>& masses) {
   const auto& gravity = context.description.gravity;
   const std::optional<Vec3> acceleration =
       gravity ? context.vector(gravity->coordinates, QuantityKind::acceleration) : std::nullopt;
@@ -62,14 +63,14 @@ std::vector<Load> bind_weights(const SectionContext& context, const std::vector<
     warn_of_idle_gravity(context);
   }
   std::vector<Load> weights;
-  for (std::size_t b = 0; b < masses.size(); ++b) {
-    const BodyDescription& body = context.description.bodies[b];
+  for (const DescribedMass& described : masses) {
+    const BodyDescription& body = context.description.bodies[described.body];
     if (body.mass && gravity && !body.centre_of_mass) {
       complain_of_missing_centre(body, context);
     }
     if (body.mass && body.centre_of_mass && acceleration) {
-      const Vec3& centre = masses[b].centre;
-      const Vec3 force = masses[b].mass * *acceleration;
+      const Vec3& centre = described.mass.centre;
+      const Vec3 force = described.mass.mass * *acceleration;
       const Vec3 moment = moment_of_load(centre, force, Vec3::Zero());
       weights.push_back({.name = std::string(kWeightPrefix) + body.name.text,
                          .acts = {.body = BodyId{context.names.bodies.find(body.name.text)},

@@ -53,12 +53,6 @@ class ShiftCheck {
     check_values(shift_.input_motion, kMotion, "'input_motion'");
     check_values(shift_.input_action, kAction, "'input_action'");
     check_values(shift_.input_acceleration, kAcceleration, "'input_acceleration'");
-    if (!shift_.input_acceleration.empty() && shift_.input_action.empty()) {
-      context_.found.error("E0303",
-                           shift_.input_acceleration.front().value.where,
-                           "'input_acceleration' of 'shift' needs the key 'input_action'",
-                           "add the torque of the input, for example input_action: 100 N*m");
-    }
     check_limits();
     for (const GearLabel& gear : shift_.names) {
       check_label(gear);

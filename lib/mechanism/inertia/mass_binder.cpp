@@ -226,34 +226,40 @@ void warn_of_gyration(const BodyMass& one,
 
 std::vector<BodyMass> masses_of_bodies(const SectionContext& context,
                                        const Mechanism& mechanism,
-                                       const std::vector<BodyMass>& masses) {
+                                       const std::vector<DescribedMass>& masses) {
   const MechanismDescription& description = context.description;
   const Topology& topology = mechanism.topology;
   std::vector<BodyMass> result(topology.bodies.size());
   const bool has_train = description.gears && has_all_meshes(description);
   const GearTrain train = has_train ? find_gear_train(description) : GearTrain{};
   const std::vector<int> counts = bind_body_counts(description, topology, context.evaluator);
-  for (std::size_t i = 0; i < masses.size(); ++i) {
-    const int b = context.names.bodies.find(description.bodies[i].name.text);
-    if (b <= 0 || !masses[i].counts()) {
+  for (const DescribedMass& described : masses) {
+    const BodyDescription& body = description.bodies[described.body];
+    const int b = context.names.bodies.find(body.name.text);
+    if (b <= 0 || !described.mass.counts()) {
       continue;
     }
     BodyMass& one = result[static_cast<std::size_t>(b)];
-    one = masses[i];
+    one = described.mass;
     one.count = counts[static_cast<std::size_t>(b)];
-    if (!description.bodies[i].centre_of_mass && has_train) {
+    if (!body.centre_of_mass && has_train) {
       one.centre = centre_on_axis(train, topology, mechanism.geometry.points, BodyId{b})
                        .value_or(Vec3::Zero());
     }
-    warn_of_gyration(one, description.bodies[i].name.text, mechanism.geometry.length, context);
+    warn_of_gyration(one, body.name.text, mechanism.geometry.length, context);
   }
   return result;
 }
 
-std::vector<BodyMass> bind_masses(const SectionContext& context) {
-  std::vector<BodyMass> masses;
-  for (const BodyDescription& body : context.description.bodies) {
-    masses.push_back(MassBinder(body, context).bind());
+std::vector<DescribedMass> bind_masses(const SectionContext& context) {
+  std::vector<DescribedMass> masses;
+  const std::vector<BodyDescription>& bodies = context.description.bodies;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (bodies[b].mass || bodies[b].inertia) {
+      masses.push_back({.body = b, .mass = MassBinder(bodies[b], context).bind()});
+    } else if (bodies[b].centre_of_mass) {
+      context.point(bodies[b].centre_of_mass);
+    }
   }
   return masses;
 }

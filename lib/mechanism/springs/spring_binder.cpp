@@ -207,23 +207,10 @@ class SpringBinder {
   }
 
   void bind_gas(const GasSpringDescription& gas, Spring& result) {
-    if (spring_.coupling) {
-      context_.found.error("E0305",
-                           spring_.name.where,
-                           fmt::format("gas spring '{}' needs two points", spring_.name.text),
-                           "write bodies: [TAIL, HEAD] and at: {TAIL: […], HEAD: […]}");
-      return;
-    }
     using enum QuantityKind;
     const double exponent =
         gas.exponent ? number(gas.exponent, dimensionless, kAboveZero, "exponent") : 1.0;
-    const double ratio = number(gas.ratio, dimensionless, kAboveZero, "ratio");
-    if (ratio <= 1.0) {
-      context_.found.error("E0305",
-                           gas.ratio.where,
-                           fmt::format("{} is not above 1", title("ratio")),
-                           "its force grows as it is pushed in: write for example ratio: 1.35");
-    }
+    const double ratio = std::max(number(gas.ratio, dimensionless, kAtLeastOne, "ratio"), 1.0);
     result.gas = GasSpring{.force = number(gas.force, force, kNotNegative, "force"),
                            .length = number(gas.length, length, kAboveZero, "length"),
                            .stroke = number(gas.stroke, length, kAboveZero, "stroke"),

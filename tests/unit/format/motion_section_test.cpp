@@ -47,8 +47,10 @@ TEST(MotionSection, NeedsADriveAndItsEnd) {
             (Complaints{"1:1 E0303 'motion' lacks the key 'drive'",
                         "1:1 E0303 'motion' lacks the key 'to'"}));
   EXPECT_EQ(motion_of("drives: [{from: 1}]\n").complaints(),
-            (Complaints{"1:10 E0303 drive 1 of 'motion' lacks the key 'drive'",
-                        "1:10 E0303 drive 1 of 'motion' lacks the key 'to'"}));
+            (Complaints{"1:10 E0303 drive 1 of 'motion' lacks the key 'drive'"}));
+  EXPECT_EQ(motion_of("drives: [{drive: a}, {drive: b, to: 1}]\n").complaints(),
+            (Complaints{"1:10 E0303 drive 1 of 'motion' lacks the key 'to'"}));
+  EXPECT_EQ(motion_of("drives: [{drive: a}, {drive: b}]\ntime: 2\n").complaints(), Complaints{});
 }
 
 TEST(MotionSection, RefusesOneDriveBesideSeveral) {

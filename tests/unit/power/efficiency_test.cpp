@@ -36,9 +36,12 @@ TEST(Efficiency, HasNoValueWithoutNames) {
 
 TEST(Efficiency, HasNoValueWhereOthersExchangePower) {
   EXPECT_EQ(efficiency_of(drive(), {100.0, 0.0, -97.0, 1.0}).reason,
-            "other loads or actuators exchange power too");
-  EXPECT_EQ(efficiency_of(drive(), {100.0, 0.0, -97.0, 0.0}, {-1.0}).reason,
-            "other loads or actuators exchange power too");
+            "other actuators exchange power too");
+  Case in_wind = drive();
+  in_wind.loads.push_back({.name = "wind", .acts = {}, .point = {}, .where = {}});
+  EXPECT_EQ(efficiency_of(in_wind, {100.0, 0.0, -97.0, 0.0}, {-1.0}).reason,
+            "load 'wind' exchanges power too; it may be named beside the others in 'input' or "
+            "'output'");
 }
 
 TEST(Efficiency, HasNoValueWhereOneInputTakesPower) {
