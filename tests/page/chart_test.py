@@ -136,6 +136,21 @@ class ChartTest(PageCase):
                     self.assertLessEqual(right, 400)
                     self.assertGreater(letters, 11)
 
+    def test_titles_stand_within_their_charts(self) -> None:
+        # Two charts of paths have a title and a legend, which a list of values replaces.
+        for width in (400, 1280):
+            with self.subTest(width=width):
+                self.open(self.page("spatial/ups_platform.yaml"), width=width)
+                beyond = self.ask(
+                    "return [...document.querySelectorAll('[data-picture=paths] svg[data-whole]')]"
+                    ".map((svg) => { const p = svg.getBoundingClientRect();"
+                    "  return [...svg.querySelectorAll('text')]"
+                    "    .filter((one) => one.getClientRects().length)"
+                    "    .map((one) => [one.textContent, one.getBoundingClientRect()])"
+                    "    .filter(([, q]) => q.top < p.top - 1 || q.bottom > p.bottom + 1)"
+                    "    .map(([text]) => text); });")
+                self.assertEqual(beyond, [[], []])
+
     # What moves a drawing
 
     def test_single_steps_and_the_speed(self) -> None:
