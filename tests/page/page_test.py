@@ -212,6 +212,24 @@ class PageTest(PageCase):
                 self.assertTrue(wide)
                 self.assertEqual([one for one in wide if one != [0, "auto", True]], [])
 
+    def test_tables_of_results_that_go_on_below_say_so(self) -> None:
+        for name, rows in (("transmissions/rohloff_speedhub.yaml", 18),
+                           ("transmissions/vw_02e_dsg.yaml", 24)):
+            with self.subTest(name):
+                self.open(self.page(name))
+                tables = self.ask(
+                    "return [...document.querySelectorAll('.results .box')]"
+                    ".filter((one) => one.scrollHeight > one.clientHeight + 1)"
+                    ".map((one) => {"
+                    "  const top = one.getBoundingClientRect().top;"
+                    "  one.scrollTop = 100;"
+                    "  const head = one.querySelector('thead th').getBoundingClientRect();"
+                    "  const count = one.closest('details')?.querySelector('summary').textContent;"
+                    "  return [count, Math.abs(head.top - top) < 2];"
+                    "});")
+
+                self.assertEqual(tables, [[f"Case: {rows} rows", True]])
+
     def test_ids_are_unique_and_references_meet_them(self) -> None:
         for name in PAGES:
             with self.subTest(name):
