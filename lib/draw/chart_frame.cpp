@@ -29,12 +29,19 @@ struct Range {
   bool is_empty() const { return low > high; }
 };
 
-Range range_of(const Chart& chart, const ChartAxis& axis, std::vector<double> Series::*values) {
+// Of the series and of the points worth words, which may lie between theirs.
+Range range_of(const Chart& chart,
+               const ChartAxis& axis,
+               std::vector<double> Series::*values,
+               double ChartMark::*value_of_mark) {
   Range range;
   for (const Series& series : chart.series) {
     for (const double value : series.*values) {
       range.add(value, axis.scale);
     }
+  }
+  for (const ChartMark& mark : chart.marks) {
+    range.add(mark.*value_of_mark, axis.scale);
   }
   return range;
 }
@@ -55,8 +62,8 @@ AxisRange axis_range(const ChartAxis& axis, Range range, double pixels, double t
 
 // Both axes with the same pixels a unit, and a frame that the data fill.
 ChartFrame equal_frame(const Chart& chart, double top) {
-  const Range x = range_of(chart, chart.x, &Series::x);
-  const Range y = range_of(chart, chart.y, &Series::y);
+  const Range x = range_of(chart, chart.x, &Series::x, &ChartMark::x);
+  const Range y = range_of(chart, chart.y, &Series::y, &ChartMark::y);
   const double largest =
       std::max({x.high - x.low, y.high - y.low, std::numeric_limits<double>::min()});
   const double step_count = 6.0;
@@ -80,10 +87,11 @@ ChartFrame equal_frame(const Chart& chart, double top) {
 ChartFrame free_frame(const Chart& chart, double top) {
   return {.box = {.left = 0.0, .top = top, .right = chart.width, .bottom = top + kFreeHeight},
           .x = axis_range(chart.x,
-                          range_of(chart, chart.x, &Series::x),
+                          range_of(chart, chart.x, &Series::x, &ChartMark::x),
                           chart.width,
                           std::min(80.0, chart.width / 5)),
-          .y = axis_range(chart.y, range_of(chart, chart.y, &Series::y), kFreeHeight, 38.0)};
+          .y = axis_range(
+              chart.y, range_of(chart, chart.y, &Series::y, &ChartMark::y), kFreeHeight, 38.0)};
 }
 
 // Answers how far the labels reach to the left.
@@ -129,8 +137,8 @@ bool ChartFrame::holds(PixelPoint point) const {
 }
 
 bool has_data(const Chart& chart) {
-  return !range_of(chart, chart.x, &Series::x).is_empty() &&
-         !range_of(chart, chart.y, &Series::y).is_empty();
+  return !range_of(chart, chart.x, &Series::x, &ChartMark::x).is_empty() &&
+         !range_of(chart, chart.y, &Series::y, &ChartMark::y).is_empty();
 }
 
 ChartFrame make_frame(const Chart& chart, double top) {

@@ -89,12 +89,8 @@ bool is_broad(const Picture& picture) {
 }
 
 void add_picture(const Picture& picture, const std::string& prefix, Html& html) {
-  constexpr double kNarrow = 420.0;     // a telephone [px]
-  constexpr double kShrinking = 520.0;  // down to that with letters that can be read [px]
-  const double width = picture.view.width();
-  const char* const size = width <= kNarrow      ? "picture"
-                           : width <= kShrinking ? "picture wide shrinks"
-                                                 : "picture wide";
+  constexpr double kShrinking = 520.0;  // down to a telephone with letters that can be read [px]
+  const char* const size = picture.view.width() <= kShrinking ? "picture shrinks" : "picture";
   html.open("div", {{"class", size}, {"tabindex", "0"}});
   html.markup(svg_element(picture, prefix));
   html.close();

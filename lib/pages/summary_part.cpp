@@ -102,11 +102,11 @@ void add_summary_part(SectionWriter& section, const std::optional<Picture>& pict
   add_main_figure(picture, section);
   html.open("div", {{"class", "results"}});
   if (page.analysis) {
-    add_blocks(overview_blocks(*page.analysis), "Cases", html);
+    add_blocks(overview_blocks(*page.analysis), "Cases", html, TablePlace::beside_picture);
   }
   add_sentences(results, html);
   if (page.motion) {
-    add_blocks(motion_extremes(page.motion->table), "Extremes", html);
+    add_blocks(motion_extremes(page.motion->table), "Extremes", html, TablePlace::beside_picture);
   }
   if (results.empty()) {
     add_sentences(counts, html);

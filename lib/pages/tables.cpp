@@ -9,8 +9,9 @@ namespace kinestat {
 
 namespace {
 
-// Tables of more rows scroll within a box that can be folded.
+// Tables of more rows scroll within a box that can be folded; the style has their heights.
 constexpr std::size_t kLong = 24;
+constexpr std::size_t kLongBesidePicture = 14;
 
 // Of so many columns the table itself says which have numbers; the style has a rule for each.
 constexpr std::size_t kMostNumbered = 12;
@@ -146,8 +147,8 @@ void add_lines(std::string_view lines, Html& html) {
 
 }  // namespace
 
-void add_table(const Table& table, std::string_view name, Html& html) {
-  if (table.rows().size() <= kLong) {
+void add_table(const Table& table, std::string_view name, Html& html, TablePlace place) {
+  if (table.rows().size() <= (place == TablePlace::page ? kLong : kLongBesidePicture)) {
     add_box(table, name, html);
     return;
   }
@@ -157,11 +158,11 @@ void add_table(const Table& table, std::string_view name, Html& html) {
   html.close();
 }
 
-void add_blocks(const TextBlocks& blocks, std::string_view name, Html& html) {
+void add_blocks(const TextBlocks& blocks, std::string_view name, Html& html, TablePlace place) {
   html.open("div", {{"class", "blocks"}});
   for (const TextBlock& one : blocks.blocks()) {
     if (one.table) {
-      add_table(*one.table, name, html);
+      add_table(*one.table, name, html, place);
     } else {
       add_lines(one.lines, html);
     }

@@ -136,6 +136,54 @@ class ChartTest(PageCase):
                     self.assertLessEqual(right, 400)
                     self.assertGreater(letters, 11)
 
+    def test_titles_stand_within_their_charts(self) -> None:
+        # Two charts of paths have a title and a legend, which a list of values replaces.
+        for width in (400, 1280):
+            with self.subTest(width=width):
+                self.open(self.page("spatial/ups_platform.yaml"), width=width)
+                beyond = self.ask(
+                    "return [...document.querySelectorAll('[data-picture=paths] svg[data-whole]')]"
+                    ".map((svg) => { const p = svg.getBoundingClientRect();"
+                    "  return [...svg.querySelectorAll('text')]"
+                    "    .filter((one) => one.getClientRects().length)"
+                    "    .map((one) => [one.textContent, one.getBoundingClientRect()])"
+                    "    .filter(([, q]) => q.top < p.top - 1 || q.bottom > p.bottom + 1)"
+                    "    .map(([text]) => text); });")
+                self.assertEqual(beyond, [[], []])
+
+    def test_extremes_are_marked_where_they_are(self) -> None:
+        # The ram turns back where crank and rod are in line, up and down, between the steps of 5
+        # degrees. The ram then is as far from the shaft as their difference or their sum, and the
+        # crank points away from it or towards it.
+        self.open(self.page(PRESS), prefers_reduced_motion="reduce")
+        frame, across, up, marks, words = self.ask(
+            CHART + "const plot = box.querySelector('[data-plot]');"
+            "const numbers = (text) => text.split(' ').map(Number);"
+            "return [numbers(plot.dataset.plot), numbers(plot.dataset.x), numbers(plot.dataset.y),"
+            "  [...plot.querySelectorAll('circle')].map((one) =>"
+            "    ['cx', 'cy'].map((name) => Number(one.getAttribute(name)))),"
+            "  [...plot.querySelectorAll('text')].map((one) => one.textContent)];",
+            "position of d.vy")
+        left, top, right, bottom = frame
+        found = [(across[0] + (across[1] - across[0]) * (x - left) / (right - left),
+                  up[0] + (up[1] - up[0]) * (bottom - y) / (bottom - top)) for x, y in marks]
+        expected = [math.acos(-OFFSET / (ROD - CRANK)),
+                    2 * math.pi - math.acos(OFFSET / (ROD + CRANK))]
+        for angle, (x, y), word in zip(expected, found, words, strict=True):
+            self.assertAlmostEqual(x, math.degrees(angle), delta=0.1)
+            self.assertAlmostEqual(y, ram(angle), delta=0.05)
+            self.assertEqual(word.split()[1].replace("−", "-"), f"{ram(angle):.2f}")
+
+    def test_time_has_no_chart(self) -> None:
+        page = self.folder / "in_time.html"
+        answer = write_page(page, ROOT / "tests/schema/valid/motion_in_time.yaml")
+        self.assertEqual(answer.returncode, 0, answer.stderr)
+        self.open(page, prefers_reduced_motion="reduce")
+        captions = self.ask("return [...document.querySelectorAll('figure.chart figcaption')]"
+                            ".map((one) => one.textContent);")
+        self.assertTrue(captions)
+        self.assertEqual([one for one in captions if one.endswith("Motion, time")], [])
+
     # What moves a drawing
 
     def test_single_steps_and_the_speed(self) -> None:

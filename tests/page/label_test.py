@@ -100,6 +100,25 @@ for (const shape of svg.querySelectorAll('line, path, polygon, circle, rect')) {
 return [texts.length, found];
 """
 
+# Of every drawing that is shown: its name, texts that cover others, and those that begin before it.
+CROWDED = """
+return [...document.querySelectorAll('[data-picture=linkage], figure.motion')]
+  .filter((one) => one.getClientRects().length).map((figure) => {
+    const svg = figure.querySelector('.picture svg');
+    const left = svg.getBoundingClientRect().left;
+    const texts = [...svg.querySelectorAll('text')].filter((one) => one.getClientRects().length)
+      .map((one) => [one.textContent, one.getBoundingClientRect()])
+      // Without descenders and the room above capitals.
+      .map(([text, p]) => ({text, left: p.left + 1, right: p.right - 1,
+                            top: p.top + p.height / 4, bottom: p.bottom - p.height / 4}));
+    const covered = texts.flatMap((a, i) => texts.slice(0, i)
+      .filter((b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom)
+      .map((b) => a.text + ' and ' + b.text));
+    return [figure.querySelector('figcaption').textContent, covered,
+            texts.filter((one) => one.left < left).map((one) => one.text)];
+  });
+"""
+
 
 def axe_core() -> Path | None:
     """The checker of accessibility, where npm has it: npm install --global axe-core."""
@@ -139,6 +158,16 @@ class LabelTest(PageCase):
 
     def test_the_pivots_of_a_synthesis(self) -> None:
         self.expect_free(self.page("synthesis/crank_rocker.yaml"), "burmester", "synthesis-motion")
+
+    def test_the_names_of_drawings_on_a_telephone(self) -> None:
+        # Of those that are scrolled, and of those that shrink: 425 and 439 pixels wide.
+        for name in ("planar/four_bar.yaml", "spatial/rssr.yaml", "spatial/ups_platform.yaml",
+                     "cables/weston_hoist.yaml", "cables/block_and_tackle.yaml"):
+            with self.subTest(name):
+                self.open(self.page(name), width=400, prefers_reduced_motion="reduce")
+                drawings = self.ask(CROWDED)
+                self.assertTrue(drawings)
+                self.assertEqual([one for one in drawings if one[1] or one[2]], [])
 
     def test_axe_finds_nothing_against_pages(self) -> None:
         checker = axe_core()

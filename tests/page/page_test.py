@@ -105,18 +105,34 @@ class PageTest(PageCase):
                     self.assertTrue(label and caption, picture)
 
     def test_names_of_a_drawing_that_shrinks_can_be_read(self) -> None:
-        for name in ("planar/four_bar.yaml", "spatial/rssr.yaml"):
+        for name in ("planar/four_bar.yaml", "spatial/rssr.yaml", "cables/weston_hoist.yaml",
+                     "gears/simple_planetary.yaml"):
             with self.subTest(name):
                 self.open(self.page(name), width=400)
                 heights = self.ask(
                     "return [...document.querySelectorAll("
-                    "  '.structure [data-picture=linkage] text, figure.motion text')]"
+                    "  '[data-picture=linkage] text, figure.motion text')]"
                     ".map((one) => one.getBoundingClientRect().height)"
                     ".filter((one) => one > 0);"
                 )
 
                 # Of a font of 7 px; the small letters of the scale and the axes are the smallest.
                 self.assertGreater(min(heights), 8)
+
+    def test_no_picture_is_cut_by_a_few_pixels_on_a_telephone(self) -> None:
+        # The lever diagram of the Ravigneaux set is a little over 400 pixels wide, the box of a picture 378.
+        for name in ("planar/gripper.yaml", "cables/block_and_tackle.yaml",
+                     "transmissions/ravigneaux.yaml"):
+            with self.subTest(name):
+                self.open(self.page(name), width=400)
+                cut = self.ask(
+                    "return [...document.querySelectorAll('figure:not(.chart) .picture')]"
+                    ".filter((one) => one.getClientRects().length)"
+                    ".map((one) => [one.closest('figure').dataset.picture,"
+                    "  one.scrollWidth - one.clientWidth])"
+                    ".filter(([, beyond]) => beyond > 1 && beyond < 100);")
+
+                self.assertEqual(cut, [])
 
     def test_no_picture_shrinks_much_on_a_screen(self) -> None:
         for name in (*PAGES, "transmissions/zf_8hp70.yaml"):
@@ -195,6 +211,24 @@ class PageTest(PageCase):
                     " getComputedStyle(one).backgroundImage !== 'none']);")
                 self.assertTrue(wide)
                 self.assertEqual([one for one in wide if one != [0, "auto", True]], [])
+
+    def test_tables_of_results_that_go_on_below_say_so(self) -> None:
+        for name, rows in (("transmissions/rohloff_speedhub.yaml", 18),
+                           ("transmissions/vw_02e_dsg.yaml", 24)):
+            with self.subTest(name):
+                self.open(self.page(name))
+                tables = self.ask(
+                    "return [...document.querySelectorAll('.results .box')]"
+                    ".filter((one) => one.scrollHeight > one.clientHeight + 1)"
+                    ".map((one) => {"
+                    "  const top = one.getBoundingClientRect().top;"
+                    "  one.scrollTop = 100;"
+                    "  const head = one.querySelector('thead th').getBoundingClientRect();"
+                    "  const count = one.closest('details')?.querySelector('summary').textContent;"
+                    "  return [count, Math.abs(head.top - top) < 2];"
+                    "});")
+
+                self.assertEqual(tables, [[f"Case: {rows} rows", True]])
 
     def test_ids_are_unique_and_references_meet_them(self) -> None:
         for name in PAGES:

@@ -70,6 +70,11 @@ for (const figure of all("figure[data-chart]")) {
     const view = svg.viewBox.baseVal;
     const height = Number(legend.dataset.legend);
     legend.style.display = "none";
+    // The title, which stands above it, comes down into the view.
+    const title = legend.previousElementSibling;
+    if (title && title.tagName === "text") {
+      title.style.translate = "0 " + height + "px";
+    }
     svg.dataset.whole = [view.x, view.y, view.width, view.height].join(" ");
     svg.setAttribute("viewBox", [view.x, view.y + height, view.width, view.height - height].join(" "));
     svg.setAttribute("height", view.height);

@@ -18,7 +18,7 @@ for (const figure of all("figure")) {
     if (svg.classList.contains("turned")) {
       all("[data-scale] > :not([data-layer=turned])", copy).forEach((one) => one.remove());
     }
-    for (const one of all("[data-legend]", copy)) {
+    for (const one of all("[data-legend], text:has(+ [data-legend])", copy)) {
       one.removeAttribute("style");
     }
     // What the style of the page says by classes.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -71,8 +72,15 @@ std::vector<ChartGuide> guides_of(const MotionTable& motion) {
   return guides;
 }
 
-// Whether a value is larger (for the smallest: smaller) than all near it, and no end of the range.
-void mark_extreme(const Series& series, bool largest, std::vector<ChartMark>& marks) {
+// Columns that belong into one chart.
+struct Group {
+  std::string quantity;
+  std::string unit;
+  std::vector<std::size_t> columns;
+};
+
+// The largest or smallest value of a series where it is no end of it.
+std::optional<ChartMark> extreme_row(const Series& series, bool largest) {
   std::size_t best = series.y.size();
   for (std::size_t i = 0; i < series.y.size(); ++i) {
     const bool is_better = best == series.y.size() ||
@@ -81,41 +89,52 @@ void mark_extreme(const Series& series, bool largest, std::vector<ChartMark>& ma
       best = i;
     }
   }
-  const bool is_inside = best > 0 && best + 1 < series.y.size();
-  if (is_inside) {
-    marks.push_back(
-        {.x = series.x[best],
-         .y = series.y[best],
-         .label = fmt::format("{} {}", largest ? "max" : "min", label_number(series.y[best]))});
+  if (best == 0 || best + 1 >= series.y.size()) {
+    return std::nullopt;
   }
+  return ChartMark{.x = series.x[best], .y = series.y[best], .label = {}};
 }
 
-void mark_extremes(Chart& chart) {
+// That of the figures, which may lie between the rows.
+std::optional<ChartMark> extreme_of(const MotionTable& motion,
+                                    std::size_t column,
+                                    const Series& series,
+                                    bool largest) {
+  if (column >= motion.figures.size()) {
+    return extreme_row(series, largest);
+  }
+  const ColumnFigures& figures = motion.figures[column];
+  const std::optional<ColumnExtreme>& extreme = largest ? figures.greatest : figures.least;
+  if (!extreme || extreme->drive == series.x.front() || extreme->drive == series.x.back()) {
+    return std::nullopt;
+  }
+  return ChartMark{.x = extreme->drive, .y = extreme->value, .label = {}};
+}
+
+void mark_extremes(const MotionTable& motion, const Group& group, Chart& chart) {
   if (chart.series.size() > kMostMarked) {
     return;
   }
-  for (const Series& series : chart.series) {
-    if (changes(series.y)) {
-      mark_extreme(series, true, chart.marks);
-      mark_extreme(series, false, chart.marks);
+  for (std::size_t i = 0; i < chart.series.size(); ++i) {
+    const Series& series = chart.series[i];
+    for (const bool largest : {true, false}) {
+      auto mark = extreme_of(motion, group.columns[i], series, largest);
+      if (mark && changes(series.y)) {
+        mark->label = fmt::format("{} {}", largest ? "max" : "min", label_number(mark->y));
+        chart.marks.push_back(std::move(*mark));
+      }
     }
   }
 }
-
-// Columns that belong into one chart.
-struct Group {
-  std::string quantity;
-  std::string unit;
-  std::vector<std::size_t> columns;
-};
 
 std::vector<Group> groups_of(const MotionTable& motion) {
   std::vector<Group> groups;
   for (std::size_t c = motion.drives.size(); c < motion.columns.size(); ++c) {
     const MotionColumn& column = motion.columns[c];
-    // How well circuits close is rounding, of which there is nothing to see.
+    // How well circuits close is rounding, and when the rows are is a straight line: of these there
+    // is nothing to see.
     if (column.quantity.starts_with(kPlace) || column.quantity == kClosureErrorColumn ||
-        !has_values(motion, c)) {
+        column.quantity == kTimeColumn || !has_values(motion, c)) {
       continue;
     }
     const auto at = std::ranges::find_if(groups, [&column](const Group& group) {
@@ -238,7 +257,7 @@ Figure motion_figure(const MotionTable& motion, const std::string& title) {
   }
   for (const Group& group : groups_of(motion)) {
     figure.charts.push_back(chart_of(group, motion));
-    mark_extremes(figure.charts.back());
+    mark_extremes(motion, group, figure.charts.back());
   }
   return figure;
 }
