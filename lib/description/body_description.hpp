@@ -23,9 +23,9 @@ struct BodyDescription {
   std::optional<PointDescription> reference;  ///< default: the first coupling's point
   std::optional<Value> mass;
   std::optional<PointDescription> centre_of_mass;
-  std::optional<InertiaDescription> inertia;
-  std::vector<PointDescription> outline;  ///< for pictures
-  bool is_virtual = false;                ///< made by `cables`
+  std::vector<InertiaDescription> inertia;  ///< one, or none: few of many bodies have any
+  std::vector<PointDescription> outline;    ///< for pictures
+  bool is_virtual = false;                  ///< made by `cables`
 };
 
 }  // namespace kinestat

@@ -319,7 +319,7 @@ def units_throughout(length: str) -> Callable[[MechanismFile], Factors | None]:
     return change
 
 
-POINTS_OF_TASKS = {"at", "pole", "centre", "free_point"}
+POINTS_OF_TASKS = {"at", "pole", "centre", "free_point", "circle_point", "centre_point"}
 
 
 def _metres(tree: dict | list) -> None:

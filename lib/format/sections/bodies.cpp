@@ -112,6 +112,13 @@ Form<InertiaDescription> inertia() {
   return form;
 }
 
+Form<std::vector<InertiaDescription>> inertia_if_any() {
+  return converted<std::vector<InertiaDescription>>(
+      inertia(),
+      [](InertiaDescription one) { return std::vector{std::move(one)}; },
+      [](const std::vector<InertiaDescription>& one) { return one.front(); });
+}
+
 const Mapping<BodyDescription>& body() {
   static const Mapping<BodyDescription> mapping(
       "body",
@@ -132,7 +139,7 @@ const Mapping<BodyDescription>& body() {
               "about axes parallel to x, y and z as drawn, the three rows of the tensor (Jxy = "
               "-integral of x*y), or {polar: NUMBER, axis: z} of a rotor. It acts in cases with "
               "'acceleration'; default none.")
-            .may(&BodyDescription::inertia, inertia, "0.002")
+            .may(&BodyDescription::inertia, inertia_if_any, "0.002")
             .example("{polar: 0.05, axis: z}");
         m.key("outline", "Points of the body's outline in the drawn position, for pictures.")
             .may(&BodyDescription::outline,

@@ -48,16 +48,16 @@ class MassBinder {
     if (body_.centre_of_mass) {
       result.centre = context_.evaluator.point(*body_.centre_of_mass).value_or(Vec3::Zero());
     }
-    result.where = body_.mass      ? body_.mass->where
-                   : body_.inertia ? body_.inertia->where
-                                   : body_.name.where;
+    result.where = body_.mass               ? body_.mass->where
+                   : !body_.inertia.empty() ? body_.inertia.front().where
+                                            : body_.name.where;
     const bool lacks_centre = body_.mass && !body_.centre_of_mass && has_inertia(description()) &&
                               !is_on_axis(description(), name());
     if (lacks_centre && !description().gravity) {  // which has its own complaint
       complain_of_missing_centre();
     }
-    if (body_.inertia) {
-      bind_inertia(*body_.inertia, result);
+    if (!body_.inertia.empty()) {
+      bind_inertia(body_.inertia.front(), result);
     }
     return result;
   }
@@ -119,7 +119,7 @@ class MassBinder {
   }
 
   bool check_symmetry(const Mat3& tensor) const {
-    const std::vector<Value>& entries = body_.inertia->entries;
+    const std::vector<Value>& entries = body_.inertia.front().entries;
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t j = i + 1; j < 3; ++j) {
         const auto row = static_cast<Eigen::Index>(i);
@@ -157,7 +157,7 @@ class MassBinder {
     };
     context_.found.error(
         "E0322",
-        body_.inertia->where,
+        body_.inertia.front().where,
         fmt::format("no body has the principal moments of inertia of '{}', {}, {} and {} {}: {}",
                     name(),
                     shown(moments[0]),
@@ -255,7 +255,7 @@ std::vector<DescribedMass> bind_masses(const SectionContext& context) {
   std::vector<DescribedMass> masses;
   const std::vector<BodyDescription>& bodies = context.description.bodies;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    if (bodies[b].mass || bodies[b].inertia) {
+    if (bodies[b].mass || !bodies[b].inertia.empty()) {
       masses.push_back({.body = b, .mass = MassBinder(bodies[b], context).bind()});
     } else if (bodies[b].centre_of_mass) {
       context.point(bodies[b].centre_of_mass);
