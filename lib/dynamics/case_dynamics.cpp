@@ -143,7 +143,6 @@ CaseDynamics find_dynamics(const Mechanism& mechanism,
                              .centre = body.centre,
                              .centre_acceleration = centre_acceleration(body, twist, rate),
                              .inertial = inertial,
-                             .momentum = momentum(body, twist),
                              .kinetic_energy = kinetic_energy(body, twist)});
     result.kinetic_energy += result.bodies.back().kinetic_energy;
     result.kinetic_energy_rate -= power(inertial, twist);

@@ -16,7 +16,6 @@ struct BodyDynamics {
   Vec3 centre = Vec3::Zero();                ///< of mass [m]
   Vec3 centre_acceleration = Vec3::Zero();   ///< [m/s²]
   Wrench inertial;                           ///< D'Alembert's force and couple
-  Wrench momentum;                           ///< angular momentum as moment, momentum as force
   double kinetic_energy = 0.0;               ///< [J]
 };
 
