@@ -59,7 +59,7 @@ void add_spared(const FormShape& shape, const FormRule& rule, Json& schema) {
       alone.push_back(std::string(other));
       continue;
     }
-    Json any = {has(other)};
+    Json any = Json::array({has(other)});
     for (const std::string_view key : sparing) {
       any.push_back(has(key));
     }
