@@ -73,23 +73,33 @@ bool ExactInputCases::is_small() const {
   return topology.freedom_count() + topology.action_count() <= kMostMagnitudes;
 }
 
+// The answer of one side of a case in doubles.
+struct ExactInputCases::DoubleAnswer {
+  SolveStatus status;
+  const AnswerEvidence& answer;
+  const RankEvidence& evidence;
+  std::vector<double> values;
+  const RankEvidence* beside = nullptr;  ///< of the other side; null where that has no answer
+};
+
 // A pivot this small, or magnitudes that are small differences of larger ones, may have lost the
-// digits asked for when the numbers were rounded to double.
-bool ExactInputCases::is_needed(SolveStatus status,
-                                const AnswerEvidence& answer,
-                                const RankEvidence& evidence,
-                                std::span<const double> values) const {
-  const bool can_improve = status == SolveStatus::solved || status == SolveStatus::dependent ||
-                           status == SolveStatus::underdetermined ||
-                           status == SolveStatus::inconsistent;
+// digits asked for when the numbers were rounded to double. Powers balance, so that what cancels in
+// the motion cancels in the actions too, but it shows in the pivots of only one of them.
+bool ExactInputCases::is_needed(const DoubleAnswer& of) const {
+  const bool can_improve =
+      of.status == SolveStatus::solved || of.status == SolveStatus::dependent ||
+      of.status == SolveStatus::underdetermined || of.status == SolveStatus::inconsistent;
   if (!can_improve) {
     return false;
   }
-  const double lost = kCancellation / evidence.smallest_pivot;
-  const double rounded = kPlaceRounding / evidence.smallest_pivot;
+  const double own = of.evidence.smallest_pivot;
+  const bool has_other = of.beside != nullptr && of.beside->rank > 0;
+  const double pivot = has_other ? std::min(own, of.beside->smallest_pivot) : own;
+  const double lost = kCancellation / own;
+  const double rounded = kPlaceRounding / pivot;
   const double asked = std::pow(10.0, -request_.digits);
-  const bool is_sure = status == SolveStatus::solved && reaches(answer, request_.digits) &&
-                       lost <= asked && rounded * spread_of(values) <= asked;
+  const bool is_sure = of.status == SolveStatus::solved && reaches(of.answer, request_.digits) &&
+                       lost <= asked && rounded * spread_of(of.values) <= asked;
   switch (request_.accuracy) {
     case Accuracy::fast:
     case Accuracy::high:
@@ -153,17 +163,26 @@ int ExactInputCases::missing_rank(const std::optional<RankCertainty>& certainty,
   return request_.accuracy == Accuracy::exact ? missing : std::min(missing, 0);
 }
 
-bool ExactInputCases::improve(std::size_t which, KinematicSolution& motion) {
-  if (!is_needed(
-          motion.status, motion.answer, motion.evidence, comparable_rates(*mechanism_, motion)) ||
+std::optional<KinematicSolution> ExactInputCases::find_better(std::size_t which,
+                                                              const RankEvidence* beside,
+                                                              const KinematicSolution& motion) {
+  if (!is_needed({.status = motion.status,
+                  .answer = motion.answer,
+                  .evidence = motion.evidence,
+                  .values = comparable_rates(*mechanism_, motion),
+                  .beside = beside}) ||
       find() == nullptr) {
-    return false;
+    return std::nullopt;
   }
-  auto better = solve_velocity_of_exact_input(*mechanism_,
-                                              exact_input_->motions,
-                                              mechanism_->cases[which].motions,
-                                              exact_input_->cases[which].motions,
-                                              motion);
+  return solve_velocity_of_exact_input(*mechanism_,
+                                       exact_input_->motions,
+                                       mechanism_->cases[which].motions,
+                                       exact_input_->cases[which].motions,
+                                       motion);
+}
+
+bool ExactInputCases::improve(std::size_t which, KinematicSolution& motion) {
+  auto better = find_better(which, nullptr, motion);
   if (!better) {
     return false;
   }
@@ -174,14 +193,29 @@ bool ExactInputCases::improve(std::size_t which, KinematicSolution& motion) {
   return is_new;
 }
 
+void ExactInputCases::improve_beside(std::size_t which,
+                                     const StaticSolution& action,
+                                     KinematicSolution& motion) {
+  if (action.status != SolveStatus::solved || motion.answer.is_exact_input) {
+    return;
+  }
+  if (auto better = find_better(which, &action.evidence, motion)) {
+    motion = *std::move(better);
+  }
+}
+
 bool ExactInputCases::improve(std::size_t which,
                               const std::vector<int>& turned,
+                              const KinematicSolution* motion,
                               StaticSolution& action) {
   const bool has_laws = !action.friction.empty() || !action.at_rest.empty() ||
                         action.completion.by != IndeterminateChoice::report;
   if (has_laws ||
-      !is_needed(
-          action.status, action.answer, action.evidence, comparable_actions(*mechanism_, action)) ||
+      !is_needed({.status = action.status,
+                  .answer = action.answer,
+                  .evidence = action.evidence,
+                  .values = comparable_actions(*mechanism_, action),
+                  .beside = motion != nullptr ? &motion->evidence : nullptr}) ||
       find() == nullptr) {
     return false;
   }

@@ -47,18 +47,27 @@ class ExactInputCases {
   /// the request is for exact ones: otherwise what is singular once rounded is nearly so as typed.
   bool improve(std::size_t which, KinematicSolution& motion);
 
-  /// Likewise, with the teeth of `turned` on their coast flanks.
-  bool improve(std::size_t which, const std::vector<int>& turned, StaticSolution& action);
+  /// Likewise, with the teeth of `turned` on their coast flanks; `motion` is that of the case, or
+  /// null.
+  bool improve(std::size_t which,
+               const std::vector<int>& turned,
+               const KinematicSolution* motion,
+               StaticSolution& action);
+
+  /// Asks again for a solved motion, once the actions of its case are known.
+  void improve_beside(std::size_t which, const StaticSolution& action, KinematicSolution& motion);
 
  private:
+  struct DoubleAnswer;
+
   const ExactInputMechanism* find();  // null if a number has no value without rounding
   bool is_small() const;
   bool asks_for_exact_input(const RankCertainty& certainty);
   int missing_rank(const std::optional<RankCertainty>& certainty, int counted) const;
-  bool is_needed(SolveStatus status,
-                 const AnswerEvidence& answer,
-                 const RankEvidence& evidence,
-                 std::span<const double> values) const;
+  bool is_needed(const DoubleAnswer& of) const;
+  std::optional<KinematicSolution> find_better(std::size_t which,
+                                               const RankEvidence* beside,
+                                               const KinematicSolution& motion);
 
   const MechanismDescription* description_;
   const Mechanism* mechanism_;

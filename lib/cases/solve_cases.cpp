@@ -301,7 +301,10 @@ CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const CaseRe
     if (request.exact_input != nullptr && has_typed_loads(request.which, which) &&
         find_frictions(drawn, which, motion).laws.empty()) {
       request.certainty->has_exact_input_action =
-          request.exact_input->improve(request.index, flanks.turned, flanks.action);
+          request.exact_input->improve(request.index, flanks.turned, motion, flanks.action);
+    }
+    if (request.exact_input != nullptr && motion != nullptr && motion->idle.empty()) {
+      request.exact_input->improve_beside(request.index, flanks.action, *result.motion);
     }
     result.action = std::move(flanks.action);
     result.coast_flanks = std::move(flanks.turned);

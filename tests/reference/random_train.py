@@ -48,7 +48,12 @@ def willis(first: tuple[str, int], second: tuple[str, int], carrier: str) -> Row
 
 def add_simple(rng: random.Random, i: int, shafts: list[str], text: Text) -> Row:
     sun, ring, carrier = rng.sample(shafts, 3)
-    n, p = rng.randint(18, 50), rng.randint(15, 40)
+    return simple(i, (sun, ring, carrier), (rng.randint(18, 50), rng.randint(15, 40)), text)
+
+
+def simple(i: int, shafts: tuple[str, str, str], teeth: tuple[int, int], text: Text) -> Row:
+    sun, ring, carrier = shafts
+    n, p = teeth
     text.planet(f"p{i}", carrier)
     text.member(f"sun{i}", sun, n)
     text.member(f"planet{i}", f"p{i}", p, f", count: 1")
@@ -143,6 +148,22 @@ def draw_any_box(rng: random.Random, torque: Fraction) -> tuple[Train, str]:
     train = Train(shafts=shafts, sets=sets,
                   elements={f"E{i}": pair for i, pair in enumerate(chosen)},
                   input=input_, output=output)
+    return train, written(train, text, torque)
+
+
+def two_suns(first: tuple[int, int], second: tuple[int, int], ends: tuple[str, str],
+             torque: Fraction) -> tuple[Train, str]:
+    """Simple sets with one carrier and one ring: ratios of their suns are nearly 1.
+
+    `first` and `second` are teeth of sun and planet, `ends` are input and output.
+    """
+    text = Text()
+    sets = [simple(i, (f"sun{i}", "ring", "carrier"), teeth, text)
+            for i, teeth in enumerate((first, second))]
+    free = next(shaft for shaft in ("carrier", "ring") if shaft not in ends)
+    train = Train(shafts=["sun0", "sun1", "ring", "carrier"], sets=sets,
+                  elements={"E0": (HOUSING, "sun1"), "E1": (HOUSING, free)},
+                  input=ends[0], output=ends[1])
     return train, written(train, text, torque)
 
 

@@ -17,7 +17,7 @@ import unittest
 from fractions import Fraction
 
 import program
-from random_train import draw_box, draw_layshafts, draw_truck
+from random_train import draw_box, draw_layshafts, draw_truck, two_suns
 from shift_test import ShiftTest
 
 COUNT = 200
@@ -48,6 +48,41 @@ class RandomTeeth(ShiftTest):
         self.assertEqual(done.returncode, 0, done.stderr + text)
         self.assertLessEqual(set(re.findall(r"\[(\w+)\]:", done.stderr)), SAID, text)
         return self.check_shift(train, program.report(done)["shift"], TORQUE)
+
+
+class SmallDifferences(ShiftTest):
+    """Ratios of thousands, which are differences of nearly equal products of teeth.
+
+    What rounding the places of teeth takes from speeds it takes from torques as well: both must be
+    exact, whichever of the two is small, and whichever side has the small pivots.
+    """
+
+    def test_speeds_and_torques_are_exact(self) -> None:
+        for first, second in worst_sets(12):
+            for ends in (("sun0", "ring"), ("ring", "sun0"), ("sun0", "carrier"), ("carrier", "sun0")):
+                with self.subTest(first=first, second=second, ends=ends):
+                    train, text = two_suns(first, second, ends, TORQUE)
+                    self.check_shift(train, program.run("shift", "-", text=text)["shift"], TORQUE)
+                    exact = train.state(("E0",), TORQUE)
+                    case = program.run("analyze", "-", text=text)["cases"]["E0"]
+                    self.near(case["ratio"] / float(exact.ratio), 1.0, "ratio")
+                    self.near(case["torque_ratio"] / float(exact.torque_ratio), 1.0, "torque ratio")
+
+    def test_a_box_of_1_to_2542(self) -> None:
+        self.assertIn("gear", RandomTeeth().check_seed(63911))
+
+
+def worst_sets(count: int) -> list[tuple[tuple[int, int], tuple[int, int]]]:
+    """Two simple sets, sun and planet of each, whose ratios are as near to each other as they come."""
+    sets = [(sun, planet) for sun in range(18, 51) for planet in range(15, 41)]
+    pairs = []
+    for i, (a, p) in enumerate(sets):
+        for b, q in sets[i + 1:]:
+            product = a * (b + 2 * q)
+            difference = abs(product - b * (a + 2 * p))
+            if 0 < difference * 2000 < product:
+                pairs.append((Fraction(difference, product), (a, p), (b, q)))
+    return [(first, second) for _, first, second in sorted(pairs)[:count]]
 
 
 class Sweeps(ShiftTest):
@@ -137,4 +172,5 @@ if __name__ == "__main__":
     program.use(sys.argv[1])
     COUNT = int(sys.argv[2]) if len(sys.argv) > 2 else COUNT
     FIRST = int(sys.argv[3]) if len(sys.argv) > 3 else FIRST
-    unittest.main(argv=[sys.argv[0]], defaultTest=["RandomTeeth", "Sweeps", "HeldOutput"])
+    unittest.main(argv=[sys.argv[0]], defaultTest=["RandomTeeth", "SmallDifferences", "Sweeps",
+                                                    "HeldOutput"])
