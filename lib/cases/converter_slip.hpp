@@ -10,6 +10,10 @@
 
 namespace kinestat {
 
+/// Indices of the known actions of a case, in the order in which they may follow from a converter:
+/// those of the inputs before others, and such as have a known speed, too, before all.
+std::vector<std::size_t> deciding_actions(const Topology& topology, const Case& which);
+
 /// A case that lacks a motion and has an action more than equilibrium leaves open: the engine of an
 /// automatic, with its speed and its torque. The speed ratio at which the converter takes that
 /// torque gives the motion.

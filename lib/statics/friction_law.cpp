@@ -285,15 +285,6 @@ FrictionLawOf<Scalar> fluid(const SlidingOf<Scalar>& s) {
   return law;
 }
 
-// Drag that grows with the speed has no friction at rest, and so needs no direction there; what is
-// engaged has no drag, or is at rest without being held.
-bool is_nothing_at_rest(const CouplingFriction& friction, FrictionKind kind) {
-  if (kind == FrictionKind::drag) {
-    return true;
-  }
-  return friction.mu == 0.0 && friction.tau == 0.0 && friction.cables.empty();
-}
-
 FrictionLaw law_at_rest(FrictionLaw law) {
   law.speed = 0.0;
   law.constant = 0.0;
@@ -302,8 +293,8 @@ FrictionLaw law_at_rest(FrictionLaw law) {
 }
 
 // Whether a clutch or brake is known to hold.
-bool engages_any(const Topology& topology, const Case& which) {
-  return std::ranges::any_of(which.motions, [&](const Primary& known) {
+bool engages_any(const Topology& topology, std::span<const Primary> motions) {
+  return std::ranges::any_of(motions, [&](const Primary& known) {
     const CouplingId owner = topology.freedoms[static_cast<std::size_t>(known.index)].coupling;
     return known.value == 0.0 && kind_of(topology.coupling(owner).type).engages;
   });
@@ -346,10 +337,20 @@ ConverterTurnsOf<double> converter_turns(const Mechanism& mechanism,
   return {.pump = turning(converter.pump), .turbine = turning(converter.turbine)};
 }
 
+// Drag that grows with the speed has no friction at rest, and so needs no direction there; what is
+// engaged has no drag, or is at rest without being held.
+bool is_free_at_rest(const Topology& topology,
+                     std::span<const Primary> motions,
+                     const CouplingFriction& friction) {
+  const bool is_drag =
+      kind_of(topology.coupling(friction.coupling).type).friction == FrictionKind::drag;
+  const bool is_viscous = friction.mu == 0.0 && friction.tau == 0.0 && friction.cables.empty();
+  return is_drag || is_viscous || engages_any(topology, motions);
+}
+
 std::vector<std::optional<FrictionLaw>> find_friction_laws(const Mechanism& mechanism,
                                                            const Case& which,
                                                            const KinematicSolution& motion) {
-  const bool is_held = engages_any(mechanism.topology, which);
   std::vector<std::optional<FrictionLaw>> laws;
   const Geometry& geometry = mechanism.geometry;
   for (const CouplingFriction& friction : mechanism.frictions) {
@@ -377,8 +378,7 @@ std::vector<std::optional<FrictionLaw>> find_friction_laws(const Mechanism& mech
     if (moves) {
       laws.push_back(law.has_value ? std::optional(law) : std::nullopt);
     } else {
-      const FrictionKind kind = kind_of(mechanism.topology.couplings[e].type).friction;
-      const bool is_nothing = is_held || is_nothing_at_rest(friction, kind);
+      const bool is_nothing = is_free_at_rest(mechanism.topology, which.motions, friction);
       laws.push_back(is_nothing ? std::optional(law_at_rest(law)) : std::nullopt);
     }
   }

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "kinematics/kinematic_solution.hpp"
@@ -94,6 +95,12 @@ FrictionLawOf<Scalar> make_friction_law(const SlidingOf<Scalar>& sliding);
 ConverterTurnsOf<double> converter_turns(const Mechanism& mechanism,
                                          const KinematicSolution& motion,
                                          const CouplingFriction& friction);
+
+/// Whether a coupling at rest has no friction in a case with these known motions; else it has one
+/// without direction.
+bool is_free_at_rest(const Topology& topology,
+                     std::span<const Primary> motions,
+                     const CouplingFriction& friction);
 
 /// The laws in a case with that motion, in the order of mechanism.frictions. Empty for a coupling
 /// that does not move relative to its tail, as its friction has no direction, and where the file

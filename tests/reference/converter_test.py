@@ -9,8 +9,11 @@ from __future__ import annotations
 import csv
 import math
 import random
+import re
 import sys
+import tempfile
 import unittest
+from pathlib import Path
 
 import program
 
@@ -134,6 +137,25 @@ class Characteristic(unittest.TestCase):
         for i, (n, nu) in enumerate(points):
             self.check(cases[f"p{i}"], n, nu, interpolated(RATIOS, MU, nu),
                        interpolated(RATIOS, PUMP, nu))
+
+    def test_ends_of_a_table(self) -> None:
+        """A quotient of two speeds may lie beyond an end by its rounding."""
+        form = (", stator: housing, characteristic: {speed_ratio: [0.1, 0.4, 0.95], torque_ratio: "
+                "[1.9, 1.5, 1], pump_torque: [150, 140, 20], pump_speed: 2000 rpm}")
+        rng = random.Random(3)
+        speeds = [rng.uniform(500, 3000) for _ in range(40)]
+        ends = ((0.1, 1.9, 150), (0.95, 1, 20))
+        text = "".join(case(f"p{k}_{i}", n, n * ends[k][0])
+                       for k in range(2) for i, n in enumerate(speeds))
+        # a torque that only ratios of the last interval of the search have
+        text += "".join(case(f"s{i}", n, None, f"engine: {20.02 * (n / 2000) ** 2!r}, L: 0")
+                        for i, n in enumerate(speeds))
+        cases = analyze(model(text).replace(flow(CHARACTERISTIC), form))
+        for i, n in enumerate(speeds):
+            for k, (nu, mu, pump) in enumerate(ends):
+                self.check(cases[f"p{k}_{i}"], n, nu, mu, pump)
+            found = cases[f"s{i}"]["statics"]["converters"]["TC"]["speed_ratio"]
+            self.assertAlmostEqual(found, 0.95, delta=1e-3)
 
     def test_lock_up_carries_all(self) -> None:
         one = analyze(model(
@@ -271,6 +293,84 @@ class Studies(unittest.TestCase):
             more += (f"    - {{input_motion: {n}, input_action: {torque!r}, duration: {t}}}\n")
         text = model(case("c", 1000, None, "engine: 30, L: 0"))
         self.check_duty(text.replace("cases:\n", more + "cases:\n"))
+
+    # Frictions of other couplings; the last one hangs on what presses, so that its points are not
+    # solved together.
+    FRICTIONS = ({},
+                 {"E": "c: 0.05 N*m*s/rad", "T": "tau: 2 N*m, c: 0.01 N*m*s/rad"},
+                 {"L": "tau: 3 N*m", "T": "c: 0.02 N*m*s/rad"},
+                 {"T": "tau: '1 + 2*exp(-speed/(100 rad/s))'"},
+                 {"T": "mu: 0.1, radius: 20 mm, tau: 1 N*m"})
+    CHARACTERISTICS = (CHARACTERISTIC, FLUID_COUPLING, """
+      stator: housing
+      characteristic:
+        torque_ratio: 'max(1, 2 - 1.25*speed_ratio)'
+        pump_torque: 160 N*m*(1 - speed_ratio^4)
+        pump_speed: 2000 rpm""",
+                       # takes some torques at two speed ratios
+                       """
+      stator: housing
+      characteristic:
+        speed_ratio:  [0, 0.4, 0.96]
+        torque_ratio: [2, 1.6, 1]
+        pump_torque:  [100, 140, 20]
+        pump_speed: 2000 rpm""")
+
+    def test_points_of_a_cycle_are_those_of_an_analysis(self) -> None:
+        """Whatever else rubs, and where no speed ratio fits, or more than one."""
+        rng = random.Random(2026)
+        for characteristic in self.CHARACTERISTICS:
+            for frictions in self.FRICTIONS:
+                for known in ("engine", "out"):
+                    with self.subTest(characteristic=characteristic, frictions=frictions, known=known):
+                        self.check_points(rng, characteristic, frictions, known)
+
+    def check_points(self, rng: random.Random, characteristic: str, frictions: dict[str, str],
+                     known: str) -> None:
+        """`known` is the actuator whose torque decides the slip."""
+        points = []
+        for i in range(24):
+            speed = rng.uniform(400, 3000) * rng.choice((-1, 1))
+            size = rng.uniform(0, 170) * (speed / 2000) ** 2 * math.copysign(1, speed)
+            points.append((speed, rng.choice((1, 1, 1, -0.2, 0)) * size, rng.uniform(1, 9)))
+        points.append((1700.0, 0.0, 3.0))
+        sign = 1 if known == "engine" else -1.2
+        cases = "".join(case(f"p{i}", n, None, f"{known}: {sign * torque!r}, L: 0")
+                        for i, (n, torque, _) in enumerate(points))
+        text = model(cases, characteristic)
+        for name, friction in frictions.items():
+            text = text.replace(f"  {name}: {{type", f"  {name}: {{friction: {{{friction}}}, type")
+        analysis = program.call("analyze", "-", text=text)
+        cases = program.report(analysis)["cases"]
+        rows = [f"duration [s],case,engine [rpm],{known} [N*m]"]
+        rows += [f"{t!r},p0,{n!r},{sign * torque!r}" for n, torque, t in points]
+        with tempfile.TemporaryDirectory() as folder:
+            cycle = Path(folder) / "cycle.csv"
+            cycle.write_text("\n".join(rows) + "\n", encoding="utf-8")
+            done = program.call("duty", "-", "--cycle", str(cycle), text=text)
+        states = program.report(done)["duty"]["points"]
+        self.assertEqual(len(states), len(points))
+        answered = 0
+        for i, (state, (n, torque, t)) in enumerate(zip(states, points)):
+            power = cases[f"p{i}"].get("power")
+            if power is None:
+                self.assertEqual(state["status"], "unanswered", (n, torque))
+                continue
+            answered += 1
+            self.assertIn(state["status"], ("solved", "both_ends"), (n, torque))
+            flows = power["actuators"].values()
+            largest = t * max(map(abs, flows))
+            near = lambda a, b: self.assertAlmostEqual(a, b, delta=1e-11 * largest + 1e-300)
+            near(state["given"], t * sum(p for p in flows if p > 0))
+            near(state["taken"], -t * sum(p for p in flows if p < 0))
+            near(state["lost"], -t * sum(power["friction"].values()))
+            self.assertLess(state["balance_residual"], 1e-12)
+        self.assertGreater(answered, 0)
+        # The message is that of the first point without an answer.
+        first = next((i for i, state in enumerate(states) if state["status"] == "unanswered"), None)
+        if first is not None:
+            said = re.search(r"E\d+\]: case 'p\d+' (.*)", analysis.stderr)
+            self.assertIn(said.group(1), done.stderr)
 
     def check_duty(self, text: str) -> None:
         points = self.POINTS

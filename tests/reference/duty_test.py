@@ -177,6 +177,55 @@ class Cases(unittest.TestCase):
                 self.check(name, draw)
 
 
+class Converter(unittest.TestCase):
+    """An automatic with lossy teeth, drags and viscous bearings: its engine's torque decides the slip."""
+
+    LOSSES = "losses: {gear_external: 0.015, gear_internal: 0.007}\n"
+
+    def test_points_are_what_analysis_says(self) -> None:
+        draw = random.Random(24)
+        path = MECHANISMS / "transmissions" / "converter_automatic.yaml"
+        text = path.read_text(encoding="utf-8")
+        text = re.sub(r"^published:.*\n((^[ -].*)?\n)*", "", text, flags=re.M) + self.LOSSES
+        text = re.sub(r"(type: (clutch|brake), [^}]*)\}", r"\1, friction: {tau: 2, c: 0.01}}", text)
+        text = text.replace("[housing, pump]}", "[housing, pump], friction: {c: 0.1}}")
+        text = text.replace("[housing, out]}", "[housing, out], friction: {c: 0.2}}")
+        points = []
+        for _ in range(60):
+            n = draw.uniform(500, 2500)
+            torque = draw.uniform(-0.1, 1.1) * 860 * 9.8 * 6.4e-6 * n * n * 0.43 ** 5
+            points.append((n, torque, draw.uniform(1, 9)))
+        driven = re.search(r"  driven:\n(    .*\n)*", text)
+        cases = "".join(
+            f"  p{i}: {{motion: {{engine: {n!r}, A: 0, D: 0}}, "
+            f"action: {{engine: {torque!r}, L: 0, B: 0, C: 0}}, input: engine, output: out}}\n"
+            for i, (n, torque, _) in enumerate(points))
+        text = text.replace(driven.group(0), cases)
+        with tempfile.TemporaryDirectory() as folder:
+            cycle = Path(folder) / "cycle.csv"
+            cycle.write_text("duration [s],case,engine [rpm],engine [N*m]\n" + "".join(
+                f"{t!r},p0,{n!r},{torque!r}\n" for n, torque, t in points), encoding="utf-8")
+            done = program.call("duty", "-", "--cycle", str(cycle), text=text)
+        states = program.report(done)["duty"]["points"]
+        analysed = program.report(program.call("analyze", "-", text=text))["cases"]
+        answered = 0
+        for i, (state, (n, torque, t)) in enumerate(zip(states, points)):
+            power = analysed[f"p{i}"].get("power")
+            if power is None:
+                self.assertEqual(state["status"], "unanswered")
+                continue
+            answered += 1
+            # Without losses in the teeth it is solved, with them it may be that nothing drives.
+            if power["efficiency"]["carrier"] is None:
+                continue
+            self.assertAlmostEqual(state["given"] / 1000 / t, power["input"],  # [kW]
+                                   delta=1e-9 * power["input"])
+            self.assertAlmostEqual(state["efficiency"], power["efficiency"]["carrier"], delta=1e-11)
+            self.assertLess(state["balance_residual"], 1e-11)
+        self.assertGreater(answered, 15)
+        self.assertLess(answered, 60)
+
+
 # A planetary set whose three planets share the load unevenly.
 PLANETS = """kinestat: 1
 space: planar

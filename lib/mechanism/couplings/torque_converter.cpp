@@ -75,7 +75,10 @@ std::optional<Scalar> CharacteristicCurveOf<Scalar>::value(const Scalar& speed_r
     return number != nullptr ? std::optional(*number) : std::nullopt;
   }
   const double x = value_of(speed_ratio);
-  if (!(x >= value_of(at.front()) && x <= value_of(at.back()))) {
+  // A quotient of speeds may miss an end by its rounding.
+  const double rounding =
+      kSolvedRounding * std::max(std::abs(value_of(at.front())), std::abs(value_of(at.back())));
+  if (!(x >= value_of(at.front()) - rounding && x <= value_of(at.back()) + rounding)) {
     return std::nullopt;
   }
   std::size_t i = 0;

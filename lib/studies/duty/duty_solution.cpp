@@ -3,94 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <memory>
 #include <numbers>
 #include <utility>
 
-#include "cases/solve_cases.hpp"
 #include "couplings/kinds.hpp"
 #include "power/efficiency.hpp"
-#include "studies/duty/duty_case.hpp"
+#include "studies/duty/state_finder.hpp"
 
 namespace kinestat {
 
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-
-// A case with the magnitudes of a point.
-Case case_at(const Case& which, const DutyPoint& point) {
-  Case result = which;
-  for (std::size_t i = 0; i < point.motions.size(); ++i) {
-    result.motions[i].value = point.motions[i];
-  }
-  for (std::size_t i = 0; i < point.actions.size(); ++i) {
-    result.actions[i].value = point.actions[i];
-  }
-  return result;
-}
-
-// One case, whatever the senses in which it moves.
-class StateFinder {
- public:
-  StateFinder(const Mechanism& mechanism, std::size_t which, std::span<const Mesh> meshes)
-      : mechanism_(mechanism),
-        which_(mechanism.cases[which]),
-        meshes_(meshes),
-        motions_(mechanism, which_),
-        is_plain_(motions_.is_solved() && has_plain_statics(mechanism)) {}
-
-  // Empty where there is no answer: `last_analysis` shows why.
-  std::optional<DutyState> find(const DutyPoint& point) {
-    if (is_plain_) {
-      for (std::size_t i = 0; i < known_.size(); ++i) {
-        DutyCase& one = *known_[i];
-        if (one.moves_alike(point.motions) && one.presses_alike(point.motions, point.actions)) {
-          std::rotate(known_.begin(),
-                      known_.begin() + static_cast<std::ptrdiff_t>(i),
-                      known_.begin() + static_cast<std::ptrdiff_t>(i) + 1);
-          std::optional<DutyState> state = known_.front()->state_at(point.motions, point.actions);
-          if (state) {
-            return state;
-          }
-          break;
-        }
-      }
-    }
-    return find_anew(point);
-  }
-
-  CaseAnalysis take_last_analysis() { return std::move(last_); }
-
- private:
-  std::optional<DutyState> find_anew(const DutyPoint& point) {
-    if (is_plain_ && known_.size() < kMostKnown) {
-      auto made = std::make_unique<DutyCase>(mechanism_, case_at(which_, point), motions_, meshes_);
-      std::optional<DutyState> state = made->is_prepared()
-                                           ? made->state_at(point.motions, point.actions)
-                                           : state_of(mechanism_, made->analysis(), meshes_);
-      last_ = made->analysis();
-      if (made->is_prepared()) {
-        known_.insert(known_.begin(), std::move(made));
-      }
-      return state;
-    }
-    const Case there = case_at(which_, point);
-    last_ = std::move(solve_some_cases(mechanism_, std::span(&there, 1)).front());
-    return state_of(mechanism_, last_, meshes_);
-  }
-
-  // So many sets of senses at most are kept of a case.
-  static constexpr std::size_t kMostKnown = 64;
-
-  const Mechanism& mechanism_;
-  const Case& which_;
-  std::span<const Mesh> meshes_;
-  CaseMotions motions_;
-  bool is_plain_ = false;
-  std::vector<std::unique_ptr<DutyCase>> known_;  // the last used first
-  CaseAnalysis last_;
-};
 
 // Σ n F^p and Σ n. The loads are divided by the largest so far, that no power overflows.
 class WearSum {
@@ -385,7 +309,7 @@ DutySolution solve_duty(const Mechanism& mechanism, const DutyPlan& plan) {
     const auto at = std::ranges::find(unanswered, point.which, &UnansweredCase::which);
     if (at == unanswered.end()) {
       unanswered.push_back(
-          {.which = point.which, .first = i, .count = 1, .analysis = finder.take_last_analysis()});
+          {.which = point.which, .first = i, .count = 1, .analysis = finder.take_unanswered()});
     } else {
       ++at->count;
     }
