@@ -8,10 +8,16 @@ from __future__ import annotations
 
 import json
 import math
+import random
+import re
 import sys
 import unittest
+from collections.abc import Callable, Iterator
+from fractions import Fraction
 
 import program
+from exact_train import Train
+from random_train import draw_box
 from reference_test_case import ReferenceTest
 
 PLANETARY = """
@@ -309,6 +315,57 @@ sweep: {vary: {T: {values: [1 N*m, 10 N*m]}}, report: [ratio, efficiency, out, l
                 recirculation = done["cases"]["k"]["power"]["recirculation"]
                 self.near(recirculation["factor"], 1.0, alpha + side)
                 self.assertEqual(recirculation["loops"], [])
+
+    def test_circulating_power_is_that_of_the_train(self) -> None:
+        """Of twenty random trains, whatever the pressure angle, the side of planets and the space."""
+        found: list[float] = []
+        for text in random_trains(20, lambda train: True):
+            factors = [self.factors(one) for one in drawings(text)]
+            for other in factors[1:]:
+                self.assertEqual(other.keys(), factors[0].keys())
+                for name, factor in factors[0].items():
+                    self.near(other[name], factor, name, max(1.0, abs(factor)))
+            found += factors[0].values()
+        self.assertGreater(len([one for one in found if one > 1.1]), 5)
+
+    def test_one_set_with_a_brake_has_one_path(self) -> None:
+        def has_one_path(train: Train) -> bool:
+            return len(train.sets) == 1 and all("housing" in ends for ends in train.elements.values())
+
+        gears = 0
+        for text in random_trains(20, has_one_path):
+            for one in drawings(text):
+                for name, factor in self.factors(one).items():
+                    self.near(factor, 1.0, name)
+                    gears += 1
+        self.assertGreater(gears, 50)
+
+    def factors(self, text: str) -> dict[str, float]:
+        return {name: state["recirculation"] for name, state in self.states(text).items()
+                if state["class"] == "gear" and state["recirculation"] is not None}
+
+
+def random_trains(count: int, is_meant: Callable[[Train], bool]) -> Iterator[str]:
+    """Files of trains that have planets in pairs."""
+    seed = 0
+    while count > 0:
+        seed += 1
+        train, text = draw_box(random.Random(seed), Fraction(7))
+        if "outer" in text and is_meant(train):
+            count -= 1
+            yield text
+
+
+def drawings(text: str) -> Iterator[str]:
+    """The train of a file drawn anew, in the plane and in space."""
+    for side in ("", ", side: right"):
+        placed = re.sub(r"(outer\d: \{[^}]*)\}", rf"\1{side}}}", text)
+        for alpha in ("14.5 deg", "20 deg", "25 deg", "30 deg"):
+            planar = placed.replace("gears:\n", f"gears:\n  pressure_angle: {alpha}\n")
+            yield planar
+            spatial = planar.replace(", at: [0, 0]", "").replace("space: planar", "space: spatial")
+            yield re.sub(r"(type: (revolute|clutch|brake), bodies: \[[^]]*\])\}",
+                         r"\1, at: 0, axis: z}", spatial)
 
 
 if __name__ == "__main__":
