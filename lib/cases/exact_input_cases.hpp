@@ -47,8 +47,8 @@ class ExactInputCases {
   /// the request is for exact ones: otherwise what is singular once rounded is nearly so as typed.
   bool improve(std::size_t which, KinematicSolution& motion);
 
-  /// Likewise, with the teeth of `turned` on their coast flanks; `motion` is that of the case, or
-  /// null.
+  /// Likewise, with the teeth of `turned` on their coast flanks; `motion` is that of the case,
+  /// which may leave something open, or null.
   bool improve(std::size_t which,
                const std::vector<int>& turned,
                const KinematicSolution* motion,

@@ -68,6 +68,26 @@ class SmallDifferences(ShiftTest):
                     self.near(case["ratio"] / float(exact.ratio), 1.0, "ratio")
                     self.near(case["torque_ratio"] / float(exact.torque_ratio), 1.0, "torque ratio")
 
+    def test_a_loose_shaft_takes_no_digits(self) -> None:
+        """What turns as it likes leaves the case without velocities; the gear has its ratio."""
+        for first, second in worst_sets(6):
+            for ends in (("sun0", "ring"), ("ring", "sun0")):
+                train, text = two_suns(first, second, ends, TORQUE)
+                exact = train.state(("E0",), TORQUE)
+                loose = text.replace("bodies: [", "bodies: [loose, ", 1).replace(
+                    "couplings:", "couplings:\n"
+                    "  J_loose: {type: revolute, bodies: [housing, loose], at: [0, 0]}\n"
+                    "  E9: {type: clutch, bodies: [sun1, loose]}", 1).replace(
+                    "elements: [", "elements: [E9, ")
+                for accuracy in ("auto", "exact"):
+                    with self.subTest(first=first, second=second, ends=ends, accuracy=accuracy):
+                        states = program.run("shift", "--one-fewer", "--accuracy", accuracy, "-",
+                                             text=loose)["shift"]["states"]
+                        for name in ("E0", "E9+E0"):
+                            self.near(states[name]["ratio"] / float(exact.ratio), 1.0, name)
+                            self.near(states[name]["torque_ratio"] / float(exact.torque_ratio), 1.0,
+                                      name)
+
     def test_a_box_of_1_to_2542(self) -> None:
         self.assertIn("gear", RandomTeeth().check_seed(63911))
 

@@ -43,6 +43,12 @@ class GearReader {
 
   bool has_actions() const { return gear_.action != nullptr && !gear_.action->magnitudes.empty(); }
 
+  // Whether nothing but the input and the output exchanges power.
+  bool balances_as_typed(const StaticSolution& action) const {
+    return action.answer.is_exact_input && action.friction.empty() && gear_.which.loads.empty() &&
+           plan_.inputs.size() == 1 && plan_.outputs.size() == 1 && plan_.reacting.empty();
+  }
+
   // Where a gear leaves freedoms beside it, its case has no velocities; the state has the ratio.
   void add_ratios(std::size_t o) {
     const ShiftState& state = gear_.state;
@@ -61,6 +67,10 @@ class GearReader {
       ratios.ratio = share_of(reference_rate(plan_, state), slow);
       if (action != nullptr) {
         add_torque_ratio(gear_.mechanism, which, *action, ratios);
+      }
+      // Powers balance, and actions as typed have more digits than the motions of the open train.
+      if (ratios.torque_ratio && balances_as_typed(*action)) {
+        ratios.ratio = share_of(-1.0, *ratios.torque_ratio);
       }
     }
     values_.ratios.push_back(std::move(ratios));
