@@ -177,6 +177,42 @@ class Cases(unittest.TestCase):
                 self.check(name, draw)
 
 
+# A wheel with a spring and a brake-like bearing, speeding up or not.
+WHEEL = """kinestat: 1
+space: planar
+units: {length: mm}
+ground: frame
+bodies: {wheel: {mass: 1, centre_of_mass: [0, 0], inertia: 2}}
+couplings:
+  a: {type: revolute, bodies: [frame, wheel], at: [0, 0], friction: {c: 0.01}}
+SPRINGS
+actuators: {motor: {coupling: a}}
+cases: {k: {motion: {motor: 2}, ACCELERATION action: {}, input: motor}}
+duty: {case: k, points: [{input_motion: 2, duration: 1}, {input_motion: 4, duration: 3}]}
+"""
+
+
+class LoadsOfTheMechanism(unittest.TestCase):
+    """Springs and inertia take what the motor gives beside c·ω²."""
+
+    def check(self, torque: float, springs: str = "", acceleration: str = "") -> None:
+        text = WHEEL.replace("SPRINGS", springs).replace("ACCELERATION", acceleration)
+        duty = program.run("duty", "-", text=text)["duty"]
+        for point, speed, time in zip(duty["points"], (2, 4), (1, 3)):
+            self.assertAlmostEqual(point["given"], time * speed * (torque + 0.01 * speed))
+            self.assertAlmostEqual(point["taken"], time * speed * torque)
+            self.assertAlmostEqual(point["lost"], time * 0.01 * speed ** 2)
+
+    def test_springs(self) -> None:
+        self.check(5, springs="springs: {s: {coupling: a, stiffness: 10 N*m/rad, free: -0.5 rad}}")
+
+    def test_inertia(self) -> None:
+        self.check(6, acceleration="acceleration: {motor: 3},")
+
+    def test_neither(self) -> None:
+        self.check(0)
+
+
 class Converter(unittest.TestCase):
     """An automatic with lossy teeth, drags and viscous bearings: its engine's torque decides the slip."""
 

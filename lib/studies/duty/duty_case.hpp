@@ -15,7 +15,7 @@
 namespace kinestat {
 
 /// Whether points of a mechanism need no analysis each: no contacts, cables or redundant actions
-/// whose answer depends on more than senses.
+/// whose answer depends on more than senses, and no springs, whose loads an analysis adds.
 bool has_plain_statics(const Mechanism& mechanism);
 
 /// The state of an analysed case; empty where it has none. `meshes` are those of the mechanism.

@@ -67,7 +67,7 @@ SlipFinder::SlipFinder(const Mechanism& mechanism,
       axis_(turning_axis(mechanism, search.coupling)),
       known_(closed.motions),
       values_(closed.motions.size(), 0.0) {
-  if (closed.has_inertia() || !mechanism.springs.empty() || !motions.is_solved()) {
+  if (!motions.is_solved()) {
     return;
   }
   Case nothing = closed;

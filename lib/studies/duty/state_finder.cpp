@@ -31,7 +31,7 @@ ClosedCase::ClosedCase(const Mechanism& mechanism, Case which, std::span<const M
       which_(std::move(which)),
       meshes_(meshes),
       motions_(mechanism, which_),
-      is_plain_(motions_.is_solved() && has_plain_statics(mechanism)) {}
+      is_plain_(motions_.is_solved() && has_plain_statics(mechanism) && !which_.has_inertia()) {}
 
 std::optional<DutyState> ClosedCase::find(std::span<const double> motions,
                                           std::span<const double> actions) {
