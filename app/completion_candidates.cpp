@@ -120,6 +120,7 @@ CompletionCandidates values_of(const std::string& called, const CLI::App& app, W
       {"ACTUATOR", [&] { return without_meaning(names_in(words).actuators); }},
       {"PARAMETER", [&] { return without_meaning(names_in(words).parameters); }},
       {"PARAMETER=VALUE", [&] { return parameter_candidates(words); }},
+      {"POSITION", [&] { return without_meaning(names_in(words).positions); }},
       {"QUANTITY", [&] { return quantity_candidates(words); }},
       {"TOPIC", [&] { return topic_candidates(app, words); }},
       {"PICTURE", picture_candidates},

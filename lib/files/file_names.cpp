@@ -2,6 +2,8 @@
 
 #include "files/load_file.hpp"
 #include "files/parameter_names.hpp"
+#include "mechanism/motion_plan.hpp"
+#include "studies/tolerance/watched_position.hpp"
 
 namespace kinestat {
 
@@ -22,6 +24,9 @@ FileNames names_of(const Loaded& loaded) {
   for (const Case& one : loaded.mechanism.cases) {
     names.cases.push_back(one.label);
   }
+  const std::optional<MotionPlan> plan = bind_motion(loaded.description, loaded.mechanism);
+  names.positions =
+      watched_names(loaded.mechanism, plan ? plan->trace : std::vector<TracedPoint>());
   return names;
 }
 

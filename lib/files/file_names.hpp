@@ -14,6 +14,7 @@ struct FileNames {
   std::vector<std::string> actuators;
   std::vector<std::string> cases;       ///< those of gears, too
   std::vector<std::string> quantities;  ///< actuators, freedoms and actions, of which reports are
+  std::vector<std::string> positions;   ///< of which errors are told
 };
 
 FileNames names_of(const Loaded& loaded);

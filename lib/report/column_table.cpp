@@ -1,34 +1,28 @@
 #include "report/column_table.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include <fmt/format.h>
 
+#include "core/axis_name.hpp"
 #include "core/contract.hpp"
 #include "report/number_format.hpp"
 
 namespace kinestat {
-
-namespace {
-
-constexpr std::array<const char*, 3> kLetters = {"x", "y", "z"};
-
-}  // namespace
 
 std::string cell_of(const std::optional<double>& value) {
   return value ? format_short(*value) : "?";
 }
 
 void VectorColumns::add_to(std::vector<TextColumn>& columns) const {
-  for (std::size_t i = 0; i < kLetters.size(); ++i) {
+  for (std::size_t i = 0; i < kAxisNames.size(); ++i) {
     const auto part = static_cast<Eigen::Index>(i);
     const bool is_used = std::ranges::any_of(
         rows, [&](const std::optional<Vec3>& row) { return row && (*row)[part] != 0.0; });
     if (!is_used) {
       continue;
     }
-    TextColumn column{.head = fmt::format("{}{} [{}]", symbol, kLetters[i], unit), .cells = {}};
+    TextColumn column{.head = fmt::format("{}{} [{}]", symbol, kAxisNames[i], unit), .cells = {}};
     for (const std::optional<Vec3>& row : rows) {
       column.cells.push_back(row ? format_short((*row)[part]) : missing);
     }

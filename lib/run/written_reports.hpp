@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/compare/report_kinds.hpp"
+#include "report/kinds/report_kinds.hpp"
 
 namespace kinestat {
 

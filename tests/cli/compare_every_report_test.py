@@ -25,6 +25,8 @@ COMMANDS = {
     ("mobility",): ("spatial/bennett", "cables/surgical_instrument"),
     ("inputs",): ("planar/four_bar", "cables/finger_rehabilitation"),
     ("sensitivity",): ("planar/rack_and_pinion", "gears/simple_planetary"),
+    ("tolerance", "--place", "0.1mm"): ("planar/slider_crank", "spatial/rssr"),
+    ("tolerance", "--angle", "0.1deg", "--along"): ("planar/slider_crank",),
     ("synthesize",): ("synthesis/do_valle_table_1", "synthesis/near_positions"),
     ("bench",): ("planar/four_bar",),
     ("sweep",): ("sweeps/four_bar_height",),

@@ -120,7 +120,7 @@ class Candidates(unittest.TestCase):
     def test_what_a_value_may_be_is_known(self) -> None:
         """Everything in the help but numbers and texts that a user makes up."""
         free = {"VALUE", "N", "K/N", "SIZE", "X", "KEY=VALUE", "NAME", "NAMES", "SEED",
-                "CRITERIA"}
+                "CRITERIA", "LENGTH", "ANGLE", "NAME=VALUE"}
         for command in commands():
             for long_names, value in entries(command):
                 if value and "|" not in value and value not in free:

@@ -72,16 +72,17 @@ def is_count_or_number(value: Any) -> bool:
 
 
 @lru_cache(maxsize=None)
-def output(command: str, style: str, path: Path) -> bytes:
-    arguments = [command, "--format", style, *(["--matrices"] if command == "graph" else [])]
+def output(command: str, style: str, path: Path, *options: str) -> bytes:
+    arguments = [command, "--format", style, *(["--matrices"] if command == "graph" else []),
+                 *options]
     done = subprocess.run(
         [PROGRAM, *arguments, str(path)], capture_output=True, check=False, timeout=120
     )
     return done.stdout
 
 
-def json_of(command: str, path: Path) -> Any:
-    return json.loads(output(command, "json", path))
+def json_of(command: str, path: Path, *options: str) -> Any:
+    return json.loads(output(command, "json", path, *options))
 
 
 def rows_of(command: str, path: Path) -> list[list[str]]:
@@ -361,6 +362,17 @@ class Reports(unittest.TestCase):
                 faults = check_schemas.report_faults(answer, schema("sensitivity"))
                 self.assertEqual(faults, [])
                 self.assertEqual(answer["mechanism"], report["mechanism"])
+
+    def test_have_tolerances_by_their_schema(self) -> None:
+        count = 0
+        for path in self.for_each():
+            for options in (("--place", "0.1mm"), ("--along", "--angle", "0.1deg")):
+                if output("tolerance", "json", path, *options):
+                    answer = json_of("tolerance", path, *options)
+                    faults = check_schemas.report_faults(answer, schema("tolerance"))
+                    self.assertEqual(faults, [])
+                    count += len(answer["cases"])
+        self.assertGreater(count, 100)
 
     def test_have_a_header_without_a_sensitivity(self) -> None:
         path = ROOT / "mechanisms" / "planar" / "gripper.yaml"

@@ -1,11 +1,11 @@
 #include "cases/picture/case_maps.hpp"
 
-#include <array>
 #include <functional>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "core/axis_name.hpp"
 #include "draw/picture_title.hpp"
 #include "kinematics/bounded_motion.hpp"
 #include "report/in_units.hpp"
@@ -27,8 +27,6 @@ struct VectorQuantity {
   VectorOf value;
 };
 
-constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
-
 bool has_motion(const CaseAnalysis& one) {
   return one.motion && one.motion->status == SolveStatus::solved;
 }
@@ -49,12 +47,12 @@ class MapBuilder {
   }
 
   void add(const VectorQuantity& quantity, const std::vector<std::string>& names) {
-    for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
+    for (std::size_t axis = 0; axis < kAxisNames.size(); ++axis) {
       BarBlock block = {
           .title = fmt::format("{} {}{}{}",
                                quantity.words,
                                quantity.symbol,
-                               kAxes[axis],
+                               kAxisNames[axis],
                                quantity.unit.empty() ? "" : " [" + quantity.unit + "]"),
           .rows = {}};
       bool is_zero = true;
@@ -62,7 +60,7 @@ class MapBuilder {
         block.rows.push_back(row(names[i], i, static_cast<int>(axis), quantity, is_zero));
       }
       if (is_zero) {
-        zeros_.push_back(quantity.symbol + kAxes[axis]);
+        zeros_.push_back(quantity.symbol + kAxisNames[axis]);
       } else {
         map_.blocks.push_back(std::move(block));
       }

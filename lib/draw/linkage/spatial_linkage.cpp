@@ -3,6 +3,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/axis_name.hpp"
 #include "core/tolerance.hpp"
 #include "couplings/kinds.hpp"
 #include "draw/linkage/linkage_drawer.hpp"
@@ -289,7 +290,6 @@ class SpatialDrawing : private LinkageDrawer {
   void draw_axes() {
     const PixelPoint corner = {.x = svg_.bounds().right + 22.0, .y = svg_.bounds().bottom - 8.0};
     const TextStyle style = {.ink = Ink::soft, .size = 11.0, .anchor = Anchor::middle};
-    const char* const names[] = {"x", "y", "z"};
     for (int i = 0; i < 3; ++i) {
       const double to_pixels = 30.0 / canvas_.view().scale;
       const PixelPoint along = canvas_.view().along(to_pixels * Vec3::Unit(i));
@@ -298,7 +298,8 @@ class SpatialDrawing : private LinkageDrawer {
       }
       svg_.arrow(corner, corner + along, {.stroke = Ink::soft, .width = 1.2}, 6.0);
       const PixelPoint text = corner + along + 8.0 * unit_of(along);
-      svg_.text(text + PixelPoint{.x = 0.0, .y = 4.0}, names[i], style);
+      svg_.text(
+          text + PixelPoint{.x = 0.0, .y = 4.0}, kAxisNames[static_cast<std::size_t>(i)], style);
     }
   }
 };

@@ -2,6 +2,8 @@
 
 #include <variant>
 
+#include "core/axis_name.hpp"
+
 namespace kinestat {
 
 namespace {
@@ -41,7 +43,7 @@ bool is_vector(const Shape& tuple) {
 }  // namespace
 
 std::string axis_name(std::size_t index) {
-  return std::string(1, "xyz"[index]);
+  return kAxisNames[index];
 }
 
 std::string component_name(const Shape& tuple, std::size_t index) {

@@ -15,10 +15,10 @@
 
 #include "core/text.hpp"
 #include "core/utf8.hpp"
+#include "report/kinds/report_kinds.hpp"
 #include "report/table_archive.hpp"
 #include "studies/compare/compare_place.hpp"
 #include "studies/compare/csv_cell.hpp"
-#include "studies/compare/report_kinds.hpp"
 #include "studies/motion/report/motion_csv.hpp"
 #include "studies/motion/report/motion_table.hpp"
 

@@ -14,10 +14,10 @@
 #include "core/utf8.hpp"
 #include "core/version.hpp"
 #include "record/shapes.hpp"
+#include "report/kinds/report_kinds.hpp"
 #include "studies/compare/compare_json_text.hpp"
 #include "studies/compare/compare_place.hpp"
 #include "studies/compare/compare_units.hpp"
-#include "studies/compare/report_kinds.hpp"
 #include "studies/motion/report/motion_table.hpp"
 
 namespace kinestat {

@@ -63,4 +63,24 @@ std::vector<std::optional<WholeRange>> drive_counts(const MechanismDescription& 
   return counts;
 }
 
+double shown_drive(const MechanismDescription& description,
+                   const Topology& topology,
+                   const FoundMotion& motion,
+                   const std::optional<WholeRange>& count,
+                   std::size_t drive,
+                   int position) {
+  const int steps = motion.plan.steps;
+  const double share =
+      position == steps ? 1.0 : static_cast<double>(position) / static_cast<double>(steps);
+  if (count && motion.solution.shares[static_cast<std::size_t>(position)] == share) {
+    return count->at(position);
+  }
+  const auto freedom = static_cast<std::size_t>(motion.plan.drives[drive].freedom);
+  const QuantityKind kind =
+      topology.freedoms[freedom].is_rotation ? QuantityKind::angle : QuantityKind::length;
+  const double value =
+      description.units.from_si(kind, motion.solution.drive_value(drive, position));
+  return value == 0.0 ? 0.0 : value;
+}
+
 }  // namespace kinestat

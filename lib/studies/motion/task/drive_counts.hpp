@@ -8,6 +8,7 @@
 #include "expression/whole_range.hpp"
 #include "mechanism/mechanism.hpp"
 #include "mechanism/motion_plan.hpp"
+#include "studies/motion/task/found_motion.hpp"
 
 namespace kinestat {
 
@@ -16,5 +17,15 @@ namespace kinestat {
 std::vector<std::optional<WholeRange>> drive_counts(const MechanismDescription& description,
                                                     const Topology& topology,
                                                     const MotionPlan& plan);
+
+/// Where a drive stands at a position, in the unit of the file: the number that would be typed
+/// there, 30 deg and not 29.999999999999996; what the step is where the motion ends before it.
+/// `count` is that of the drive.
+double shown_drive(const MechanismDescription& description,
+                   const Topology& topology,
+                   const FoundMotion& motion,
+                   const std::optional<WholeRange>& count,
+                   std::size_t drive,
+                   int position);
 
 }  // namespace kinestat

@@ -1,15 +1,14 @@
 #include "studies/motion/task/dynamic_columns.hpp"
 
-#include <array>
 #include <functional>
 #include <string>
 #include <utility>
 
+#include "core/axis_name.hpp"
+
 namespace kinestat {
 
 namespace {
-
-constexpr std::array<const char*, 3> kAxisNames = {"x", "y", "z"};
 
 using Dynamic = std::function<std::optional<double>(const CaseDynamics&)>;
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "core/axis_name.hpp"
 #include "expression/unit_quotient.hpp"
 #include "math/numbers/settled.hpp"
 #include "studies/motion/task/dynamic_columns.hpp"
@@ -16,8 +17,6 @@
 namespace kinestat {
 
 namespace {
-
-constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
 
 using Reader = std::function<std::optional<double>(const MotionPosition&)>;
 
@@ -177,7 +176,7 @@ class ReadingList {
     }
     for (int i = 0; i < 3; ++i) {
       add(name,
-          std::string("rotation/") + kAxes[static_cast<std::size_t>(i)],
+          std::string("rotation/") + kAxisNames[static_cast<std::size_t>(i)],
           QuantityKind::angle,
           [b, i](const MotionPosition& at) {
             return std::optional(settled(rotation_vector(at.state.poses[b].rotation)[i],
@@ -204,7 +203,7 @@ class ReadingList {
     const auto vector = std::make_shared<Vector>();
     for (int i = 0; i < axis_count(); ++i) {
       add(element,
-          quantity + "/" + kAxes[static_cast<std::size_t>(i)],
+          quantity + "/" + kAxisNames[static_cast<std::size_t>(i)],
           kind,
           [value, vector, i](const MotionPosition& at) -> std::optional<double> {
             if (i == 0) {
@@ -275,7 +274,7 @@ class ReadingList {
     const auto b = static_cast<std::size_t>(body);
     for (int i = mechanism_.space == Space::planar ? 2 : 0; i < 3; ++i) {
       add(topology_.bodies[b].name,
-          quantity + "/" + kAxes[static_cast<std::size_t>(i)],
+          quantity + "/" + kAxisNames[static_cast<std::size_t>(i)],
           kind,
           [b, i, twists, bound](const MotionPosition& at) -> std::optional<double> {
             const std::vector<Twist>& list = at.state.*twists;

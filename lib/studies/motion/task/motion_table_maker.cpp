@@ -104,15 +104,8 @@ class TableMaker {
     return result == 0.0 ? 0.0 : result;
   }
 
-  // The number that would be typed there, 30 deg and not 29.999999999999996; what the step is where
-  // the motion ends before it.
   double drive_at(std::size_t d, int p) const {
-    const std::optional<WholeRange>& count = counts_[d];
-    const double share =
-        p == plan_.steps ? 1.0 : static_cast<double>(p) / static_cast<double>(plan_.steps);
-    return count && solution_.shares[static_cast<std::size_t>(p)] == share
-               ? count->at(p)
-               : in_unit(kind_of(plan_.drives[d]), solution_.drive_value(d, p));
+    return shown_drive(description_, topology_, motion_, counts_[d], d, p);
   }
 
   // Of a step of a motion in time, as share of the whole; empty of a place between two steps.

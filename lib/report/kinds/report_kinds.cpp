@@ -1,4 +1,4 @@
-#include "studies/compare/report_kinds.hpp"
+#include "report/kinds/report_kinds.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,6 +10,7 @@
 #include "studies/mobility/report/mobility_record.hpp"
 #include "studies/sensitivity/report/sensitivity_record.hpp"
 #include "studies/synthesis/report/synthesis_record.hpp"
+#include "studies/tolerance/report/tolerance_record.hpp"
 
 namespace kinestat {
 
@@ -31,11 +32,12 @@ bool has_keys_of(const RecordShape& record, const Json& report) {
 }  // namespace
 
 std::span<const ReportKind> report_kinds() {
-  static const std::array<ReportKind, 7> kinds = {{{"bench", &benchmark_report_record()},
+  static const std::array<ReportKind, 8> kinds = {{{"bench", &benchmark_report_record()},
                                                    {"duty", &duty_report_record()},
                                                    {"inputs", &inputs_report_record()},
                                                    {"mobility", &mobility_report_record()},
                                                    {"sensitivity", &sensitivity_report_record()},
+                                                   {"tolerance", &tolerance_report_record()},
                                                    {"synthesis", &synthesis_report_record()},
                                                    {"report", &report_record()}}};
   return kinds;

@@ -1,0 +1,269 @@
+#include "studies/tolerance/task/find_tolerance.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "core/index.hpp"
+#include "core/text.hpp"
+#include "core/utf8.hpp"
+#include "studies/motion/moved_mechanism.hpp"
+#include "studies/motion/task/drive_counts.hpp"
+#include "studies/motion/task/find_motion.hpp"
+#include "studies/motion/task/motion_findings.hpp"
+#include "studies/motion/task/motion_position.hpp"
+#include "studies/tolerance/task/read_tolerances.hpp"
+
+namespace kinestat {
+
+namespace {
+
+class ToleranceJob {
+ public:
+  ToleranceJob(const Analysis& analysis, const ToleranceChoice& choice, Diagnostics& found)
+      : analysis_(analysis),
+        mechanism_(analysis.mechanism),
+        choice_(choice),
+        found_(found),
+        plan_(bind_motion(analysis.description, analysis.mechanism)) {}
+
+  // Empty iff an error was added.
+  std::optional<FoundTolerance> run() {
+    const int errors_before = found_.error_count();
+    check_positions();
+    FoundTolerance result = choice_.along ? along_motion() : drawn_cases();
+    return found_.error_count() > errors_before ? std::nullopt : std::optional(std::move(result));
+  }
+
+ private:
+  std::span<const TracedPoint> points() const {
+    return plan_ ? std::span<const TracedPoint>(plan_->trace) : std::span<const TracedPoint>();
+  }
+
+  static FoundTolerance answer_with(const ReadTolerances& tolerances) {
+    return {.place = tolerances.place, .angle = tolerances.angle, .cases = {}};
+  }
+
+  // Empty iff an error was added.
+  std::optional<ReadTolerances> read(std::span<const Case> cases) {
+    const int errors_before = found_.error_count();
+    ReadTolerances result =
+        read_tolerances(mechanism_.topology, analysis_.description.units, cases, choice_, found_);
+    return found_.error_count() > errors_before ? std::nullopt : std::optional(std::move(result));
+  }
+
+  FoundTolerance drawn_cases() {
+    std::vector<Case> cases;
+    for (const CaseAnalysis& one : analysis_.cases) {
+      cases.push_back(one.which);
+    }
+    const std::optional<ReadTolerances> tolerances = read(cases);
+    if (!is_case_known() || !tolerances) {
+      return {};
+    }
+    FoundTolerance result = answer_with(*tolerances);
+    for (std::size_t c = 0; c < cases.size(); ++c) {
+      const CaseAnalysis& one = analysis_.cases[c];
+      const bool is_asked = choice_.case_label.empty() || choice_.case_label == one.which.label;
+      if (is_asked && one.motion && one.motion->status == SolveStatus::solved) {
+        std::vector<WatchedPosition> watched = watched_of(one.which);
+        std::erase_if(watched,
+                      [&](const WatchedPosition& position) { return !is_known(one, position); });
+        result.cases.push_back(
+            tolerance_of(mechanism_, one.which, watched, tolerances->of_cases[c]));
+      }
+    }
+    check_answered(result.cases);
+    return result;
+  }
+
+  // The drives of the motion are held at each of its steps.
+  FoundTolerance along_motion() {
+    if (!plan_) {
+      found_.error("E0303",
+                   {},
+                   "--along: the file has no section 'motion'",
+                   "add motion: {drive: NAME, to: VALUE}");
+      return {};
+    }
+    Case held;
+    for (const PlannedDrive& drive : plan_->drives) {
+      held.motions.push_back({.index = drive.freedom,
+                              .given = mechanism_.topology.actuators[at(drive.actuator)].name,
+                              .where = drive.where});
+    }
+    const std::optional<ReadTolerances> tolerances = read({&held, 1});
+    MotionPlan plan = *plan_;
+    plan.which = -1;
+    const auto motion =
+        tolerances ? follow_motion(analysis_.description, mechanism_, std::move(plan), found_)
+                   : std::nullopt;
+    if (!motion) {
+      return {};
+    }
+    FoundTolerance result = answer_with(*tolerances);
+    result.is_along = true;
+    add_motion_findings(*motion, analysis_.description, mechanism_, found_);
+    result.cases = steps_of(*motion, held, tolerances->of_cases.front());
+    return result;
+  }
+
+  std::vector<CaseTolerance> steps_of(const FoundMotion& motion,
+                                      const Case& held,
+                                      const PartTolerances& tolerances) const {
+    const std::vector<WatchedPosition> drawn = watched_of(held);
+    MotionPositions positions(mechanism_, motion.plan, motion.network, motion.drawn, {});
+    Mechanism moved = mechanism_;
+    const std::optional<WholeRange> count =
+        drive_counts(analysis_.description, mechanism_.topology, motion.plan).front();
+    const QuantityKind kind =
+        position_kind(mechanism_.topology.freedoms[at(motion.plan.drives.front().freedom)]);
+    std::vector<CaseTolerance> result;
+    for (int p = 0; p < motion.solution.position_count(); ++p) {
+      const Configuration configuration = motion.solution.configuration_at(p);
+      const MotionPosition position = positions.at(configuration, motion.solution.shares[at(p)]);
+      CaseTolerance step;
+      if (!position.state.is_singular) {
+        move_mechanism(
+            motion.network, motion.drawn, configuration, position.state.poses, mechanism_, moved);
+        moved.closure_error = worst_closure_error(motion.solution);
+        step = tolerance_of(moved, held, moved_with(drawn, position), tolerances);
+      }
+      step.drive = DrivePlace{
+          .name = held.motions.front().given,
+          .value = {
+              .value = shown_drive(analysis_.description, mechanism_.topology, motion, count, 0, p),
+              .unit = analysis_.description.units.text(kind)}};
+      step.label = fmt::format("step {}", p);
+      result.push_back(std::move(step));
+    }
+    return result;
+  }
+
+  // Points of bodies stand elsewhere now.
+  static std::vector<WatchedPosition> moved_with(std::vector<WatchedPosition> watched,
+                                                 const MotionPosition& position) {
+    for (WatchedPosition& one : watched) {
+      if (auto* const body = std::get_if<BodyDisplacement>(&one.of)) {
+        if (body->at) {
+          body->at = position.state.poses[at(body->body.value)].point(*body->at);
+        }
+      }
+    }
+    return watched;
+  }
+
+  // False iff an error was added.
+  bool is_case_known() {
+    std::vector<std::string> labels;
+    for (const CaseAnalysis& one : analysis_.cases) {
+      labels.push_back(one.which.label);
+    }
+    if (labels.empty()) {
+      found_.error("E0101",
+                   {},
+                   "the file has no cases, and nothing says which drives are held",
+                   plan_ ? "write --along, to hold those of the motion, or add a case: help cases"
+                         : "add a case with a motion: help cases");
+      return false;
+    }
+    if (!choice_.case_label.empty() &&
+        std::ranges::find(labels, choice_.case_label) == labels.end()) {
+      found_.error("E0101",
+                   {},
+                   fmt::format("--case: there is no case '{}'", printable(choice_.case_label)),
+                   fmt::format("its cases are {}", quoted_list(labels)));
+      return false;
+    }
+    return true;
+  }
+
+  void check_positions() {
+    for (const std::string& name : choice_.positions) {
+      if (watched_positions(mechanism_, points(), name).empty()) {
+        const std::vector<std::string> names = watched_names(mechanism_, points());
+        found_.error("E0101",
+                     {},
+                     fmt::format("--of '{}': there is no such freedom, actuator, point or body",
+                                 printable(name)),
+                     guess_before(name, names, "write one of " + plain_list(names)));
+      }
+    }
+  }
+
+  // The drives are held where the velocities follow from theirs.
+  void check_answered(const std::vector<CaseTolerance>& cases) {
+    if (cases.empty()) {
+      found_.error("E0101",
+                   {},
+                   "no case has velocities that follow from its drives",
+                   "give the motion of the drives that are held: help cases");
+    }
+  }
+
+  // Whether the drives say where it is.
+  static bool is_known(const CaseAnalysis& one, const WatchedPosition& position) {
+    if (const int* freedom = std::get_if<int>(&position.of)) {
+      return one.motion->knows_rate(*freedom);
+    }
+    return one.motion->knows_body(std::get<BodyDisplacement>(position.of).body);
+  }
+
+  std::vector<WatchedPosition> watched_of(const Case& which) const {
+    if (choice_.positions.empty()) {
+      return usual_positions(mechanism_, points(), which);
+    }
+    std::vector<WatchedPosition> result;
+    for (const std::string& name : choice_.positions) {
+      std::ranges::move(watched_positions(mechanism_, points(), name), std::back_inserter(result));
+    }
+    return result;
+  }
+
+  CaseTolerance tolerance_of(const Mechanism& mechanism,
+                             const Case& which,
+                             std::span<const WatchedPosition> watched,
+                             const PartTolerances& tolerances) const {
+    const std::vector<Deviation> deviations = part_deviations(mechanism);
+    const Influences influences = find_influences(mechanism, which, deviations, watched);
+    CaseTolerance result;
+    result.label = which.label;
+    for (const Primary& held : which.motions) {
+      if (!held.is_assumed) {
+        result.held.push_back(held.given);
+      }
+    }
+    result.positions =
+        stack_tolerances(mechanism, which, deviations, watched, influences, tolerances);
+    for (std::size_t d = 0; d < deviations.size(); ++d) {
+      if (!influences.fits[d]) {
+        result.not_fitting.push_back(mechanism_.topology.action_name(deviations[d].action));
+      }
+    }
+    result.has_tolerances = std::ranges::any_of(result.positions, [](const ToleranceStack& stack) {
+      return std::ranges::any_of(stack.shares,
+                                 [](const ToleranceShare& share) { return share.tolerance > 0.0; });
+    });
+    return result;
+  }
+
+  const Analysis& analysis_;
+  const Mechanism& mechanism_;
+  const ToleranceChoice& choice_;
+  Diagnostics& found_;
+  std::optional<MotionPlan> plan_;
+};
+
+}  // namespace
+
+std::optional<FoundTolerance> find_tolerance(const Analysis& analysis,
+                                             const ToleranceChoice& choice,
+                                             Diagnostics& found) {
+  return ToleranceJob(analysis, choice, found).run();
+}
+
+}  // namespace kinestat
