@@ -97,6 +97,9 @@ inline constexpr double kStraightEnough = 1e-6;
 /// share of the largest value: what is derived from them is asked for to 1e-9.
 inline constexpr double kCycleTail = 1e-12;
 
+/// Below this share they are rounding, where halves of a piece have them as large.
+inline constexpr double kCycleNoise = 1e-9;
+
 /// The finest piece, as share of the whole cycle: what jumps in it counts for no more than that.
 inline constexpr double kFinestCyclePiece = 1e-10;
 

@@ -265,6 +265,14 @@ motion: {drive: motor, time: 0.4 s, steps: 7, case: running}
         self.assertEqual(balance["after"]["rms"], 0.0)
         self.assertEqual(balance["after"]["greatest"], 0.0)
 
+    def test_table_balances_what_it_carries(self) -> None:
+        """A gimbal of 3 kg and a rotor of 8 kg at 0.4 m, this 0.02 m aside; the tilt is small."""
+        balance = whole_of(CASES["gyroscope"]["yaml"], "{balance: {bodies: table}}")["balance"]
+        along = balance["counterweights"]["table"]["along"]
+        for value, expected in zip(along, (-11 * 0.4, -8 * 0.02, 0.0)):
+            self.assertLess(abs(value - expected), 5e-3)
+        self.assertLess(balance["after"]["rms"], 0.002 * balance["before"]["rms"])
+
     def test_nothing_to_add_to_a_balanced_four_bar(self) -> None:
         """Berkof and Lowen: its centre of mass rests."""
         whole = whole_of(CASES["four_bar_balanced"]["yaml"],

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -77,7 +78,7 @@ class PieceFinder {
   std::vector<LegendrePieces::Piece> run(VecX& sizes) {
     std::vector<LegendrePieces::Piece> waiting;
     for (std::size_t i = places_.size() - 1; i > 0; --i) {
-      auto piece = look(places_[i - 1], places_[i]);
+      auto piece = look(places_[i - 1], places_[i], std::numeric_limits<double>::infinity());
       if (!piece) {
         return {};
       }
@@ -88,13 +89,14 @@ class PieceFinder {
     while (!waiting.empty()) {
       LegendrePieces::Piece piece = std::move(waiting.back());
       waiting.pop_back();
-      if (piece.to - piece.from <= least || is_fine(piece)) {
+      const double whole = std::exchange(piece.tail, tail_of(piece));
+      if (piece.to - piece.from <= least || is_fine(piece.tail, whole)) {
         found.push_back(std::move(piece));
         continue;
       }
       const double middle = 0.5 * (piece.from + piece.to);
-      auto low = look(piece.from, middle);
-      auto high = look(middle, piece.to);
+      auto low = look(piece.from, middle, piece.tail);
+      auto high = look(middle, piece.to, piece.tail);
       if (!low || !high || found.size() + waiting.size() + 2 > limits_.most) {
         return {};
       }
@@ -106,8 +108,10 @@ class PieceFinder {
   }
 
  private:
-  std::optional<LegendrePieces::Piece> look(double from, double to) {
-    LegendrePieces::Piece piece{.from = from, .to = to, .values = {}, .coefficients = {}};
+  // Until its own tail is known, it has that of the piece of which it is a half.
+  std::optional<LegendrePieces::Piece> look(double from, double to, double whole) {
+    LegendrePieces::Piece piece{
+        .from = from, .to = to, .values = {}, .coefficients = {}, .tail = whole};
     for (int i = 0; i < kPointCount; ++i) {
       const auto there = functions_(argument_in(piece, rule().points[i]));
       if (!there) {
@@ -123,14 +127,21 @@ class PieceFinder {
     return piece;
   }
 
-  bool is_fine(const LegendrePieces::Piece& piece) const {
+  // Of the functions as they have been seen so far.
+  double tail_of(const LegendrePieces::Piece& piece) const {
     const auto tail = piece.coefficients.bottomRows(2).cwiseAbs().colwise().sum();
+    double largest = 0.0;
     for (Eigen::Index f = 0; f < tail.size(); ++f) {
-      if (tail[f] > limits_.tail * sizes_[f]) {
-        return false;
+      if (tail[f] > 0.0) {
+        largest = std::max(largest, tail[f] / sizes_[f]);
       }
     }
-    return true;
+    return largest;
+  }
+
+  // `whole`: the tail of the piece of which it is a half.
+  bool is_fine(double tail, double whole) const {
+    return tail <= limits_.tail || (tail <= limits_.noise && tail >= 0.5 * whole);
   }
 
   const FunctionsAt& functions_;

@@ -44,11 +44,13 @@ class LegendrePieces {
     double to = 0.0;
     MatX values;        ///< a row for each point of Gauss, a column for each function
     MatX coefficients;  ///< of the polynomials of Legendre, likewise
+    double tail = 0.0;  ///< the last terms, as share of the largest size
   };
 
   /// How fine it may become.
   struct Limits {
     double tail = 0.0;     ///< what the last terms may be, as share of the largest size
+    double noise = 0.0;    ///< below this they are rounding where halves have them as large
     double finest = 0.0;   ///< the least piece, as share of the range: where a function jumps
     std::size_t most = 0;  ///< pieces
   };

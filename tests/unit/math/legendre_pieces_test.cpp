@@ -10,7 +10,8 @@ namespace kinestat {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr LegendrePieces::Limits kFine = {.tail = 1e-13, .finest = 1e-10, .most = 5000};
+constexpr LegendrePieces::Limits kFine = {
+    .tail = 1e-13, .noise = 1e-9, .finest = 1e-10, .most = 5000};
 
 FunctionsAt one(double (*function)(double)) {
   return [function](double x) {
@@ -53,6 +54,15 @@ TEST(LegendrePieces, IntegrateWhatJumps) {
   const LegendrePieces jump = pieces_of([](double x) { return x < 1.0 / 3.0 ? -1.0 : 1.0; }, 1.0);
 
   EXPECT_NEAR(jump.integral(0), 1.0 / 3.0, 1e-9);
+}
+
+// What looks random to eleven digits stands for rounding.
+TEST(LegendrePieces, AreNoFinerForRounding) {
+  const LegendrePieces rough =
+      pieces_of([](double x) { return std::cos(x) + 1e-11 * std::sin(1e7 * x); }, 2.0 * kPi);
+
+  EXPECT_LT(rough.pieces().size(), 40U);
+  EXPECT_NEAR(rough.integral(0, 0.5 * kPi), 1.0, 1e-10);
 }
 
 TEST(LegendrePieces, TakeProductsAtTheirPoints) {

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kLeastPieces = 8;
 constexpr std::size_t kMostFirstPieces = 500;
 constexpr std::size_t kStepsAPiece = 8;
-constexpr std::size_t kMostPieces = 20'000;
+constexpr std::size_t kMostPieces = 5'000;
 
 double factor_of(CyclePace pace) {
   switch (pace) {
@@ -121,7 +121,9 @@ std::optional<LegendrePieces> CycleSampler::find(const CycleReading& reading,
     places.push_back(static_cast<double>(i) / static_cast<double>(count));
   }
   return LegendrePieces::find(
-      functions, places, {.tail = kCycleTail, .finest = kFinestCyclePiece, .most = kMostPieces});
+      functions,
+      places,
+      {.tail = kCycleTail, .noise = kCycleNoise, .finest = kFinestCyclePiece, .most = kMostPieces});
 }
 
 double CycleSampler::drive_at(double time) const {

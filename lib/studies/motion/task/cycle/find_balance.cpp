@@ -46,9 +46,10 @@ class BalanceFinder {
     }
     const auto found = sampler_.find([this](const MotionPosition& at) { return read(at); });
     if (!found) {
-      return CycleProblem{"in some position of the motion there is no shaking force",
-                          "the rows of the motion say where; planets with a count shake less than "
-                          "where one is drawn, which is not worked out"};
+      return CycleProblem{
+          "in some position of the motion there is no shaking force, or it jumps too often",
+          "the rows of the motion say where; planets with a count shake less than "
+          "where one is drawn, which is not worked out"};
     }
     return solve(*found);
   }

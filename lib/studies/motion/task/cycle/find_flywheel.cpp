@@ -35,9 +35,10 @@ class FlywheelFinder {
     }
     found_ = sampler_.find([this](const MotionPosition& at) { return read(at, speed_); });
     if (!found_) {
-      return CycleProblem{"in some position of the cycle the drive has no action",
-                          "the rows of the motion say where; begin it elsewhere, or drive what "
-                          "determines the motion"};
+      return CycleProblem{
+          "in some position of the cycle the drive has no action, or it jumps too often",
+          "the rows of the motion say where; begin it elsewhere, or drive what "
+          "determines the motion"};
     }
     if (auto problem = find_problem()) {
       return *std::move(problem);

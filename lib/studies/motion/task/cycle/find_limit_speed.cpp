@@ -34,8 +34,9 @@ class LimitFinder {
     constexpr std::array kPaces = {CyclePace::whole, CyclePace::half};
     const auto found = sampler_.find([this](const MotionPosition& at) { return read(at); }, kPaces);
     if (!found) {
-      return CycleProblem{"in some position of the motion a force has no value",
-                          "the rows of the motion say where"};
+      return CycleProblem{
+          "in some position of the motion a force has no value, or it jumps too often",
+          "the rows of the motion say where"};
     }
     if (!holds_at_twice(*found)) {
       return CycleProblem{"forces hang on speed otherwise than those of inertia do",
