@@ -93,4 +93,25 @@ inline constexpr double kTrialClosure = 1e-12;
 /// A trial that is off its direction by less than this share of its step goes straight.
 inline constexpr double kStraightEnough = 1e-6;
 
+/// Values along a cycle are polynomials between places; the last of their terms are at most this
+/// share of the largest value: what is derived from them is asked for to 1e-9.
+inline constexpr double kCycleTail = 1e-12;
+
+/// Below this share they are rounding, where halves of a piece have them as large.
+inline constexpr double kCycleNoise = 1e-9;
+
+/// The finest piece, as share of the whole cycle: what jumps in it counts for no more than that.
+inline constexpr double kFinestCyclePiece = 1e-10;
+
+/// A harmonic below this share of what was taken apart is what polynomials leave.
+inline constexpr double kNoHarmonic = 1e-10;
+
+/// At the end of a cycle everything is where it was at its begin, and acts as then, to this share:
+/// far above rounding, far below what any other position would show.
+inline constexpr double kCycleReturns = 1e-8;
+
+/// By this share a rate may differ from steady along a cycle, and what was foretold of another
+/// speed from what is found at it.
+inline constexpr double kSteady = 1e-8;
+
 }  // namespace kinestat

@@ -10,6 +10,7 @@
 #include "description/case_description.hpp"
 #include "description/coupling_description.hpp"
 #include "description/duty_description.hpp"
+#include "description/dynamics_description.hpp"
 #include "description/gear_description.hpp"
 #include "description/load_description.hpp"
 #include "description/loss_description.hpp"
@@ -85,6 +86,7 @@ struct MechanismDescription {
   std::optional<ShiftDescription> shift;
   std::optional<DutyDescription> duty;
   std::optional<MotionDescription> motion;
+  std::optional<DynamicsDescription> dynamics;
   std::optional<SweepDescription> sweep;
   std::optional<SynthesisDescription> synthesis;
   std::vector<PublishedValue> published;

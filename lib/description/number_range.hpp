@@ -39,6 +39,8 @@ inline constexpr NumberRange kBelowRightAngle = {.above = -std::numbers::pi / 2,
 inline constexpr NumberRange kTeeth = {.least = 1, .most = 10'000, .is_whole = true};
 inline constexpr NumberRange kPlanets = {.least = 1, .most = 64, .is_whole = true};
 inline constexpr NumberRange kSteps = {.least = 1, .most = 1'000'000, .is_whole = true};
+inline constexpr NumberRange kFluctuation = {.above = 0, .below = 1};
+inline constexpr NumberRange kHarmonics = {.least = 1, .most = 100, .is_whole = true};
 inline constexpr NumberRange kPoints = {.least = 2, .most = 1'000'000, .is_whole = true};
 inline constexpr NumberRange kStates = {.least = 1, .most = 1e12, .is_whole = true};
 inline constexpr NumberRange kSeed = {.least = 0, .most = 4'294'967'295, .is_whole = true};

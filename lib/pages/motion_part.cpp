@@ -4,7 +4,9 @@
 #include "pages/motion_tables.hpp"
 #include "pages/page_parts.hpp"
 #include "pages/tables.hpp"
+#include "studies/motion/picture/dynamics_curves.hpp"
 #include "studies/motion/picture/motion_curves.hpp"
+#include "studies/motion/report/motion_dynamics_text.hpp"
 #include "studies/motion/report/motion_text.hpp"
 
 namespace kinestat {
@@ -34,8 +36,13 @@ void add_motion_part(SectionWriter& section) {
   }
   section.open_part("motion", "Motion");
   add_motion_tables(page.motion->table, html);
+  add_blocks(motion_dynamics_blocks(page.motion->table), "Dynamics", html);
   section.add_charts(motion_figure(page.motion->table, ""), "Motion", ChartRows::of_motion);
   section.add_charts(path_figure(page.motion->table, ""), "Paths of points", ChartRows::of_motion);
+  if (page.motion->table.dynamics) {
+    section.add_charts(shaking_figure(page.motion->table, ""), "Shaking force");
+    section.add_charts(harmonic_figure(page.motion->table, ""), "Harmonics");
+  }
   const std::size_t positions = page.motion->table.rows.size();
   if (positions > kMostPositions) {
     html.element("p",

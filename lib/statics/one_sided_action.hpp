@@ -3,16 +3,11 @@
 
 #include <vector>
 
+#include "mechanism/couplings/one_sided_actions.hpp"
 #include "mechanism/mechanism.hpp"
 #include "statics/static_solution.hpp"
 
 namespace kinestat {
-
-/// The tensions of segments (couplings of type cable): negative, the cable would push.
-std::vector<int> find_tensions(const Topology& topology);
-
-/// The normal forces of contacts without an actuator: negative, the surfaces would pull.
-std::vector<int> find_contact_forces(const Topology& topology);
 
 /// The segments whose force is negative, beyond rounding.
 std::vector<CouplingId> find_pushed_segments(const Mechanism& mechanism,

@@ -101,6 +101,14 @@ constexpr auto kStudyCodes = std::to_array<Code>({
      "the profiles of a contact, the body that holds the axes of two gears, the order of freedoms "
      "that are listed as screws. Or the position is singular, so that speeds of the drives "
      "determine no accelerations. The velocities of the case are given, its actions are not."},
+    {"E0514",
+     no_answer,
+     "a motion does not tell what 'dynamics' asks",
+     "A flywheel and harmonics are of a cycle: one drive that turns steadily, whole turns, at the "
+     "end of which all bodies stand as at the begin. A flywheel also needs one drive whose torque "
+     "follows, on a shaft of steady speed. Counterweights need bodies that turn about an axis of "
+     "the ground; a limit speed needs contacts whose force hangs on speed as the forces of inertia "
+     "do. The message says what is not so; the rows of the motion are given all the same."},
     {"E0601",
      wrong_input,
      "primary actions depend on each other",

@@ -6,6 +6,7 @@
 #include "draw/catalogue/catalogue_parts.hpp"
 #include "draw/gnuplot.hpp"
 #include "studies/benchmark/picture/pareto.hpp"
+#include "studies/motion/picture/dynamics_curves.hpp"
 #include "studies/motion/picture/motion_curves.hpp"
 #include "studies/sweep/picture/sweep_curves.hpp"
 #include "studies/synthesis/picture/best_linkages.hpp"
@@ -66,6 +67,43 @@ std::string why_no_curves(const PictureSource& source) {
 std::string why_no_paths(const PictureSource& source) {
   return paths_of(source).charts.empty() ? "in its motion no point moves whose place is reported"
                                          : "";
+}
+
+Figure shaking_of(const PictureSource& source) {
+  return shaking_figure(*source.motion, titled("Shaking force", source));
+}
+
+std::string why_no_shaking(const PictureSource& source) {
+  return shaking_of(source).charts.empty()
+             ? "its motion reports no shaking force: 'report: dynamics' in 'motion', or 'balance' "
+               "in 'dynamics' do"
+             : "";
+}
+
+Picture draw_shaking(const PictureSource& source) {
+  return draw_figure(shaking_of(source));
+}
+
+std::string shaking_text(const PictureSource& source) {
+  return gnuplot_text(shaking_of(source));
+}
+
+Figure harmonics_of(const PictureSource& source) {
+  return harmonic_figure(*source.motion, titled("Harmonics", source));
+}
+
+std::string why_no_harmonics(const PictureSource& source) {
+  return harmonics_of(source).charts.empty()
+             ? "its motion has no harmonics: 'harmonics: 6' in 'dynamics' asks for them"
+             : "";
+}
+
+Picture draw_harmonics(const PictureSource& source) {
+  return draw_figure(harmonics_of(source));
+}
+
+std::string harmonics_text(const PictureSource& source) {
+  return gnuplot_text(harmonics_of(source));
 }
 
 Figure sweep_of(const PictureSource& source) {
@@ -130,6 +168,18 @@ constexpr auto kStudyKinds = std::to_array<PictureKind>({
      .why_not = why_no_paths,
      .draw = draw_paths,
      .gnuplot = paths_text},
+    {.name = "shaking",
+     .sentence = "the shaking force on the frame, without and with counterweights",
+     .need = PictureNeed::motion,
+     .why_not = why_no_shaking,
+     .draw = draw_shaking,
+     .gnuplot = shaking_text},
+    {.name = "harmonics",
+     .sentence = "amplitudes of torques, shaking and ground forces over their orders",
+     .need = PictureNeed::motion,
+     .why_not = why_no_harmonics,
+     .draw = draw_harmonics,
+     .gnuplot = harmonics_text},
     {.name = "sweep-curves",
      .sentence = "quantities of a sweep over a parameter",
      .need = PictureNeed::sweep,

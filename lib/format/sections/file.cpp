@@ -217,6 +217,10 @@ void declare_tasks(Mapping<File>& m) {
         "A finite motion from the drawn position: the drives run through their ranges, everything "
         "else follows.")
       .may(&File::motion, motion_section);
+  m.key("dynamics",
+        "What is asked of that motion beside its steps, where bodies have inertia: flywheel, "
+        "harmonics, counterweights, and the speed at which contacts part.")
+      .may(&File::dynamics, dynamics_section);
   m.key("sweep", "Analyses every combination of some parameters, in the order of the file.")
       .may(&File::sweep, sweep_section);
   m.key("published", "Values that the source prints, against which the report is checked.")

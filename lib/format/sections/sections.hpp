@@ -22,6 +22,7 @@ const Mapping<LossDescription>& losses_section();
 const Mapping<ShiftDescription>& shift_section();
 const Mapping<DutyDescription>& duty_section();
 const Mapping<MotionDescription>& motion_section();
+const Mapping<DynamicsDescription>& dynamics_section();
 const Mapping<SweepDescription>& sweep_section();
 Form<std::vector<PublishedValue>> published();
 const Mapping<SynthesisDescription>& synthesis_section();

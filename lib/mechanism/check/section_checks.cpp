@@ -46,6 +46,7 @@ void check_sections(const SectionContext& context) {
   check_shift(context);
   check_duty(context);
   check_motion(context);
+  check_dynamics(context);
   check_sweep(context);
   check_synthesis(context);
 }

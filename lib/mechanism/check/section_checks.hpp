@@ -7,8 +7,8 @@
 namespace kinestat {
 
 /// Evaluates every number of the outlines of bodies, of `losses`, `shift`, `duty`, `motion`,
-/// `sweep` and `synthesis`, resolves every reference, and complains of what is wrong without any
-/// analysis. check_gears and check_cables do the same for `gears` and `cables`.
+/// `dynamics`, `sweep` and `synthesis`, resolves every reference, and complains of what is wrong
+/// without any analysis. check_gears and check_cables do the same for `gears` and `cables`.
 void check_sections(const SectionContext& context);
 
 /// Complains of inputs and outputs of cases that are no actuators, of knowns whose coupling or
@@ -24,6 +24,9 @@ void check_reported_quantities(const MechanismDescription& description,
 
 /// The numbers and references of the section `motion`.
 void check_motion(const SectionContext& context);
+
+/// Those of `dynamics`, and that there is a motion.
+void check_dynamics(const SectionContext& context);
 
 /// Those of `shift`. Complains of elements and labels that contradict each other, too.
 void check_shift(const SectionContext& context);

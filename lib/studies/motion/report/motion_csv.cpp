@@ -6,7 +6,9 @@
 
 #include "report/csv.hpp"
 #include "report/number_format.hpp"
+#include "report/table_archive.hpp"
 #include "report/tables/component_name.hpp"
+#include "studies/motion/report/motion_dynamics_record.hpp"
 
 namespace kinestat {
 
@@ -14,6 +16,21 @@ namespace {
 
 std::string cell(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? format_exact(*value) : "";
+}
+
+// Of its case.
+const Record<MotionTable>& dynamics_tables() {
+  static const Record<MotionTable> record(
+      "What a motion tells as a whole.", [](Record<MotionTable>& keys) {
+        keys.map("dynamics",
+                 motion_dynamics_record(),
+                 motion_dynamics_record().meaning,
+                 [](const MotionTable& v, const Each<MotionDynamics>& each) {
+                   each(v.label, *v.dynamics);
+                 })
+            .in_tables_is(TableRole::table_of_cases);
+      });
+  return record;
 }
 
 class MotionCsv {
@@ -42,6 +59,7 @@ class MotionCsv {
     add_gaps(motion_.drawn_gaps, "drawn_gap");
     add_corrections();
     add_gaps(motion_.nearest_gaps, "nearest_gap");
+    add_dynamics();
     return std::move(text_);
   }
 
@@ -81,6 +99,21 @@ class MotionCsv {
         fixed_line({one.body, "correction/shift/" + axis, motion_.length_unit}, one.shift[i]);
       }
       fixed_line({one.body, "correction/angle", motion_.angle_unit}, one.angle);
+    }
+  }
+
+  // Lines of a table of its own, which have neither step nor drive.
+  void add_dynamics() {
+    if (!motion_.dynamics) {
+      return;
+    }
+    for (const NamedTable& table :
+         tables_of(dynamics_tables(), motion_, mechanism_, motion_.dynamics->units)) {
+      bool is_quoted = false;
+      for (const char one : std::string_view(table.text).substr(kCsvHeader.size())) {
+        is_quoted = is_quoted != (one == '"');
+        text_ += one == '\n' && !is_quoted ? std::string(",,\n") : std::string(1, one);
+      }
     }
   }
 

@@ -1,5 +1,7 @@
 #include "studies/motion/report/motion_record.hpp"
 
+#include "studies/motion/report/motion_dynamics_record.hpp"
+
 namespace kinestat {
 
 namespace {
@@ -329,6 +331,10 @@ const Record<MotionTable>& motion_record() {
                       v.rows.empty() ? to.null() : closure_record().write(v, to);
                     })
             .not_compared();
+        keys.part("dynamics",
+                  motion_dynamics_record(),
+                  [](const View& v) -> const MotionDynamics& { return *v.dynamics; })
+            .only_if([](const View& v) { return v.dynamics.has_value(); });
         keys.part("assembly", assembly_record(), [](const View& v) -> const View& { return v; });
       });
   return record;

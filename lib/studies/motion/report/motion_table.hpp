@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/types.hpp"
+#include "studies/motion/report/motion_dynamics.hpp"
 
 namespace kinestat {
 
@@ -140,6 +141,7 @@ struct MotionTable {
   std::vector<CouplingGap> nearest_gaps;    ///< where nothing closes it: of the nearest position
   std::optional<double> duration;           ///< of a motion in time, in the unit of time
   std::string time_unit;
+  std::optional<MotionDynamics> dynamics;  ///< where the file asks for it
   std::string length_unit;
   std::string angle_unit;
 };

@@ -11,6 +11,7 @@
 #include "core/utf8.hpp"
 #include "report/column_table.hpp"
 #include "report/number_format.hpp"
+#include "studies/motion/report/motion_dynamics_text.hpp"
 
 namespace kinestat {
 
@@ -44,7 +45,8 @@ class MotionWriter {
   TextBlocks summary() const {
     TextBlocks text("Motion" + case_text() + "\n" + drives_text() + assembly_text() +
                     events_text() + closure_text() + "\n");
-    return text += extremes();
+    text += extremes();
+    return text += motion_dynamics_blocks(motion_);
   }
 
   TextBlocks remarks() const { return TextBlocks(closure_text() + assembly_text()); }

@@ -12,6 +12,30 @@ namespace {
 
 using Dynamic = std::function<std::optional<double>(const CaseDynamics&)>;
 
+void add_wrench(const std::string& element,
+                std::optional<Wrench> CaseDynamics::*wrench,
+                const Mechanism& mechanism,
+                std::vector<DynamicWrenchComponent>& to) {
+  const bool is_planar = mechanism.space == Space::planar;
+  const auto add = [&](const char* what, QuantityKind kind, int axis, int index) {
+    to.push_back({.element = element,
+                  .quantity = std::string(what) + kAxisNames[static_cast<std::size_t>(axis)],
+                  .kind = kind,
+                  .value = [wrench, origin = mechanism.geometry.origin, index](
+                               const CaseDynamics& one) -> std::optional<double> {
+                    const std::optional<Wrench>& found = one.*wrench;
+                    return found ? std::optional(about_world(*found, origin).coordinates()[index])
+                                 : std::nullopt;
+                  }});
+  };
+  for (int axis = is_planar ? 2 : 0; axis < 3; ++axis) {
+    add("moment/", QuantityKind::moment, axis, axis);
+  }
+  for (int axis = 0; axis < (is_planar ? 2 : 3); ++axis) {
+    add("force/", QuantityKind::force, axis, 3 + axis);
+  }
+}
+
 class DynamicReadings {
  public:
   DynamicReadings(const FileUnits& units, const Mechanism& mechanism, const MotionPlan& plan)
@@ -24,8 +48,9 @@ class DynamicReadings {
     add("", "kinetic_energy_rate", QuantityKind::power, [](const CaseDynamics& one) {
       return std::optional(one.kinetic_energy_rate);
     });
-    add_wrench("ground", [](const CaseDynamics& one) { return one.ground; });
-    add_wrench("shaking", [](const CaseDynamics& one) { return one.shaking; });
+    for (DynamicWrenchComponent& one : dynamic_wrenches(mechanism_)) {
+      add(std::move(one.element), std::move(one.quantity), one.kind, std::move(one.value));
+    }
     for (std::size_t d = 0; d < plan_.drives.size(); ++d) {
       add_drive(d);
     }
@@ -42,30 +67,6 @@ class DynamicReadings {
          .value = [value = std::move(value)](const MotionPosition& at) -> std::optional<double> {
            return at.solved && at.solved->dynamics ? value(*at.solved->dynamics) : std::nullopt;
          }});
-  }
-
-  // The components about the world origin that exist.
-  void add_wrench(const std::string& element,
-                  const std::function<std::optional<Wrench>(const CaseDynamics&)>& wrench) {
-    const auto component = [wrench, origin = mechanism_.geometry.origin](int i) -> Dynamic {
-      return [wrench, origin, i](const CaseDynamics& one) -> std::optional<double> {
-        const std::optional<Wrench> found = wrench(one);
-        return found ? std::optional(about_world(*found, origin).coordinates()[i]) : std::nullopt;
-      };
-    };
-    const bool is_planar = mechanism_.space == Space::planar;
-    for (int i = is_planar ? 2 : 0; i < 3; ++i) {
-      add(element,
-          std::string("moment/") + kAxisNames[static_cast<std::size_t>(i)],
-          QuantityKind::moment,
-          component(i));
-    }
-    for (int i = 0; i < (is_planar ? 2 : 3); ++i) {
-      add(element,
-          std::string("force/") + kAxisNames[static_cast<std::size_t>(i)],
-          QuantityKind::force,
-          component(3 + i));
-    }
   }
 
   void add_drive(std::size_t d) {
@@ -91,6 +92,13 @@ class DynamicReadings {
 };
 
 }  // namespace
+
+std::vector<DynamicWrenchComponent> dynamic_wrenches(const Mechanism& mechanism) {
+  std::vector<DynamicWrenchComponent> components;
+  add_wrench("ground", &CaseDynamics::ground, mechanism, components);
+  add_wrench("shaking", &CaseDynamics::shaking, mechanism, components);
+  return components;
+}
 
 std::vector<MotionReading> dynamic_readings(const FileUnits& units,
                                             const Mechanism& mechanism,

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "studies/motion/motion.hpp"
+#include "studies/motion/task/cycle/find_motion_dynamics.hpp"
 #include "studies/motion/task/motion_findings.hpp"
 #include "studies/motion/task/motion_table_maker.hpp"
 
@@ -22,6 +23,7 @@ std::optional<FoundMotion> find_motion(const MechanismDescription& description,
   PositionFindings of_positions;
   motion->table = make_motion_table(description, mechanism, *motion, {}, of_positions);
   add_findings(*motion, description, mechanism, of_positions, found);
+  motion->table.dynamics = find_motion_dynamics(description, mechanism, *motion, found);
   return motion;
 }
 

@@ -126,6 +126,7 @@ bool has_sweep(const MechanismDescription& description, Diagnostics& found) {
 // Sections that say nothing about a single state.
 MechanismDescription without_tasks(MechanismDescription description, bool needs_motion) {
   description.sweep.reset();
+  description.dynamics.reset();
   if (!needs_motion) {
     description.motion.reset();
   }

@@ -1,0 +1,72 @@
+// The section `dynamics`.
+#include "format/collections.hpp"
+#include "format/number_forms.hpp"
+#include "format/sections/sections.hpp"
+#include "format/value_forms.hpp"
+
+namespace kinestat {
+
+namespace {
+
+Form<Value> fluctuation() {
+  return number_form(
+      "fluctuation", "A number above 0 and below 1.", {"0.02", "1/50"}, kFluctuation);
+}
+
+Form<Value> harmonic_count() {
+  return number_form("harmonics", "A whole number from 1 to 100.", {"6"}, kHarmonics);
+}
+
+const Mapping<FlywheelDescription>& flywheel() {
+  static const Mapping<FlywheelDescription> mapping(
+      "flywheel",
+      "A flywheel that keeps the speed of a cycle nearly steady.",
+      "{at: motor, fluctuation: 0.02}",
+      [](auto& m) {
+        m.key("at", "The actuator on whose freedom it turns, in a steady ratio to the drive.")
+            .needed(&FlywheelDescription::at, name_of("an actuator"), "motor");
+        m.key("fluctuation", "Greatest less least speed of the cycle, over the mean speed.")
+            .needed(&FlywheelDescription::fluctuation, fluctuation(), "0.02");
+      });
+  return mapping;
+}
+
+const Mapping<BalanceDescription>& balance() {
+  static const Mapping<BalanceDescription> mapping(
+      "balance",
+      "Counterweights that leave the least mean square of the shaking force.",
+      "{bodies: [crank]}",
+      [](auto& m) {
+        m.key("bodies", "The bodies that may carry one; each turns about an axis of the ground.")
+            .needed(&BalanceDescription::bodies, one_or_more(body_name(), 1), "[crank]");
+      });
+  return mapping;
+}
+
+}  // namespace
+
+const Mapping<DynamicsDescription>& dynamics_section() {
+  static const Mapping<DynamicsDescription> mapping(
+      "", "", "{flywheel: {at: motor, fluctuation: 0.02}, harmonics: 6}", [](auto& m) {
+        m.key("flywheel", "The moment of inertia that keeps the speed of a cycle nearly steady.")
+            .may(&DynamicsDescription::flywheel, flywheel);
+        m.key("harmonics",
+              "Up to which order of the turn of the drive the torques of the drives, shaking and "
+              "ground wrench are taken apart.")
+            .may(&DynamicsDescription::harmonics, harmonic_count(), "6");
+        m.key("balance", "Counterweights against the shaking force.")
+            .may(&DynamicsDescription::balance, balance);
+        m.key("limit_speed",
+              "Contacts and segments of cables: the steady speed of the drive at which the first "
+              "of them would lose its force.")
+            .may(&DynamicsDescription::limit_speed, one_or_more(coupling_name(), 1), "[cam]");
+        m.rule({.kind = FormRule::Kind::any_of,
+                .others = {"flywheel", "harmonics", "balance", "limit_speed"},
+                .message = "{} asks for nothing",
+                .hint = "add for example harmonics: 6, or flywheel: {at: ACTUATOR, fluctuation: "
+                        "0.02}"});
+      });
+  return mapping;
+}
+
+}  // namespace kinestat
