@@ -101,9 +101,11 @@ class SlipSearch {
                          which_.motions.end();
       return moves ? 0 : std::ranges::count(which_.inputs, a) > 0 ? 1 : 2;
     };
-    std::vector<std::size_t> list(which_.actions.size());
-    for (std::size_t i = 0; i < list.size(); ++i) {
-      list[i] = i;
+    std::vector<std::size_t> list;
+    for (std::size_t i = 0; i < which_.actions.size(); ++i) {
+      if (!which_.actions[i].moves()) {
+        list.push_back(i);
+      }
     }
     std::ranges::stable_sort(list, {}, rank);
     return list;
