@@ -82,7 +82,7 @@ void add_curves(CLI::App& command, LoadOptions& options) {
                "--curve",
                options.curves,
                "gives a curve the points of a CSV file;\nmay be repeated",
-               "NAME=FILE");
+               "CURVE=FILE");
 }
 
 void add_files(CLI::App& command, FileOptions& options) {

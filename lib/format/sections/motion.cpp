@@ -66,6 +66,9 @@ void declare_drive(Mapping<DriveRange>& m) {
   m.key("from", "Where the motion begins, measured from the drawn position.")
       .may(&DriveRange::from, drawn_position(), "0 deg")
       .usual("0");
+}
+
+void declare_course(Mapping<DriveRange>& m) {
   m.key("profile",
         "Instead of 'to': how it runs in time, part by part; behind the last one it rests.")
       .may(&DriveRange::profile,
@@ -104,6 +107,7 @@ const Mapping<DriveRange>& drive_range() {
                                                    "back, -limit: where it does so backwards.")
                                                  .needed(
                                                      &DriveRange::to, drawn_position(), "360 deg");
+                                             declare_course(m);
                                            });
   return mapping;
 }
@@ -120,6 +124,7 @@ const Mapping<DriveRange>& one_of_several() {
               "Where the motion ends, measured from the drawn position; with 'time' and without a "
               "law it follows from the speed.")
             .may(&DriveRange::to, drawn_position(), "360 deg");
+        declare_course(m);
         declare_course_rules(m);
       });
   return mapping;

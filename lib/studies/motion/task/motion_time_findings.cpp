@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include "core/text.hpp"
 #include "core/utf8.hpp"
 #include "studies/motion/task/motion_findings.hpp"
 
@@ -86,7 +85,9 @@ std::string places_of(const std::vector<double>& shares,
     places.resize(kMostPlaces);
     return fmt::format("{}, …", fmt::join(places, ", "));
   }
-  return plain_list(places);
+  const std::string last = places.back();
+  places.pop_back();
+  return fmt::format("{} and {}", fmt::join(places, ", "), last);
 }
 
 }  // namespace
