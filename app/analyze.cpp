@@ -11,6 +11,7 @@ void add_analyze(CLI::App& command, Job& job) {
   auto options = std::make_shared<FileOptions>();
   AnalyseOptions& analyse = options->analyse;
   add_files(command, *options);
+  add_curves(command, options->analyse.load);
   add_format(command, *options);
   add_layout(command, *options);
   add_accuracy(command, analyse.accuracy);

@@ -47,12 +47,16 @@ std::vector<Candidate> quantity_candidates(Words words) {
   return without_meaning(names);
 }
 
-std::vector<Candidate> parameter_candidates(Words words) {
-  std::vector<Candidate> candidates = without_meaning(names_in(words).parameters);
+// Names to which a value is given.
+std::vector<Candidate> with_equals(std::vector<Candidate> candidates) {
   for (Candidate& one : candidates) {
     one.word += '=';
   }
   return candidates;
+}
+
+std::vector<Candidate> parameter_candidates(Words words) {
+  return with_equals(without_meaning(names_in(words).parameters));
 }
 
 std::vector<Candidate> command_candidates(const CLI::App& app) {
@@ -114,6 +118,11 @@ CompletionCandidates values_of(const std::string& called, const CLI::App& app, W
   }
   if (called == "FOLDER") {
     return {.words = {}, .paths = PathKind::folders};
+  }
+  if (called == "CURVE=FILE") {
+    std::vector<Candidate> curves = with_equals(without_meaning(names_in(words).curves));
+    const PathKind paths = curves.empty() ? PathKind::files : PathKind::none;
+    return {.words = std::move(curves), .paths = paths};
   }
   const std::pair<const char*, std::function<std::vector<Candidate>()>> kinds[] = {
       {"CASE", [&] { return without_meaning(names_in(words).cases); }},

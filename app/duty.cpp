@@ -19,6 +19,7 @@ void add_duty(CLI::App& command, Job& job) {
       "  kinestat duty --cycle wltc.csv --format json gearbox.yaml\n");
   auto options = std::make_shared<DutyOptions>();
   add_files(command, options->files);
+  add_curves(command, options->files.analyse.load);
   add_format(command, options->files);
   add_strict(command, options->files);
   with_value(command,

@@ -50,6 +50,7 @@ void add_motion(CLI::App& command, Job& job) {
   auto flags = std::make_shared<MotionFlags>();
   AnalyseOptions& analyse = flags->files.analyse;
   add_files(command, flags->files);
+  add_curves(command, flags->files.analyse.load);
   add_format(command, flags->files);
   add_layout(command, flags->files);
   add_motion_choice(command, flags->choice);

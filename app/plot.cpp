@@ -73,6 +73,7 @@ void add_plot(CLI::App& command, Job& job) {
   add_argument(command, "PICTURE", options->choice.picture, "one of the pictures above, or list")
       .required();
   add_files(command, options->files);
+  add_curves(command, options->files.analyse.load);
   command.get_option("FILE")->expected(1)->description("a mechanism file; - is standard input");
   add_choices(command, options->choice);
   add_accuracy(command, options->files.analyse.accuracy);

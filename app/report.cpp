@@ -60,6 +60,7 @@ void add_report(CLI::App& command, Job& job) {
   auto options = std::make_shared<ReportCommand>();
   AnalyseOptions& analyse = options->files.analyse;
   add_files(command, options->files);
+  add_curves(command, options->files.analyse.load);
   with_value(command,
              command.add_option("-o,--out",
                                 options->page.path,

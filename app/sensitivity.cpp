@@ -39,6 +39,7 @@ void add_sensitivity(CLI::App& command, Job& job) {
       "  kinestat sensitivity --of kinematics/bodies/coupler/linear/0 crank.yaml\n");
   auto options = std::make_shared<SensitivityOptions>();
   add_files(command, options->files);
+  add_curves(command, options->files.analyse.load);
   add_format(command, options->files);
   add_strict(command, options->files);
   add_choice_options(command, options->choice);

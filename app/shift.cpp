@@ -19,6 +19,7 @@ void add_shift(CLI::App& command, Job& job) {
       "  kinestat shift --one-more --one-fewer --format csv train.yaml\n");
   auto flags = std::make_shared<ShiftFlags>();
   add_files(command, flags->files);
+  add_curves(command, flags->files.analyse.load);
   add_format(command, flags->files);
   add_layout(command, flags->files);
   add_accuracy(command, flags->files.analyse.accuracy);

@@ -77,6 +77,14 @@ void add_loading(CLI::App& command, LoadOptions& options) {
       "SIZE");
 }
 
+void add_curves(CLI::App& command, LoadOptions& options) {
+  add_repeated(command,
+               "--curve",
+               options.curves,
+               "gives a curve the points of a CSV file;\nmay be repeated",
+               "CURVE=FILE");
+}
+
 void add_files(CLI::App& command, FileOptions& options) {
   add_argument(
       command, "FILE", options.paths, "mechanism files, one after the other; - is\nstandard input")

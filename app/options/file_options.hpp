@@ -25,6 +25,9 @@ void add_loading(CLI::App& command, LoadOptions& options);
 /// Declares FILE…, --set, --max-file-size and --diagnostics.
 void add_files(CLI::App& command, FileOptions& options);
 
+/// --curve, of commands that solve cases.
+void add_curves(CLI::App& command, LoadOptions& options);
+
 /// --diagnostics.
 void add_diagnostics_form(CLI::App& command, DiagnosticsForm& form);
 

@@ -7,6 +7,7 @@
 
 #include "core/made_once.hpp"
 #include "dynamics/case_dynamics.hpp"
+#include "dynamics/curve_loads.hpp"
 #include "dynamics/spring_force.hpp"
 #include "kinematics/kinematic_solution.hpp"
 #include "mechanism/mechanism.hpp"
@@ -65,8 +66,11 @@ struct CaseAnalysis {
   std::optional<Ratios> ratios;
   std::vector<SpringState> springs;               ///< in the order of the mechanism's
   std::optional<SpringObstacle> spring_obstacle;  ///< why they are not known; then no `action`
+  std::optional<CurveObstacle> curve_obstacle;    ///< likewise, of what follows curves
   std::optional<CaseDynamics> dynamics;  ///< of a case with inertia whose accelerations are known
   std::optional<InertiaObstacle> inertia_obstacle;  ///< why they are not; then it has no `action`
+
+  bool has_unknown_loads() const { return spring_obstacle || curve_obstacle || inertia_obstacle; }
 };
 
 /// The magnitudes of one case that depend on a free parameter.

@@ -192,12 +192,75 @@ void add_spring_obstacle(const JudgedFile& file, const CaseAnalysis& one, CaseFi
   }
 }
 
+// Where a curve ends and begins, in the units of the file.
+std::string reach_of(const Curve& curve, const FileUnits& units) {
+  return fmt::format("from {:.10g} to {:.10g} {}",
+                     units.from_si(curve.place_kind, curve.at.front()),
+                     units.from_si(curve.place_kind, curve.at.back()),
+                     units.text(curve.place_kind));
+}
+
+void add_curve_obstacle(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
+  const CurveObstacle& obstacle = *one.curve_obstacle;
+  if (obstacle.kind == CurveObstacle::Kind::no_value) {
+    found.error(
+        "E0326",
+        one.which.where,
+        fmt::format("'{}' of case '{}' has no value there", obstacle.number, one.which.label),
+        "its curves have values, but the expression divides by zero, or takes a root or a "
+        "logarithm that does not exist");
+    return;
+  }
+  const Curve& curve = file.mechanism.curves[obstacle.curve];
+  const FileUnits& units = file.description.units;
+  switch (obstacle.kind) {
+    case CurveObstacle::Kind::outside:
+      found.error("E0326",
+                  curve.where,
+                  fmt::format("case '{}' is beyond curve '{}', which goes {}",
+                              one.which.label,
+                              curve.name,
+                              reach_of(curve, units)),
+                  "add points that reach there, or 'period', after which the curve repeats");
+      return;
+    case CurveObstacle::Kind::no_time:
+      found.error("E0326",
+                  curve.where,
+                  fmt::format("curve '{}' is over time, and the motion has none", curve.name),
+                  "give the motion a time: time: 0.5 s; its case says the speed, or 'law' how it "
+                  "runs");
+      return;
+    case CurveObstacle::Kind::no_position:
+      found.error(
+          "E0326",
+          curve.where,
+          fmt::format(
+              "curve '{}' is over '{}', whose freedom has no position", curve.name, curve.actuator),
+          "balls, contacts and cables have none: let the curve be over another actuator");
+      return;
+    case CurveObstacle::Kind::no_speed:
+      found.error("E0326",
+                  curve.where,
+                  fmt::format("curve '{}' is over the speed of '{}', which case '{}' does not tell",
+                              curve.name,
+                              curve.actuator,
+                              one.which.label),
+                  "give 'motion' of the case what determines that speed");
+      return;
+    case CurveObstacle::Kind::no_value:
+      return;
+  }
+}
+
 void add_inertia_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
   if (one.inertia_obstacle) {
     add_inertia_obstacle(file, one, found);
   }
   if (one.spring_obstacle) {
     add_spring_obstacle(file, one, found);
+  }
+  if (one.curve_obstacle) {
+    add_curve_obstacle(file, one, found);
   }
   if (one.dynamics && one.motion && one.motion->status == SolveStatus::solved) {
     add_point_masses(file, one, found);

@@ -26,7 +26,7 @@ std::string_view case_status(const Mechanism& mechanism, const CaseAnalysis& one
   if (one.motion && one.motion->status != SolveStatus::solved) {
     return word_of(one.motion->status);
   }
-  if (one.inertia_obstacle || one.spring_obstacle) {
+  if (one.has_unknown_loads()) {
     return kUnknownLoad;
   }
   const SolveStatus status = one.action ? one.action->status : SolveStatus::solved;

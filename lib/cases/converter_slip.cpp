@@ -137,9 +137,11 @@ std::vector<std::size_t> deciding_actions(const Topology& topology, const Case& 
         std::ranges::find(which.motions, actuator->freedom, &Primary::index) != which.motions.end();
     return moves ? 0 : std::ranges::count(which.inputs, a) > 0 ? 1 : 2;
   };
-  std::vector<std::size_t> list(which.actions.size());
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    list[i] = i;
+  std::vector<std::size_t> list;
+  for (std::size_t i = 0; i < which.actions.size(); ++i) {
+    if (!which.actions[i].moves()) {
+      list.push_back(i);
+    }
   }
   std::ranges::stable_sort(list, {}, rank);
   return list;

@@ -9,12 +9,20 @@ namespace kinestat {
 
 namespace {
 
-// Springs feel the speeds of the case.
-SpringPlace drawn_place(const CaseAnalysis& one) {
-  SpringPlace place;
-  if (one.motion && one.motion->status == SolveStatus::solved) {
+// With the speeds of the case.
+LoadPlace drawn_place(const Mechanism& mechanism, const CaseAnalysis& one) {
+  LoadPlace place;
+  if (!one.motion) {
+    return place;
+  }
+  place.rates.assign(mechanism.topology.freedoms.size(), std::nullopt);
+  if (one.motion->status == SolveStatus::solved) {
     place.twists = one.motion->bodies;
-    place.rates.assign(one.motion->rates.begin(), one.motion->rates.end());
+    for (std::size_t f = 0; f < place.rates.size(); ++f) {
+      if (one.motion->knows_rate(static_cast<int>(f))) {
+        place.rates[f] = one.motion->rates[f];
+      }
+    }
   }
   return place;
 }
@@ -23,17 +31,37 @@ void add(std::vector<Load> loads, CaseAnalysis& one) {
   std::ranges::move(loads, std::back_inserter(one.which.loads));
 }
 
-}  // namespace
-
-void add_spring_loads(const Mechanism& mechanism, const SpringPlace* place, CaseAnalysis& one) {
-  const SpringPlace there = place != nullptr ? *place : drawn_place(one);
-  auto found = spring_states(mechanism, there);
+// Those of a mechanism that stands there.
+void add_spring_loads(const Mechanism& mechanism,
+                      const LoadPlace& place,
+                      const std::vector<double>& forces,
+                      CaseAnalysis& one) {
+  auto found = spring_states(mechanism, place, forces);
   if (const auto* obstacle = std::get_if<SpringObstacle>(&found)) {
     one.spring_obstacle = *obstacle;
     return;
   }
   one.springs = std::get<std::vector<SpringState>>(std::move(found));
-  add(spring_loads(mechanism, there, one.springs), one);
+  add(spring_loads(mechanism, place, one.springs), one);
+}
+
+}  // namespace
+
+void add_placed_loads(const Mechanism& mechanism, const LoadPlace* place, CaseAnalysis& one) {
+  const LoadPlace there = place != nullptr ? *place : drawn_place(mechanism, one);
+  auto found = curve_numbers(mechanism, one.which, there);
+  if (const auto* obstacle = std::get_if<CurveObstacle>(&found)) {
+    one.curve_obstacle = *obstacle;
+    return;
+  }
+  auto& numbers = std::get<CurveNumbers>(found);
+  for (std::size_t i = 0; i < numbers.actions.size(); ++i) {
+    one.which.actions[i].value = numbers.actions[i];
+  }
+  add(std::move(numbers.loads), one);
+  if (!mechanism.springs.empty()) {
+    add_spring_loads(mechanism, there, numbers.springs, one);
+  }
 }
 
 std::optional<InertialMotion> add_inertial_loads(const Mechanism& mechanism,
@@ -52,7 +80,8 @@ std::optional<InertialMotion> add_inertial_loads(const Mechanism& mechanism,
 }
 
 bool has_typed_loads(const Case& given, const Case& solved) {
-  return std::all_of(solved.loads.begin() + static_cast<std::ptrdiff_t>(given.loads.size()),
+  return std::ranges::none_of(solved.actions, &Primary::moves) &&
+         std::all_of(solved.loads.begin() + static_cast<std::ptrdiff_t>(given.loads.size()),
                      solved.loads.end(),
                      [](const Load& load) { return load.acts.wrench.coordinates().isZero(0.0); });
 }

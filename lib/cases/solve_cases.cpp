@@ -136,7 +136,7 @@ struct CaseRequest {
   CasePasses passes = CasePasses::all;
   const KinematicSolution* motion = nullptr;  // null: to be solved
   const InertialMotion* inertial = nullptr;   // of a case with inertia; null: as drawn
-  const SpringPlace* springs = nullptr;       // null: as drawn
+  const LoadPlace* place = nullptr;           // null: as drawn
 };
 
 // Friction is followed in doubles: there is no bound for it.
@@ -290,13 +290,13 @@ CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const CaseRe
         request.exact_input->improve(request.index, *result.motion);
   }
   const KinematicSolution* motion = is_solved(result.motion) ? &*result.motion : nullptr;
-  if (which.asks_actions && !drawn.springs.empty()) {
-    add_spring_loads(drawn, request.springs, result);
+  if (which.asks_actions && (which.follows_curves() || !drawn.springs.empty())) {
+    add_placed_loads(drawn, request.place, result);
   }
   const std::optional<InertialMotion> inertial =
       which.has_inertia() ? add_inertial_loads(drawn, request.inertial, result) : std::nullopt;
   LoadedFlanks flanks;
-  if (which.asks_actions && !result.inertia_obstacle && !result.spring_obstacle) {
+  if (which.asks_actions && !result.has_unknown_loads()) {
     flanks = solve_on_loaded_flanks(drawn, bases, which, request.accuracy, motion);
     if (request.exact_input != nullptr && has_typed_loads(request.which, which) &&
         find_frictions(drawn, which, motion).laws.empty()) {
@@ -399,7 +399,7 @@ CaseAnalysis solve_row(const Mechanism& mechanism, const Case& which, const Know
                      .passes = CasePasses::row,
                      .motion = known.motion,
                      .inertial = known.inertial,
-                     .springs = known.springs});
+                     .place = known.place});
 }
 
 CaseAnalysis solve_certified_case(const MechanismDescription& description,

@@ -283,6 +283,21 @@ constexpr auto kErrorCodes = std::to_array<Code>({
      "freedom that has no position, as those of balls and contacts. The actions of the case are "
      "not "
      "known there. The message names the spring."},
+    {"E0325",
+     wrong_input,
+     "curve whose points make none",
+     "A curve has at least two points, each at a place behind the one before. One that repeats "
+     "ends with the value with which it began, one 'period' behind it, or leaves that point out "
+     "and goes on to the first by itself; no point lies beyond the period. 'kinestat help curves' "
+     "shows each kind."},
+    {"E0326",
+     no_answer,
+     "curve has no value there",
+     "A load or an action of the case follows a curve, and in this position nothing can be said "
+     "of that: the place is beyond the points of a curve without a 'period'; the curve is over "
+     "time in a motion that has none; it is over an actuator whose position or speed nothing "
+     "tells; or the expression that names it has no value there. The actions of the case are not "
+     "known there."},
 });
 
 std::vector<Code> joined() {

@@ -13,6 +13,9 @@ struct CsvRow {
   std::vector<std::string> cells;
 };
 
+/// A cell without blanks around it.
+std::string_view trimmed(std::string_view cell);
+
 /// Reads row by row, by RFC 4180; lines may end with CR LF. The text must outlive it.
 class CsvReader {
  public:

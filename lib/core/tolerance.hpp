@@ -130,4 +130,8 @@ inline constexpr double kNoSpringLength = 1e-12;
 /// By this share of its stroke a gas spring may be past its ends: what is typed is rounded.
 inline constexpr double kPastStroke = 1e-9;
 
+/// A place beyond the end of a curve by no more than this share of its length is at its end, and
+/// one as near to a period behind its beginning is there.
+inline constexpr double kCurveEnd = 1e-9;
+
 }  // namespace kinestat

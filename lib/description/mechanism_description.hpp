@@ -9,6 +9,7 @@
 #include "description/cable_description.hpp"
 #include "description/case_description.hpp"
 #include "description/coupling_description.hpp"
+#include "description/curve_description.hpp"
 #include "description/duty_description.hpp"
 #include "description/dynamics_description.hpp"
 #include "description/gear_description.hpp"
@@ -78,6 +79,7 @@ struct MechanismDescription {
   std::vector<LoadDescription> loads;
   SourceRange loads_where;
   std::vector<SpringDescription> springs;
+  std::vector<CurveDescription> curves;
   std::optional<PointDescription> gravity;  ///< vector [acceleration]
   std::optional<LossDescription> losses;
   IndeterminateChoice indeterminate = IndeterminateChoice::report;

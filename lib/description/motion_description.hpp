@@ -9,13 +9,28 @@
 
 namespace kinestat {
 
+/// A part of how a drive runs: to a place by a law, or a dwell.
+struct ProfilePart {
+  std::optional<Value> to;
+  std::optional<Value> time;
+  std::optional<DriveLaw> law;
+  std::optional<Value> ramp;   ///< of a trapezoid
+  std::optional<Value> dwell;  ///< for how long it stays, instead of all these
+  SourceRange where;
+};
+
 /// One drive and the range it runs through, measured from the drawn position.
 struct DriveRange {
   Name actuator;
   std::optional<Value> from;
   std::optional<Value> to;  ///< or where it turns back: `limit_sense`; may be missing where the
                             ///< motion has a time
-  SourceRange where = {};   ///< of one of several
+  std::vector<ProfilePart> profile = {};  ///< instead of `to`
+  std::optional<Name> curve = {};         ///< likewise, over time
+  SourceRange where = {};                 ///< of one of several
+
+  /// Whether it says by itself how the drive runs in time.
+  bool has_course() const { return !profile.empty() || curve.has_value(); }
 };
 
 /// `to: limit` runs until the drive turns back, `to: -limit` does so backwards.

@@ -34,6 +34,7 @@ struct SpringDescription {
   std::optional<Value> free;         ///< where a freedom has no force, from the drawn position
   std::optional<Value> free_length;  ///< of the distance of the points
   std::optional<Value> drawn;        ///< instead: the force as drawn; pushing is positive
+  std::optional<Value> force;        ///< beside these, pushing is positive; may follow curves
   SpringSense acts = SpringSense::both;
   std::optional<GasSpringDescription> gas;
   SourceRange where;

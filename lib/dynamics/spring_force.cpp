@@ -16,7 +16,7 @@ struct Ends {
   Vec3 to;
 };
 
-Ends ends_of(const Spring& spring, const SpringPlace& place) {
+Ends ends_of(const Spring& spring, const LoadPlace& place) {
   if (place.poses.empty()) {
     return {.from = spring.from, .to = spring.to};
   }
@@ -36,7 +36,7 @@ double cut_off(SpringSense acts, double tension) {
   return tension;
 }
 
-SpringState state_of_freedom(const Spring& spring, const SpringPlace& place) {
+SpringState state_of_freedom(const Spring& spring, const LoadPlace& place) {
   const auto value = [&](const std::vector<std::optional<double>>& list) {
     return list.empty() ? 0.0 : list[at(spring.freedom)].value_or(0.0);
   };
@@ -65,8 +65,8 @@ std::string load_name(const Spring& spring, BodyId body, const Topology& topolog
 
 }  // namespace
 
-std::variant<std::vector<SpringState>, SpringObstacle> spring_states(const Mechanism& drawn,
-                                                                     const SpringPlace& place) {
+std::variant<std::vector<SpringState>, SpringObstacle> spring_states(
+    const Mechanism& drawn, const LoadPlace& place, std::span<const double> forces) {
   std::vector<SpringState> states;
   for (std::size_t i = 0; i < drawn.springs.size(); ++i) {
     const Spring& spring = drawn.springs[i];
@@ -75,6 +75,7 @@ std::variant<std::vector<SpringState>, SpringObstacle> spring_states(const Mecha
         return SpringObstacle{.kind = SpringObstacle::Kind::no_position, .spring = i};
       }
       states.push_back(state_of_freedom(spring, place));
+      states.back().force += forces[i];
       continue;
     }
     const Ends ends = ends_of(spring, place);
@@ -89,7 +90,8 @@ std::variant<std::vector<SpringState>, SpringObstacle> spring_states(const Mecha
                          velocity_at(place.twists[at(spring.tail.value)], ends.from);
       state.rate = speed.dot(arm) / length;
     }
-    state.force = spring.stiffness * (length - spring.free) + spring.damping * state.rate;
+    state.force =
+        spring.stiffness * (length - spring.free) + spring.damping * state.rate - forces[i];
     if (spring.gas) {
       const std::optional<double> tension = gas_tension(*spring.gas, length);
       if (!tension) {
@@ -104,7 +106,7 @@ std::variant<std::vector<SpringState>, SpringObstacle> spring_states(const Mecha
 }
 
 std::vector<Load> spring_loads(const Mechanism& moved,
-                               const SpringPlace& place,
+                               const LoadPlace& place,
                                const std::vector<SpringState>& states) {
   const Topology& topology = moved.topology;
   std::vector<Load> loads;

@@ -2,22 +2,15 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "dynamics/load_place.hpp"
 #include "mechanism/mechanism.hpp"
-#include "screw/pose.hpp"
 
 namespace kinestat {
-
-/// Where a mechanism stands and how it moves, as far as springs feel it.
-struct SpringPlace {
-  std::vector<BodyPose> poses;                   ///< empty: as drawn
-  std::vector<Twist> twists;                     ///< empty: at rest
-  std::vector<std::optional<double>> positions;  ///< of the freedoms; empty: as drawn
-  std::vector<std::optional<double>> rates;      ///< empty: at rest
-};
 
 struct SpringState {
   double position = 0.0;  ///< length, or position of the freedom [m or rad]
@@ -37,15 +30,16 @@ struct SpringObstacle {
   std::size_t spring = 0;
 };
 
-/// Of each spring of a mechanism that stands there.
-std::variant<std::vector<SpringState>, SpringObstacle> spring_states(const Mechanism& drawn,
-                                                                     const SpringPlace& place);
+/// Of each spring of a mechanism that stands there; `forces` are what each has beside stiffness and
+/// damping (curve_numbers).
+std::variant<std::vector<SpringState>, SpringObstacle> spring_states(
+    const Mechanism& drawn, const LoadPlace& place, std::span<const double> forces);
 
 /// Their forces on the bodies they join, as loads spring.NAME, or spring.NAME.BODY where both move;
 /// the names are `spring_load_names`, in that order.
 /// `moved` has the screws of the position.
 std::vector<Load> spring_loads(const Mechanism& moved,
-                               const SpringPlace& place,
+                               const LoadPlace& place,
                                const std::vector<SpringState>& states);
 
 std::vector<std::string> spring_load_names(const Mechanism& mechanism);

@@ -36,6 +36,9 @@ class NumberLaw {
   /// The values of its parameters, which may be replaced by others of the same dimension.
   std::map<std::string, BasicQuantity<Number>, std::less<>>& parameters() { return parameters_; }
 
+  /// What the expression refers to, parameters among them.
+  std::span<const std::string> names() const { return expression_.names(); }
+
   /// In SI; errors as of evaluate_as.
   std::variant<Number, ExpressionError> at(std::span<const LawVariable<Number>> variables) const {
     return evaluate_as<Number>(

@@ -10,6 +10,9 @@ namespace kinestat {
 FileNames names_of(const Loaded& loaded) {
   FileNames names;
   names.parameters = parameter_names(loaded.description);
+  for (const CurveDescription& curve : loaded.description.curves) {
+    names.curves.push_back(curve.name.text);
+  }
   const Topology& topology = loaded.mechanism.topology;
   for (const ActuatorTopology& actuator : topology.actuators) {
     names.actuators.push_back(actuator.name);

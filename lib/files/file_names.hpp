@@ -11,6 +11,7 @@ namespace kinestat {
 /// In the order of the file.
 struct FileNames {
   std::vector<std::string> parameters;
+  std::vector<std::string> curves;
   std::vector<std::string> actuators;
   std::vector<std::string> cases;       ///< those of gears, too
   std::vector<std::string> quantities;  ///< actuators, freedoms and actions, of which reports are

@@ -9,6 +9,7 @@
 #include "core/text.hpp"
 #include "core/utf8.hpp"
 #include "expression/parameters.hpp"
+#include "files/curve_table.hpp"
 #include "files/parameter_names.hpp"
 #include "format/mechanism_reader.hpp"
 #include "io/yaml_tree.hpp"
@@ -117,6 +118,9 @@ std::optional<MechanismDescription> read_description(const SourceFile& source,
   }
   if (!options.overrides.empty()) {
     apply_overrides(options.overrides, *description, found);
+  }
+  for (const std::string& text : options.curves) {
+    apply_curve_table(text, options.limits, *description, found);
   }
   return found.has_errors() ? std::nullopt : std::move(description);
 }

@@ -17,8 +17,9 @@ using Override = std::string;
 
 /// What a command says about reading its files.
 struct LoadOptions {
-  std::vector<Override> overrides;  ///< of --set
-  ReadLimits limits;                ///< of --max-file-size
+  std::vector<Override> overrides;       ///< of --set
+  std::vector<std::string> curves = {};  ///< of --curve: NAME=FILE
+  ReadLimits limits;                     ///< of --max-file-size
 };
 
 /// Reads and applies the overrides. `source` keeps the text for messages, also when the result is

@@ -76,9 +76,9 @@ const std::vector<FormShape>& text_shapes() {
        .meaning = "A name of your choice: letters, digits and '_', beginning with a letter or '_'; "
                   "not that of a unit or a function, pi, and, or, not.",
        .pattern = parameter,
-       .pattern_text = "A parameter's name is letters, digits and '_', begins with a letter or "
-                       "'_', and is not that of a unit (m, N, g …), a function (sin, min …), pi, "
-                       "and, or, not."}};
+       .pattern_text = "The name of a parameter or curve is letters, digits and '_', begins with a "
+                       "letter or '_', and is not that of a unit (m, N, g …), a function (sin, "
+                       "min …), pi, and, or, not."}};
   return shapes;
 }
 

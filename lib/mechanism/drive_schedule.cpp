@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
+#include "core/contract.hpp"
 #include "core/tolerance.hpp"
 
 namespace kinestat {
@@ -93,47 +95,92 @@ bool turns_back(const DriveCourse& course, double duration) {
 }  // namespace
 
 LawPoint law_at(DriveLaw law, double ramp, double time) {
-  if (time < 0.5) {
+  // What rounding leaves before a jump is behind it.
+  if (law == DriveLaw::trapezoid && std::abs(time - ramp) <= kSameValue) {
+    time = std::max(time, ramp);
+  }
+  if (time < 0.5 - kSameValue) {
     return first_half(law, ramp, time);
   }
-  const LawPoint mirrored = first_half(law, ramp, 1.0 - time);
+  double rest = std::min(1.0 - time, 0.5);
+  if (law == DriveLaw::trapezoid && std::abs(rest - ramp) <= kSameValue) {
+    rest = std::min(rest, std::nextafter(ramp, 0.0));
+  }
+  const LawPoint mirrored = first_half(law, ramp, rest);
   return {.share = 1.0 - mirrored.share, .slope = mirrored.slope, .bend = -mirrored.bend};
 }
 
-DriveSchedule::DriveSchedule(double duration,
-                             std::vector<DriveCourse> courses,
-                             DriveLaw law,
-                             double ramp)
-    : duration_(duration), courses_(std::move(courses)), has_law_(true), law_(law), ramp_(ramp) {}
+namespace {
 
-DriveSchedule::DriveSchedule(double duration, std::vector<DriveCourse> courses)
-    : duration_(duration), courses_(std::move(courses)) {
+// The drives run in proportion if all do so by the same law, from the beginning to the end.
+bool runs_by_one_law(const std::vector<DriveCourse>& courses) {
+  return std::ranges::all_of(courses, [&](const DriveCourse& one) {
+    const std::vector<CoursePart>& first = courses.front().parts;
+    return one.parts.size() == 1 && first.size() == 1 && one.parts[0].begin == 0.0 &&
+           one.parts[0].end == 1.0 && one.parts[0].law == first[0].law &&
+           one.parts[0].ramp == first[0].ramp;
+  });
+}
+
+bool runs_straight(double duration, const std::vector<DriveCourse>& courses) {
+  if (!std::ranges::all_of(courses, &DriveCourse::is_steady)) {
+    return runs_by_one_law(courses);
+  }
   const auto ways = [&](const DriveCourse& one) {
     return std::pair(one.speed * duration, one.acceleration * duration * duration);
   };
-  const auto [speed, bend] = ways(courses_.front());
+  const auto [speed, bend] = ways(courses.front());
   const double first = speed + 0.5 * bend;
-  for (const DriveCourse& one : courses_) {
+  bool is_straight = true;
+  for (const DriveCourse& one : courses) {
     const auto [other_speed, other_bend] = ways(one);
     const double way = other_speed + 0.5 * other_bend;
     const double size =
         (std::abs(speed) + std::abs(bend)) * (std::abs(other_speed) + std::abs(other_bend));
-    is_straight_ = is_straight_ && !turns_back(one, duration) && first != 0.0 &&
-                   std::abs(other_speed * first - speed * way) <= kSameValue * size &&
-                   std::abs(other_bend * first - bend * way) <= kSameValue * size;
+    is_straight = is_straight && !turns_back(one, duration) && first != 0.0 &&
+                  std::abs(other_speed * first - speed * way) <= kSameValue * size &&
+                  std::abs(other_bend * first - bend * way) <= kSameValue * size;
   }
+  return is_straight;
 }
+
+// Behind the last part a drive rests.
+DriveInstant instant_of(const std::vector<CoursePart>& parts, double time, double duration) {
+  const auto part = std::ranges::find_if(
+      parts, [&](const CoursePart& one) { return time < one.end - kSameValue; });
+  const CoursePart& one = part != parts.end() ? *part : parts.back();
+  const bool is_over = time >= one.end - kSameValue;
+  if (one.from == one.to || (is_over && one.end < 1.0)) {
+    return {.position = one.to, .speed = 0.0, .acceleration = 0.0};
+  }
+  const double share = one.end - one.begin;
+  const double u = is_over ? 1.0 : std::max(time - one.begin, 0.0) / share;
+  const LawPoint point = law_at(one.law, one.ramp, u);
+  const double way = one.to - one.from;
+  const double length = share * duration;
+  return {.position = is_over ? one.to : one.from + point.share * way,
+          .speed = point.slope * way / length,
+          .acceleration = point.bend * way / (length * length)};
+}
+
+}  // namespace
+
+DriveSchedule::DriveSchedule(double duration, std::vector<DriveCourse> courses)
+    : duration_(duration),
+      courses_(std::move(courses)),
+      is_straight_(runs_straight(duration_, courses_)) {}
 
 DriveInstant DriveSchedule::at(std::size_t drive, double time) const {
   const DriveCourse& one = courses_[drive];
-  if (has_law_) {
-    const LawPoint point = law_at(law_, ramp_, time);
-    const double way = one.to - one.from;
-    return {.position = one.from + point.share * way,
-            .speed = point.slope * way / duration_,
-            .acceleration = point.bend * way / (duration_ * duration_)};
-  }
   const double t = time * duration_;
+  if (one.curve != nullptr) {
+    const std::optional<CurvePoint> point = one.curve->point(t);
+    KINESTAT_EXPECTS(point.has_value());
+    return {.position = point->value, .speed = point->slope, .acceleration = point->bend};
+  }
+  if (!one.parts.empty()) {
+    return instant_of(one.parts, time, duration_);
+  }
   return {
       .position = time == 1.0 ? one.to : one.from + t * (one.speed + 0.5 * one.acceleration * t),
       .speed = one.speed + one.acceleration * t,
@@ -144,10 +191,10 @@ double DriveSchedule::share_at(double time) const {
   if (!is_straight_ || time <= 0.0 || time >= 1.0) {
     return time;
   }
-  if (has_law_) {
-    return law_at(law_, ramp_, time).share;
-  }
   const DriveCourse& one = courses_.front();
+  if (!one.parts.empty()) {
+    return law_at(one.parts.front().law, one.parts.front().ramp, time).share;
+  }
   return (at(0, time).position - one.from) / (one.to - one.from);
 }
 
@@ -161,6 +208,21 @@ double DriveSchedule::time_of(double share) const {
     (share_at(middle) < share ? low : high) = middle;
   }
   return high;
+}
+
+std::vector<double> DriveSchedule::jumps() const {
+  std::vector<double> result;
+  for (const DriveCourse& course : courses_) {
+    for (const CoursePart& part : course.parts) {
+      if (part.law == DriveLaw::constant_speed && part.from != part.to) {
+        result.push_back(part.begin);
+        result.push_back(part.end);
+      }
+    }
+  }
+  std::ranges::sort(result);
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
 }
 
 }  // namespace kinestat

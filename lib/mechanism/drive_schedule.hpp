@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "description/drive_law.hpp"
+#include "mechanism/curves/curve.hpp"
 
 namespace kinestat {
 
@@ -26,28 +28,38 @@ struct DriveInstant {
   double acceleration = 0.0;
 };
 
-/// Of one drive: by a law from one end of its range to the other or, without one, by a speed and an
-/// acceleration that stay as they are.
+/// To a place by a law, within a part of the time; without a way it rests.
+struct CoursePart {
+  double begin = 0.0;  ///< share of the whole time
+  double end = 1.0;
+  double from = 0.0;  ///< [rad or m]
+  double to = 0.0;
+  DriveLaw law = DriveLaw::polynomial_345;
+  double ramp = kUsualRamp;
+};
+
+/// Of one drive: by parts or a curve or, without these, by a speed and an acceleration that stay as
+/// they are.
 struct DriveCourse {
   double from = 0.0;  ///< [rad or m]
   double to = 0.0;
-  double speed = 0.0;         ///< at the beginning, without a law
-  double acceleration = 0.0;  ///< likewise
+  double speed = 0.0;                            ///< at the beginning, of a steady course
+  double acceleration = 0.0;                     ///< likewise
+  std::vector<CoursePart> parts = {};            ///< one behind the other; then it rests
+  std::shared_ptr<const Curve> curve = nullptr;  ///< over time, its values in rad or m
+
+  bool is_steady() const { return parts.empty() && curve == nullptr; }
 };
 
 /// All drives together, in steps of equal time.
 class DriveSchedule {
  public:
-  /// By a law.
-  DriveSchedule(double duration, std::vector<DriveCourse> courses, DriveLaw law, double ramp);
-
-  /// With steady accelerations.
   DriveSchedule(double duration, std::vector<DriveCourse> courses);
 
   double duration() const { return duration_; }  ///< [s]
 
-  /// Whether the drives keep the proportion of their ranges and never turn back, so that a share of
-  /// the ranges tells a place.
+  /// Whether the drives keep the proportion of their ranges and never turn back or rest, so that a
+  /// share of the ranges tells a place.
   bool is_straight() const { return is_straight_; }
 
   /// At a share of the time.
@@ -63,15 +75,12 @@ class DriveSchedule {
   /// That share at a share of the time.
   double share_at(double time) const;
 
-  /// Whether the law's speed jumps at its ends.
-  bool has_jumps() const { return has_law_ && law_ == DriveLaw::constant_speed; }
+  /// At which shares of the time a speed jumps.
+  std::vector<double> jumps() const;
 
  private:
   double duration_ = 1.0;
   std::vector<DriveCourse> courses_;
-  bool has_law_ = false;
-  DriveLaw law_ = DriveLaw::constant_speed;
-  double ramp_ = kUsualRamp;
   bool is_straight_ = true;
 };
 

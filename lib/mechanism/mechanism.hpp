@@ -12,6 +12,7 @@
 #include "mechanism/cables/cable_contact.hpp"
 #include "mechanism/cases/case.hpp"
 #include "mechanism/couplings/coupling_friction.hpp"
+#include "mechanism/curves/curve.hpp"
 #include "mechanism/gears/lossy_mesh.hpp"
 #include "mechanism/geometry.hpp"
 #include "mechanism/inertia/body_mass.hpp"
@@ -42,6 +43,7 @@ struct Mechanism {
   std::vector<DrawnCoupling> drawn_couplings;  ///< of each coupling, where a case has inertia: what
                                                ///< accelerations follow from
   std::vector<Spring> springs;
+  std::vector<Curve> curves;
   std::vector<Case> cases;
 };
 

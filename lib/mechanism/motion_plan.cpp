@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -127,51 +128,208 @@ class MotionBinder {
 
   void plan_schedule() {
     const bool speeds_up = which() != nullptr && which()->has_inertia();
+    const bool has_courses = std::ranges::any_of(motion_.drives, &DriveRange::has_course);
     const auto to_limit = std::ranges::find_if(plan_.drives, &PlannedDrive::until_limit);
     if (to_limit != plan_.drives.end()) {
-      if (motion_.law || motion_.time) {
+      if (motion_.law || motion_.time || has_courses) {
         complain(TimeProblem::to_limit, static_cast<std::size_t>(to_limit - plan_.drives.begin()));
       }
       return;
     }
-    if (motion_.law) {
+    if (has_courses) {
+      plan_own_courses();
+    } else if (motion_.law) {
       plan_law();
     } else if (motion_.time || speeds_up) {
       plan_steady_courses();
     }
   }
 
+  double ramp_of(const std::optional<Value>& ramp) {
+    return ramp ? evaluator_.number(*ramp, QuantityKind::dimensionless).value_or(kUsualRamp)
+                : kUsualRamp;
+  }
+
+  // False iff the case gives the drive a speed, too.
+  bool check_speed(std::size_t d, TimeProblem problem) {
+    const PlannedDrive& drive = plan_.drives[d];
+    if (knows_speed(drive) && value_of(which()->motions, drive.freedom) != 0.0) {
+      complain(problem, d);
+      return false;
+    }
+    return true;
+  }
+
+  DriveCourse course_by_law(const PlannedDrive& drive) {
+    return {.from = drive.from,
+            .to = drive.to,
+            .parts = {{.from = drive.from,
+                       .to = drive.to,
+                       .law = *motion_.law,
+                       .ramp = ramp_of(motion_.ramp)}}};
+  }
+
   void plan_law() {
-    const double ramp =
-        motion_.ramp
-            ? evaluator_.number(*motion_.ramp, QuantityKind::dimensionless).value_or(kUsualRamp)
-            : kUsualRamp;
     std::vector<DriveCourse> courses;
     for (std::size_t d = 0; d < plan_.drives.size(); ++d) {
-      const PlannedDrive& drive = plan_.drives[d];
-      courses.push_back({.from = drive.from, .to = drive.to});
-      if (knows_speed(drive) && value_of(which()->motions, drive.freedom) != 0.0) {
-        complain(TimeProblem::two_speeds, d);
+      courses.push_back(course_by_law(plan_.drives[d]));
+      (void)check_speed(d, TimeProblem::two_speeds);
+    }
+    plan_.schedule.emplace(duration().value_or(1.0), std::move(courses));
+  }
+
+  // Some drives have a profile or a curve; the others run by the law of all, or as the case says.
+  void plan_own_courses() {
+    std::vector<DriveCourse> courses(plan_.drives.size());
+    double longest = 0.0;  // [s]
+    for (std::size_t d = 0; d < courses.size(); ++d) {
+      const DriveRange& range = motion_.drives[d];
+      if (!range.profile.empty()) {
+        longest = std::max(longest, bind_profile(d, courses[d]));
+      } else if (range.curve) {
+        const Curve& curve = bind_curve(d, courses[d]);
+        longest = std::max(longest, curve.period ? 0.0 : curve.at.back());
+      }
+      if (range.has_course() && !check_speed(d, TimeProblem::two_courses)) {
+        return;
       }
     }
-    plan_.schedule.emplace(duration().value_or(1.0), std::move(courses), *motion_.law, ramp);
+    const double whole = duration().value_or(longest);
+    for (std::size_t d = 0; d < courses.size(); ++d) {
+      if (!finish_course(d, whole, courses[d])) {
+        return;
+      }
+    }
+    plan_.schedule.emplace(whole, std::move(courses));
+  }
+
+  // Parts in seconds as yet; answers how long all of them take.
+  double bind_profile(std::size_t d, DriveCourse& course) {
+    PlannedDrive& drive = plan_.drives[d];
+    const QuantityKind kind = position_kind(drive);
+    double place = drive.from;
+    double time = 0.0;
+    const auto seconds = [&](const std::optional<Value>& value) {
+      return value ? evaluator_.number(*value, QuantityKind::time).value_or(0.0) : 0.0;
+    };
+    for (const ProfilePart& part : motion_.drives[d].profile) {
+      CoursePart next{.begin = time, .end = time, .from = place, .to = place};
+      if (part.dwell) {
+        next.end += seconds(part.dwell);
+      } else {
+        next.end += seconds(part.time);
+        next.to = part.to ? evaluator_.number(*part.to, kind).value_or(place) : place;
+        next.law = part.law.value_or(next.law);
+        next.ramp = ramp_of(part.ramp);
+      }
+      place = next.to;
+      time = next.end;
+      course.parts.push_back(next);
+    }
+    drive.to = place;
+    course.from = drive.from;
+    course.to = place;
+    return time;
+  }
+
+  // Bare values count in the unit of the file.
+  const Curve& bind_curve(std::size_t d, DriveCourse& course) {
+    const auto at =
+        std::ranges::find(mechanism_.curves, motion_.drives[d].curve->text, &Curve::name);
+    KINESTAT_EXPECTS(at != mechanism_.curves.end());
+    Curve curve = *at;
+    if (is_bare(curve.dimension)) {
+      const double unit = description_.units.factor(position_kind(plan_.drives[d]));
+      for (auto* list : {&curve.values, &curve.slopes}) {
+        for (double& number : *list) {
+          number *= unit;
+        }
+      }
+    }
+    course.curve = std::make_shared<const Curve>(std::move(curve));
+    return *course.curve;
+  }
+
+  QuantityKind position_kind(const PlannedDrive& drive) const {
+    const auto f = static_cast<std::size_t>(drive.freedom);
+    return mechanism_.topology.freedoms[f].is_rotation ? QuantityKind::angle : QuantityKind::length;
+  }
+
+  // False iff a problem was found.
+  bool finish_course(std::size_t d, double whole, DriveCourse& course) {
+    PlannedDrive& drive = plan_.drives[d];
+    if (course.curve != nullptr) {
+      if (whole == 0.0) {
+        complain(TimeProblem::no_duration, d);
+        return false;
+      }
+      const std::optional<CurvePoint> begin = course.curve->point(0.0);
+      const std::optional<CurvePoint> end = course.curve->point(whole);
+      if (!begin || !end) {
+        complain(TimeProblem::beyond_curve, d);
+        return false;
+      }
+      course.from = drive.from = begin->value;
+      course.to = drive.to = end->value;
+      return true;
+    }
+    if (!course.parts.empty()) {
+      if (course.parts.back().end > whole * (1.0 + kSameValue)) {
+        complain(TimeProblem::too_long, d);
+        return false;
+      }
+      for (CoursePart& part : course.parts) {
+        part.begin /= whole;
+        part.end = std::abs(part.end - whole) <= kSameValue * whole ? 1.0 : part.end / whole;
+      }
+      return true;
+    }
+    if (motion_.law) {
+      course = course_by_law(drive);
+      return check_speed(d, TimeProblem::two_speeds);
+    }
+    const bool holds_still = motion_.drives[d].to.has_value() && drive.from == drive.to;
+    if (!knows_speed(drive) && !holds_still) {
+      complain(TimeProblem::no_speed, d);
+      return false;
+    }
+    course = steady_course(drive);
+    return end_steady_course(d, whole, course);
+  }
+
+  DriveCourse steady_course(const PlannedDrive& drive) const {
+    const bool is_known = knows_speed(drive);
+    return {.from = drive.from,
+            .to = drive.to,
+            .speed = is_known ? value_of(which()->motions, drive.freedom) : 0.0,
+            .acceleration = is_known ? acceleration_of(*which(), drive.freedom) : 0.0};
+  }
+
+  // False iff it ends elsewhere than its range does.
+  bool end_steady_course(std::size_t d, double time, DriveCourse& course) {
+    const double end = course.from + time * (course.speed + 0.5 * course.acceleration * time);
+    const bool is_given = motion_.drives[d].to.has_value();
+    const double size = std::abs(end) + std::abs(course.to) + std::abs(course.from);
+    if (is_given && std::abs(end - course.to) > kSameEnd * size) {
+      complain(motion_.time ? TimeProblem::other_end : TimeProblem::other_time, d);
+      return false;
+    }
+    course.to = is_given ? course.to : end;
+    plan_.drives[d].to = course.to;
+    return true;
   }
 
   // By the speeds and accelerations of the case, from `from` on.
   void plan_steady_courses() {
     std::vector<DriveCourse> courses;
     for (std::size_t d = 0; d < plan_.drives.size(); ++d) {
-      const PlannedDrive& drive = plan_.drives[d];
-      if (!knows_speed(drive)) {
+      if (!knows_speed(plan_.drives[d])) {
         if (motion_.time) {
           complain(TimeProblem::no_speed, d);
         }
         return;  // then the case tells the speeds in each position
       }
-      courses.push_back({.from = drive.from,
-                         .to = drive.to,
-                         .speed = value_of(which()->motions, drive.freedom),
-                         .acceleration = acceleration_of(*which(), drive.freedom)});
+      courses.push_back(steady_course(plan_.drives[d]));
     }
     std::optional<double> time = duration();
     for (std::size_t d = 0; d < courses.size() && !time; ++d) {
@@ -185,16 +343,9 @@ class MotionBinder {
       return;  // at rest, in every position
     }
     for (std::size_t d = 0; d < courses.size(); ++d) {
-      DriveCourse& course = courses[d];
-      const double end = course.from + *time * (course.speed + 0.5 * course.acceleration * *time);
-      const bool is_given = motion_.drives[d].to.has_value();
-      const double size = std::abs(end) + std::abs(course.to) + std::abs(course.from);
-      if (is_given && std::abs(end - course.to) > kSameEnd * size) {
-        complain(motion_.time ? TimeProblem::other_end : TimeProblem::other_time, d);
+      if (!end_steady_course(d, *time, courses[d])) {
         return;
       }
-      course.to = is_given ? course.to : end;
-      plan_.drives[d].to = course.to;
     }
     plan_.schedule.emplace(*time, std::move(courses));
   }

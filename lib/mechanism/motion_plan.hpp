@@ -51,13 +51,17 @@ struct MotionReport {
 /// Why a motion that is told in time has none.
 enum class TimeProblem {
   none,
-  no_speed,    ///< the case does not give a drive a speed, nor a law
-  two_speeds,  ///< both do
-  at_rest,     ///< a drive does not move, and nothing says how long
-  never,       ///< a drive turns back before it comes to where it should end
-  other_end,   ///< a drive ends elsewhere than the time says
-  other_time,  ///< drives come to their ends at unlike times
-  to_limit     ///< nobody knows before when a limit is met
+  no_speed,      ///< the case does not give a drive a speed, nor a law
+  two_speeds,    ///< both do
+  two_courses,   ///< the case, and a profile or a curve of the drive
+  too_long,      ///< its profile takes longer than the motion
+  beyond_curve,  ///< its curve does not reach over the whole time
+  no_duration,   ///< a curve that repeats does not tell how long
+  at_rest,       ///< a drive does not move, and nothing says how long
+  never,         ///< a drive turns back before it comes to where it should end
+  other_end,     ///< a drive ends elsewhere than the time says
+  other_time,    ///< drives come to their ends at unlike times
+  to_limit       ///< nobody knows before when a limit is met
 };
 
 struct MotionPlan {

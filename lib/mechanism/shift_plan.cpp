@@ -279,9 +279,10 @@ std::vector<Case> bind_described_cases(const MechanismDescription& description,
   const SectionContext context = {
       .description = description, .names = names, .evaluator = evaluator, .found = said_before};
   evaluator.measure_from(mechanism.geometry.origin);
-  std::vector<Case> cases = bind_cases(description, mechanism.topology, evaluator, said_before);
+  std::vector<Case> cases =
+      bind_cases(description, mechanism.topology, mechanism.curves, evaluator, said_before);
   KINESTAT_EXPECTS(!said_before.has_errors());
-  add_loads(bind_loads(context, bind_masses(context)), cases);
+  add_loads(bind_loads(context, bind_masses(context), mechanism.curves), cases);
   return cases;
 }
 

@@ -52,6 +52,34 @@ void emit_parameters(const HeadView& v, const Each<ParameterView>& each) {
   }
 }
 
+const Record<CurveDescription>& curve_record() {
+  using View = CurveDescription;
+  static const Record<View> record("One curve.", [](Record<View>& keys) {
+    const auto has_table = [](const View& v) { return !v.table.empty(); };
+    keys.text("over",
+              "What it is over: time, an actuator, or its speed.",
+              [](const View& v) { return v.over.text; })
+        .not_compared();
+    keys.count("points", "How many points it has.", [](const View& v) {
+      return static_cast<int>(v.points.size());
+    });
+    keys.text("table",
+              "The file of --curve from which it has its points.",
+              [](const View& v) { return printable(v.table); })
+        .not_compared()
+        .only_if(has_table);
+    keys.text("sha256", "Of that file, in hexadecimal.", [](const View& v) { return v.table_hash; })
+        .only_if(has_table);
+  });
+  return record;
+}
+
+void emit_curves(const HeadView& v, const Each<CurveDescription>& each) {
+  for (const CurveDescription& curve : v.description.curves) {
+    each(curve.name.text, curve);
+  }
+}
+
 const Record<FileUnits>& units_record() {
   static const Record<FileUnits> record(
       "Units of the numbers in this report.", [](Record<FileUnits>& keys) {
@@ -281,6 +309,8 @@ const Record<HeadView>& mechanism_record() {
                  "Parameters by name, as they were written or replaced by --set, with their "
                  "values.",
                  emit_parameters);
+        keys.map("curves", curve_record(), "Curves by name, as they were used.", emit_curves)
+            .only_if([](const HeadView& v) { return !v.description.curves.empty(); });
       });
   return record;
 }

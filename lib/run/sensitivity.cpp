@@ -65,9 +65,9 @@ void warn_of_cables(const Analysis& analysis, Diagnostics& found) {
   }
 }
 
-// Forces of inertia and springs.
+// Forces of inertia, springs and what follows curves.
 bool has_moving_loads(const CaseAnalysis& one) {
-  return one.which.has_inertia() || !one.springs.empty();
+  return one.which.has_inertia() || one.which.follows_curves() || !one.springs.empty();
 }
 
 void warn_of_moving_loads(const Analysis& analysis, Diagnostics& found) {
@@ -75,8 +75,8 @@ void warn_of_moving_loads(const Analysis& analysis, Diagnostics& found) {
   if (one != analysis.cases.end()) {
     found.warning("W0302",
                   one->which.where,
-                  "derivatives of actions are not analysed yet in cases with 'acceleration' or "
-                  "springs",
+                  "derivatives of actions are not analysed yet in cases with 'acceleration', "
+                  "springs or curves",
                   "compare two analyses with --set");
   }
 }

@@ -39,10 +39,11 @@ SECTIONS = {
                 None: "couplings"},
     "power": {"into_head": "couplings", "supplied": "supplied", "actuator": "actuators",
               "load": "loads", "friction": "friction", "body": "bodies", "mesh": "meshes"},
+    "dynamics": {"body": "bodies", "reduced": "reduced"},
 }
 
 # Tables have the ratio of a case in the pass of its magnitudes.
-RATIOS = {"kinematics": "ratio", "statics": "torque_ratio", "power": None}
+RATIOS = {"kinematics": "ratio", "statics": "torque_ratio", "power": None, "dynamics": None}
 
 LOSSES = {"loss": "meshes", "lossy_friction": "friction", "lossy_action": "actuators"}
 
@@ -239,6 +240,8 @@ def status_of(report: Any, row: dict[str, str]) -> str:
         return "solved"
     if row["pass"] == "shift":
         return report["shift"]["states"][row["case"]]["class"] if row["case"] else "solved"
+    if row["pass"] == "dynamics":
+        return report["cases"][row["case"]]["kinematics"]["status"]
     value = report["cases"][row["case"]][row["pass"]]
     if row["pass"] == "statics" and row["quantity"].startswith("contact/"):
         return value["contacts"][row["element"]]["belt_state"]

@@ -159,16 +159,12 @@ class DynamicsTest(unittest.TestCase):
         for name in ("slider_crank_engine", "four_bar_masses", "four_bar_balanced", "quick_return",
                      "watt_six_bar", "rssr", "cardan_shaft", "gyroscope", "stewart_platform"):
             case = CASES[name]
-            # An engine without its gas: no force over a position is known here.
-            if "curves:" in case["yaml"]:
-                continue
             with self.subTest(name):
                 motion = motion_of(case)
                 self.assertGreaterEqual(len(motion.rows), len(case["expected"]["rows"]))
                 for step in range(len(case["expected"]["rows"])):
                     self.check_row(case, motion, step)
                 self.check_drawn(case)
-
 
     def test_friction_by_what_presses_with_inertia(self) -> None:
         """Nine scalar equations, solved to 1e-36."""
@@ -480,6 +476,31 @@ motion: {drive: motor, to: 360 deg, steps: 20, case: running}
                     self.near(motion["a.wz/position"][step], share, 0.01, f"s({u})")
                     self.near(motion["a.wz/velocity"][step], slope, 0.01, f"s'({u})")
                     self.near(motion["a.wz/acceleration"][step], bend, 0.01, f"s''({u})")
+
+    def test_drive_by_a_spline_through_a_table(self) -> None:
+        """Tridiagonal moments in 40 digits, and CubicSpline of SciPy."""
+        case = CASES["drive_table"]
+        tolerance = case["tolerance"]["relative"]
+        for spline in case["expected"]["splines"]:
+            ends = spline["ends"]
+            points = ", ".join(f"[{t} s, {x} rad]" for t, x in spline["points"])
+            last = spline["points"][-1][0]
+            steps = round(last / 0.01)
+            text = re.sub(r"points: \[.*\]\], ", f"points: [{points}], ", case["yaml"])
+            text = text.replace("ends: rest", f"ends: {ends}").replace("steps: 12", f"steps: {steps}")
+            text = text.replace("case: turning", "case: turning, report: [position, velocity, "
+                                f"acceleration], time: {last} s")
+            with self.subTest(ends):
+                motion = Motion(program.run("motion", "-", text=text))
+                columns = [motion[f"a.wz/{quantity}"]
+                           for quantity in ("position", "velocity", "acceleration")]
+                scales = [max(abs(value) for value in column) for column in columns]
+                for time, *values in spline["values"]:
+                    step = round(time / 0.01)
+                    self.near(motion["time"][step], time, 1.0, "time")
+                    for column, scale, value in zip(columns, scales, values):
+                        self.assertLessEqual(abs(column[step] - value), tolerance * scale,
+                                             f"{ends} at {time} s: {column[step]} is not {value}")
 
     def test_equivalent_inertia_of_gears(self) -> None:
         """Fractions, by the speeds of Willis' equations."""

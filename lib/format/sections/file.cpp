@@ -185,6 +185,10 @@ void declare_loads(Mapping<File>& m) {
       .at(&File::loads_where);
   m.key("springs", "Springs, dampers and gas springs by name; they act in every case.")
       .may(&File::springs, springs);
+  m.key("curves",
+        "Numbers that move, by name: over time, or over the position or the speed of an actuator. "
+        "Loads and actions of cases may name them.")
+      .may(&File::curves, curves);
   m.key("gravity",
         "The acceleration of gravity as a vector, [x, y] in the plane, [x, y, z] in space; it acts "
         "on bodies with a mass.")

@@ -12,12 +12,87 @@ namespace {
 constexpr const char* kDrivesHint =
     "write drives: [{drive: NAME, from: 0 deg, to: 90 deg}, …], or drive, from and to for one";
 
+Form<DriveLaw> drive_law() {
+  return choice_of<DriveLaw>(
+      {{"constant_speed", "speed jumps at both ends"},
+       {"constant_acceleration", "speeds up for half of the time"},
+       {"trapezoid", "speeds up in 'ramp' of the time, then runs steadily"},
+       {"polynomial_345", "acceleration begins and ends at zero"},
+       {"polynomial_4567", "its derivative too"},
+       {"cycloidal", "acceleration is a sine"},
+       {"harmonic", "acceleration is a cosine"},
+       {"modified_trapezoid", "least largest acceleration of the smooth ones"},
+       {"modified_sine", "least largest torque of the smooth ones"}});
+}
+
+const Mapping<ProfilePart>& profile_part() {
+  static const Mapping<ProfilePart> mapping(
+      "profile_part",
+      "A part of how a drive runs: to a place by a law, or a dwell.",
+      "{to: 90 deg, time: 0.3 s, law: polynomial_345}",
+      [](auto& m) {
+        m.key("to", "Where it ends, measured from the drawn position.")
+            .may(&ProfilePart::to, drawn_position(), "90 deg");
+        m.key("time", "How long that takes.").may(&ProfilePart::time, duration(), "0.3 s");
+        m.key("law", "How it runs there, from rest to rest.")
+            .may(&ProfilePart::law, drive_law(), "polynomial_345")
+            .usual("polynomial_345");
+        m.key("ramp", "Of law trapezoid: the share of the time for speeding up, above 0 to 1/2.")
+            .may(&ProfilePart::ramp, above_zero(), "1/3")
+            .usual("1/3");
+        m.key("dwell", "Instead of these: for how long it stays where it is.")
+            .may(&ProfilePart::dwell, duration(), "0.2 s");
+        m.rule({.kind = FormRule::Kind::one_of,
+                .others = {"to", "dwell"},
+                .message = "{} needs one of 'to' and 'dwell'",
+                .hint = "write {to: 90 deg, time: 0.3 s, law: polynomial_345}, or {dwell: 0.2 s}"});
+        m.rule({.kind = FormRule::Kind::together,
+                .key = "to",
+                .others = {"time"},
+                .message = "{} has a place but no time",
+                .hint = "add how long it takes to get there, for example time: 0.3 s"});
+        m.rule({.kind = FormRule::Kind::excludes,
+                .key = "dwell",
+                .others = {"time", "law", "ramp"},
+                .message = "{} dwells, and has 'time', 'law' or 'ramp' too",
+                .hint = "write {dwell: 0.2 s} alone"});
+      });
+  return mapping;
+}
+
 void declare_drive(Mapping<DriveRange>& m) {
   m.key("drive", "The actuator that drives.")
       .needed(&DriveRange::actuator, name_of("an actuator"), "drive");
   m.key("from", "Where the motion begins, measured from the drawn position.")
       .may(&DriveRange::from, drawn_position(), "0 deg")
       .usual("0");
+}
+
+void declare_course(Mapping<DriveRange>& m) {
+  m.key("profile",
+        "Instead of 'to': how it runs in time, part by part; behind the last one it rests.")
+      .may(&DriveRange::profile,
+           list_of(profile_part().form(), "part {0} of {1}"),
+           "[{to: 90 deg, time: 0.3 s, law: cycloidal}, {dwell: 0.2 s}]");
+  m.key("curve",
+        "Instead of 'to': the curve over time that it follows, of between: cubic; 'from' is its "
+        "value at 0.")
+      .may(&DriveRange::curve, name_of("a curve over time"), "feed");
+}
+
+// Of the mapping in which the keys of a drive stand.
+template <class T>
+void declare_course_rules(Mapping<T>& m) {
+  m.rule({.kind = FormRule::Kind::excludes,
+          .key = "profile",
+          .others = {"to", "curve"},
+          .message = "{} has 'profile', and 'to' or 'curve' too",
+          .hint = "keep one of 'to', 'profile' and 'curve'"});
+  m.rule({.kind = FormRule::Kind::excludes,
+          .key = "curve",
+          .others = {"to", "from"},
+          .message = "{} has 'curve', and 'from' or 'to' too",
+          .hint = "the curve says where the drive is at any time: remove the other"});
 }
 
 const Mapping<DriveRange>& drive_range() {
@@ -32,6 +107,7 @@ const Mapping<DriveRange>& drive_range() {
                                                    "back, -limit: where it does so backwards.")
                                                  .needed(
                                                      &DriveRange::to, drawn_position(), "360 deg");
+                                             declare_course(m);
                                            });
   return mapping;
 }
@@ -48,13 +124,15 @@ const Mapping<DriveRange>& one_of_several() {
               "Where the motion ends, measured from the drawn position; with 'time' and without a "
               "law it follows from the speed.")
             .may(&DriveRange::to, drawn_position(), "360 deg");
+        declare_course(m);
+        declare_course_rules(m);
       });
   return mapping;
 }
 
 void check_drive_ends(const MotionDescription& motion, const FileValue& value) {
   for (std::size_t d = 0; d < motion.drives.size() && !motion.time; ++d) {
-    if (!motion.drives[d].to) {
+    if (!motion.drives[d].to && !motion.drives[d].has_course()) {
       value.found.error("E0303",
                         motion.drives[d].where,
                         fmt::format("drive {} of 'motion' lacks the key 'to'", d + 1),
@@ -76,19 +154,6 @@ const Mapping<TracePoint>& trace_point() {
             .may(&TracePoint::name, new_name("a traced point"), "pen");
       });
   return mapping;
-}
-
-Form<DriveLaw> drive_law() {
-  return choice_of<DriveLaw>(
-      {{"constant_speed", "speed jumps at both ends"},
-       {"constant_acceleration", "speeds up for half of the time"},
-       {"trapezoid", "speeds up in 'ramp' of the time, then runs steadily"},
-       {"polynomial_345", "acceleration begins and ends at zero"},
-       {"polynomial_4567", "its derivative too"},
-       {"cycloidal", "acceleration is a sine"},
-       {"harmonic", "acceleration is a cosine"},
-       {"modified_trapezoid", "least largest acceleration of the smooth ones"},
-       {"modified_sine", "least largest torque of the smooth ones"}});
 }
 
 void declare_report(Mapping<MotionDescription>& m) {
@@ -135,7 +200,10 @@ const Mapping<MotionDescription>& motion_section() {
         m.key("ramp", "Of law trapezoid: the share of the time for speeding up, above 0 to 1/2.")
             .may(&MotionDescription::ramp, above_zero(), "1/3")
             .usual("1/3");
-        m.rule({.kind = FormRule::Kind::spares, .key = "time", .others = {"to"}});
+        declare_course_rules(m);
+        for (const std::string_view course : {"time", "profile", "curve"}) {
+          m.rule({.kind = FormRule::Kind::spares, .key = course, .others = {"to"}});
+        }
         m.rule({.kind = FormRule::Kind::together,
                 .key = "law",
                 .others = {"time"},

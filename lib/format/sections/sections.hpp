@@ -17,6 +17,7 @@ Form<std::vector<CableDescription>> cables();
 Form<std::vector<ActuatorDescription>> actuators();
 Form<std::vector<LoadDescription>> loads();
 Form<std::vector<SpringDescription>> springs();
+Form<std::vector<CurveDescription>> curves();
 Form<std::vector<CaseDescription>> cases();
 const Mapping<LossDescription>& losses_section();
 const Mapping<ShiftDescription>& shift_section();

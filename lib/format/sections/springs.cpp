@@ -74,6 +74,11 @@ const Mapping<SpringDescription>& spring() {
               "Instead of these: its action in the drawn position, on a freedom of the tail on the "
               "head, between points positive where it pushes.")
             .may(&SpringDescription::drawn, action(), "-300 N");
+        m.key("force",
+              "Beside these: its force, between points positive where it pushes, on a freedom of "
+              "the "
+              "tail on the head. It may name curves.")
+            .may(&SpringDescription::force, action(), "300 N");
         m.key("acts", "Between points: whether it pushes and pulls, or one of these alone.")
             .may(&SpringDescription::acts,
                  choice_of<SpringSense>({{"both", "pushes and pulls"},
@@ -98,8 +103,8 @@ const Mapping<SpringDescription>& spring() {
                 .message = "{} is a gas spring, which needs two points",
                 .hint = "write bodies: [TAIL, HEAD] and at: {TAIL: […], HEAD: […]}"});
         m.rule({.kind = FormRule::Kind::any_of,
-                .others = {"stiffness", "damping", "gas"},
-                .message = "{} has neither 'stiffness' nor 'damping' nor 'gas'",
+                .others = {"stiffness", "damping", "gas", "force"},
+                .message = "{} has neither 'stiffness' nor 'damping' nor 'gas' nor 'force'",
                 .hint = "add for example stiffness: 8 N/mm"});
       });
   return mapping;

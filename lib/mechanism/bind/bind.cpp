@@ -18,6 +18,8 @@
 #include "mechanism/check/section_checks.hpp"
 #include "mechanism/couplings/drawn_coupling_binder.hpp"
 #include "mechanism/couplings/internal/compliance_binder.hpp"
+#include "mechanism/curves/curve_binder.hpp"
+#include "mechanism/curves/moving_number_binder.hpp"
 #include "mechanism/gears/internal/gear_binder.hpp"
 #include "mechanism/gears/internal/gear_check.hpp"
 #include "mechanism/gears/internal/losses.hpp"
@@ -60,6 +62,14 @@ void check_order(const MechanismDescription& description,
   }
 }
 
+// Whatever the curves that it follows are.
+bool may_leave_plane(const MovingLoad& load) {
+  const auto acts = [](const MovingNumber& one) { return one.law != nullptr || one.value != 0.0; };
+  const bool is_in_plane = !load.point || load.point->z() == 0.0;
+  return acts(load.force[2]) || acts(load.couple[0]) || acts(load.couple[1]) ||
+         (!is_in_plane && std::ranges::any_of(load.force, acts));
+}
+
 void check_order_of_loads(const MechanismDescription& description,
                           const std::vector<Case>& cases,
                           Diagnostics& found) {
@@ -69,6 +79,12 @@ void check_order_of_loads(const MechanismDescription& description,
   for (const Case& one : cases) {
     for (const Load& load : one.loads) {
       if (leaves_plane(load.acts.wrench)) {
+        refuse_planar_order(description, fmt::format("load '{}'", load.name), found);
+        return;
+      }
+    }
+    for (const MovingLoad& load : one.moving_loads) {
+      if (may_leave_plane(load)) {
         refuse_planar_order(description, fmt::format("load '{}'", load.name), found);
         return;
       }
@@ -114,7 +130,9 @@ void check_cases(const MechanismDescription& description, Evaluator& evaluator) 
   for (const CaseDescription& one : description.cases) {
     for (const auto* side : {&one.motions, &one.actions}) {
       for (const Assignment& assignment : *side) {
-        (void)evaluator.quantity(assignment.value);
+        if (side == &one.motions || !names_curve(assignment.value, description)) {
+          (void)evaluator.quantity(assignment.value);
+        }
       }
     }
   }
@@ -171,8 +189,9 @@ void bind_sections(const SectionContext& context, bool has_structure, Mechanism&
   const int errors_before = context.found.error_count();
   check_sections(context);
   const std::vector<DescribedMass> masses = bind_masses(context);
-  std::vector<std::vector<Load>> loads = bind_loads(context, masses);
-  std::vector<Spring> springs = bind_springs(context, has_structure ? &result.topology : nullptr);
+  std::vector<CaseLoads> loads = bind_loads(context, masses, result.curves);
+  std::vector<Spring> springs =
+      bind_springs(context, has_structure ? &result.topology : nullptr, result.curves);
   if (context.found.error_count() > errors_before || !has_structure) {
     return;
   }
@@ -234,12 +253,14 @@ std::optional<Mechanism> bind_for(Purpose purpose,
                                              : description.space};
   if (description.has_mechanism()) {
     const bool is_good = bind_whole_structure(context, spaces, result);
-    if (!is_good || !has_all_screws(description)) {
+    const bool has_names = is_good && has_all_screws(description);
+    result.curves = bind_curves(context, has_names ? &result.topology : nullptr);
+    if (!has_names) {
       check_cases(description, evaluator);
       check_case_names(context);
     } else if (bind_graph(description, found, result)) {
       has_structure = true;
-      result.cases = bind_cases(description, result.topology, evaluator, found);
+      result.cases = bind_cases(description, result.topology, result.curves, evaluator, found);
       result.planet_counts = bind_planet_counts(description, result.topology, evaluator);
       result.load_sharing = bind_load_sharing(description, result.topology, evaluator);
       result.compliances = bind_compliances(description, result.topology, evaluator);
@@ -256,6 +277,7 @@ std::optional<Mechanism> bind_for(Purpose purpose,
   }
   if (found.error_count() == errors_before) {
     evaluator.warn_of_unused();
+    warn_of_unused_curves(description, found);
     warn_of_idle_stiffness(description, found);
     if (description.motion) {  // at rest, coaxial bearings are as good as any
       warn_of_links_without_length(result, found);

@@ -91,6 +91,25 @@ std::span<const std::string> EvaluatorOf<Scalar>::known_names() const {
   return found_.is_hint_worth_it() ? table_.names() : std::span<const std::string>();
 }
 
+// A curve stands where numbers may move.
+template <class Scalar>
+void EvaluatorOf<Scalar>::complain(const Value& value, const ExpressionError& error) {
+  const std::string_view text = value.expression.text();
+  const auto offset = static_cast<std::size_t>(error.offset);
+  const std::string_view name =
+      offset < text.size() ? text.substr(offset, static_cast<std::size_t>(error.length)) : "";
+  const bool is_curve = std::ranges::any_of(
+      description_.curves, [&](const CurveDescription& curve) { return curve.name.text == name; });
+  if (error.code == "E0311" && is_curve) {
+    found_.error("E0311",
+                 place_in(value, error),
+                 fmt::format("'{}' is a curve, and this number does not move", name),
+                 "curves stand in 'force' and 'couple' of loads and in 'action' of cases");
+  } else {
+    found_.error(error.code, place_in(value, error), error.message, error.hint);
+  }
+}
+
 template <class Scalar>
 std::optional<Scalar> EvaluatorOf<Scalar>::number(const Value& value, QuantityKind kind) {
   table_.mark_used(value.expression);
@@ -100,7 +119,7 @@ std::optional<Scalar> EvaluatorOf<Scalar>::number(const Value& value, QuantityKi
   const auto result = evaluate_as<Scalar>(
       kind, value.expression, description_.units, table_.lookup(), known_names());
   if (const auto* error = std::get_if<ExpressionError>(&result)) {
-    found_.error(error->code, place_in(value, *error), error->message, error->hint);
+    complain(value, *error);
     return std::nullopt;
   }
   const Scalar number = std::get<Scalar>(result);
@@ -175,7 +194,7 @@ std::optional<BasicQuantity<Scalar>> EvaluatorOf<Scalar>::quantity(const Value& 
   }
   const auto result = evaluate<Scalar>(value.expression, table_.lookup(), known_names());
   if (const auto* error = std::get_if<ExpressionError>(&result)) {
-    found_.error(error->code, place_in(value, *error), error->message, error->hint);
+    complain(value, *error);
     return std::nullopt;
   }
   return std::get<BasicQuantity<Scalar>>(result);

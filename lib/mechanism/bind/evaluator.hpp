@@ -66,6 +66,7 @@ class EvaluatorOf {
   void refuse_values_by_rounding() const;
 
  private:
+  void complain(const Value& value, const ExpressionError& error);
   void warn_of_degrees(const Value& value, double angle);
   std::optional<double> from_origin(const Value& coordinate, double origin) const;
   std::span<const std::string> known_names() const;  // that a hint may suggest

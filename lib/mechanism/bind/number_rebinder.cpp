@@ -57,7 +57,10 @@ CaseNumbersOf<Scalar> NumberRebinder<Scalar>::bind_case(const CaseDescription& d
   }
   for (std::size_t i = 0; i < bound.actions.size(); ++i) {
     const auto a = static_cast<std::size_t>(bound.actions[i].index);
-    result.actions.push_back(number(description.actions[i].value, kind_of(topology.actions[a])));
+    const bool moves = bound.actions[i].moves();  // and is no number yet
+    result.actions.push_back(
+        moves ? Scalar(bound.actions[i].value)
+              : number(description.actions[i].value, kind_of(topology.actions[a])));
   }
   for (const Load& load : bound.loads) {
     result.loads.push_back(bind_load(load, description));

@@ -33,7 +33,8 @@ bool has_more_than_couplings(const MechanismDescription& description, const Mech
     return one.friction != nullptr || one.characteristic != nullptr;
   };
   return !description.cables.empty() || !description.loads.empty() || description.gravity ||
-         !mechanism.contacts.empty() || std::ranges::any_of(description.cases, has_loads) ||
+         !description.curves.empty() || !mechanism.contacts.empty() ||
+         std::ranges::any_of(description.cases, has_loads) ||
          std::ranges::any_of(description.couplings, may_rub);
 }
 

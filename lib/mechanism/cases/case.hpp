@@ -1,12 +1,15 @@
 // A case bound to numbers: what is known of the motions and actions, and what acts from outside.
 #pragma once
 
+#include <algorithm>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/source.hpp"
 #include "mechanism/cases/load.hpp"
+#include "mechanism/cases/moving_load.hpp"
 
 namespace kinestat {
 
@@ -17,6 +20,10 @@ struct Primary {
   std::string given;  ///< how the file names it: an actuator, or coupling.freedom
   SourceRange where;
   bool is_assumed = false;  ///< not of the file: the rate of a freedom that no other body feels
+  std::shared_ptr<const NumberLaw<double>> law =
+      nullptr;  ///< of an action that follows curves: its value is known once the case is solved
+
+  bool moves() const { return law != nullptr; }
 };
 
 /// Inputs and outputs are actuators and loads, by their indices; empty where the file does not say.
@@ -30,14 +37,20 @@ struct Case {
       {};  ///< [rad/s² or m/s²] of some of `motions`, the others being steady: the forces of
            ///< inertia act; empty: they do not
   std::vector<Load> loads;   ///< on moving bodies: those of the file, then the weights, and once it
-                             ///< is solved the forces of inertia
+                             ///< is solved those that follow curves, springs and inertia
   std::vector<int> inputs;   ///< actuators
   std::vector<int> outputs;  ///< likewise
-  std::vector<std::size_t> input_loads = {};  ///< of `loads`: what drives as a weight that sinks
+  std::vector<std::size_t> input_loads = {};  ///< of `loads`, `moving_loads` behind them: what
+                                              ///< drives as a weight that sinks
   std::vector<std::size_t> output_loads = {};
+  std::vector<MovingLoad> moving_loads = {};  ///< of the file, on moving bodies
   SourceRange where;
 
   bool has_inertia() const { return accelerations.has_value(); }
+
+  bool follows_curves() const {
+    return !moving_loads.empty() || std::ranges::any_of(actions, &Primary::moves);
+  }
 
   /// Whether the file says where power goes in and where it comes out.
   bool names_both_ends() const {

@@ -7,6 +7,7 @@
 
 #include "core/text.hpp"
 #include "core/utf8.hpp"
+#include "mechanism/curves/moving_number_binder.hpp"
 #include "mechanism/label_kind.hpp"
 
 namespace kinestat {
@@ -39,9 +40,10 @@ class CaseBinder {
  public:
   CaseBinder(const MechanismDescription& description,
              const Topology& topology,
+             std::span<const Curve> curves,
              Evaluator& evaluator,
              Diagnostics& found)
-      : topology_(topology), evaluator_(evaluator), found_(found) {
+      : topology_(topology), curves_(curves), evaluator_(evaluator), found_(found) {
     add_loads(description.loads);
     for (const CaseDescription& one : description.cases) {
       add_loads(one.loads);
@@ -142,8 +144,8 @@ class CaseBinder {
     std::vector<Primary> primaries;
     for (const Assignment& assignment : assignments) {
       const std::optional<int> index = resolve(assignment.target, side);
-      const std::optional<double> value =
-          index ? evaluator_.number(assignment.value, kind_of(*index, side)) : std::nullopt;
+      const std::optional<MovingNumber> value =
+          index ? number(assignment.value, kind_of(*index, side), side) : std::nullopt;
       if (!value) {
         continue;
       }
@@ -158,11 +160,18 @@ class CaseBinder {
         continue;
       }
       primaries.push_back({.index = *index,
-                           .value = *value,
+                           .value = value->value,
                            .given = assignment.target.text,
-                           .where = assignment.target.where});
+                           .where = assignment.target.where,
+                           .law = value->law});
     }
     return primaries;
+  }
+
+  // Actions alone may follow curves.
+  std::optional<MovingNumber> number(const Value& value, QuantityKind kind, Side side) {
+    return bind_moving_number(
+        value, kind, side == Side::action ? curves_ : std::span<const Curve>(), evaluator_);
   }
 
   QuantityKind kind_of(int index, Side side) const {
@@ -261,6 +270,7 @@ class CaseBinder {
   }
 
   const Topology& topology_;
+  std::span<const Curve> curves_;
   Evaluator& evaluator_;
   Diagnostics& found_;
   Index freedoms_;
@@ -273,9 +283,10 @@ class CaseBinder {
 
 std::vector<Case> bind_cases(const MechanismDescription& description,
                              const Topology& topology,
+                             std::span<const Curve> curves,
                              Evaluator& evaluator,
                              Diagnostics& found) {
-  CaseBinder binder(description, topology, evaluator, found);
+  CaseBinder binder(description, topology, curves, evaluator, found);
   std::vector<Case> cases;
   for (const CaseDescription& one : description.cases) {
     cases.push_back(binder.bind(one));

@@ -1,6 +1,7 @@
 // The loads of cases in numbers.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "mechanism/cases/case.hpp"
@@ -10,15 +11,22 @@
 
 namespace kinestat {
 
-/// What acts in each case, in the order of the cases: the loads of the top level, each replaced by
-/// the case's own of its name, then the other ones of the case, then the weights. Places and
-/// wrenches are from the origin of the evaluator. Evaluates every load and complains; one on the
-/// ground, which does nothing, is left out with a warning.
-std::vector<std::vector<Load>> bind_loads(const SectionContext& context,
-                                          const std::vector<DescribedMass>& masses);
+/// What acts in a case: the loads of the top level, each replaced by the case's own of its name,
+/// then the other ones of the case, then the weights. Places and wrenches are from the origin of
+/// the evaluator.
+struct CaseLoads {
+  std::vector<Load> loads;
+  std::vector<MovingLoad> moving;  ///< those that follow curves
+};
+
+/// Of each case, in their order. Evaluates every load and complains; one on the ground, which does
+/// nothing, is left out with a warning.
+std::vector<CaseLoads> bind_loads(const SectionContext& context,
+                                  const std::vector<DescribedMass>& masses,
+                                  std::span<const Curve> curves);
 
 /// Gives the cases their loads; one on which any acts asks for its actions.
-void add_loads(std::vector<std::vector<Load>> loads, std::vector<Case>& cases);
+void add_loads(std::vector<CaseLoads> loads, std::vector<Case>& cases);
 
 /// Whether a name is that of a load of the file, of a load of the case, or of the weight of a body,
 /// be there one or not.

@@ -1,69 +1,16 @@
 #include "mechanism/couplings/torque_converter.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <variant>
 
 #include "core/rounding.hpp"
+#include "math/dense/interpolation.hpp"
 #include "math/numbers/dual.hpp"
 
 namespace kinestat {
-
-namespace {
-
-template <class Scalar>
-struct Chord {
-  Scalar width;
-  Scalar slope;
-};
-
-template <class Scalar>
-Chord<Scalar> chord(const CharacteristicCurveOf<Scalar>& curve, std::size_t i) {
-  const Scalar width = curve.at[i + 1] - curve.at[i];
-  return {.width = width, .slope = (curve.values[i + 1] - curve.values[i]) / width};
-}
-
-// Between two chords: their harmonic mean, weighted by their widths; none where they differ in
-// sense.
-template <class Scalar>
-Scalar inner_slope(const Chord<Scalar>& a, const Chord<Scalar>& b) {
-  if (value_of(a.slope) * value_of(b.slope) <= 0.0) {
-    return 0.0;
-  }
-  const Scalar first = Scalar(2.0) * b.width + a.width;
-  const Scalar second = b.width + Scalar(2.0) * a.width;
-  return (first + second) / (first / a.slope + second / b.slope);
-}
-
-// At an end that the chord `a` begins, which `b` follows.
-template <class Scalar>
-Scalar end_slope(const Chord<Scalar>& a, const Chord<Scalar>& b) {
-  const Scalar slope =
-      ((Scalar(2.0) * a.width + b.width) * a.slope - a.width * b.slope) / Scalar(a.width + b.width);
-  if (value_of(slope) * value_of(a.slope) <= 0.0) {
-    return 0.0;
-  }
-  const bool turns = value_of(a.slope) * value_of(b.slope) <= 0.0;
-  const bool is_steep = std::abs(value_of(slope)) > 3.0 * std::abs(value_of(a.slope));
-  return turns && is_steep ? Scalar(Scalar(3.0) * a.slope) : slope;
-}
-
-template <class Scalar>
-Scalar slope_at(const CharacteristicCurveOf<Scalar>& curve, std::size_t i) {
-  const std::size_t last = curve.at.size() - 1;
-  if (last == 1) {
-    return chord(curve, 0).slope;
-  }
-  if (i == 0) {
-    return end_slope(chord(curve, 0), chord(curve, 1));
-  }
-  return i == last ? end_slope(chord(curve, last - 1), chord(curve, last - 2))
-                   : inner_slope(chord(curve, i - 1), chord(curve, i));
-}
-
-}  // namespace
 
 template <class Scalar>
 std::optional<Scalar> CharacteristicCurveOf<Scalar>::value(const Scalar& speed_ratio) const {
@@ -85,14 +32,14 @@ std::optional<Scalar> CharacteristicCurveOf<Scalar>::value(const Scalar& speed_r
   while (i + 2 < at.size() && x > value_of(at[i + 1])) {
     ++i;
   }
-  const Chord<Scalar> one = chord(*this, i);
-  const Scalar t = (speed_ratio - at[i]) / one.width;
-  const Scalar from = slope_at(*this, i);
-  const Scalar to = slope_at(*this, i + 1);
-  // Hermite: the chord, and how the slopes at its ends differ from its own.
-  const Scalar rest = Scalar(1.0) - t;
-  return values[i] + one.width * (t * one.slope +
-                                  t * rest * (rest * (from - one.slope) - t * (to - one.slope)));
+  const std::span<const Scalar> places = at;
+  const std::span<const Scalar> heights = values;
+  const Secant<Scalar> one = secant(places, heights, i);
+  return hermite(values[i],
+                 one,
+                 monotone_slope(places, heights, i),
+                 monotone_slope(places, heights, i + 1),
+                 Scalar((speed_ratio - at[i]) / one.width));
 }
 
 template <class Scalar>

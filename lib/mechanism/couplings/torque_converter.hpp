@@ -22,9 +22,8 @@ struct CharacteristicCurveOf {
   std::vector<Scalar> values;  ///< at these
   std::optional<NumberLaw<Scalar>> law;
 
-  /// Cubic between neighbours, with slopes that leave it as monotone as the points are (Fritsch and
-  /// Butland 1984, p. 300 to 304; at the ends a parabola through three points, cut off likewise).
-  /// Empty beyond the table, and where the expression has no value.
+  /// Cubic between neighbours, as monotone as the points are (`monotone_slope`). Empty beyond the
+  /// table, and where the expression has no value.
   std::optional<Scalar> value(const Scalar& speed_ratio) const;
 
   template <class Change>

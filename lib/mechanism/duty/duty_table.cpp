@@ -266,13 +266,6 @@ class TableReader {
     return value;
   }
 
-  static std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t");
-    const std::size_t last = text.find_last_not_of(" \t");
-    return first == std::string_view::npos ? std::string_view()
-                                           : text.substr(first, last - first + 1);
-  }
-
   const MechanismDescription& description_;
   const Mechanism& mechanism_;
   std::string_view name_;

@@ -7,6 +7,7 @@
 #include "core/source.hpp"
 #include "core/types.hpp"
 #include "description/spring_description.hpp"
+#include "mechanism/curves/moving_number.hpp"
 
 namespace kinestat {
 
@@ -30,6 +31,7 @@ struct Spring {
   double stiffness = 0.0;    ///< [N/m or N·m/rad]
   double damping = 0.0;      ///< [N·s/m or N·m·s/rad]
   double free = 0.0;         ///< length or position without force [m or rad]
+  MovingNumber force;        ///< beside these: pushes [N], or acts on the freedom [N or N·m]
   SpringSense acts = SpringSense::both;
   std::optional<GasSpring> gas;
   SourceRange where;

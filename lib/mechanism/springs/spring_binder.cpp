@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/text.hpp"
+#include "mechanism/curves/moving_number_binder.hpp"
 
 namespace kinestat {
 
@@ -32,8 +33,9 @@ class SpringBinder {
  public:
   SpringBinder(const SpringDescription& spring,
                const SectionContext& context,
-               const Topology* topology)
-      : spring_(spring), context_(context), topology_(topology) {}
+               const Topology* topology,
+               std::span<const Curve> curves)
+      : spring_(spring), context_(context), topology_(topology), curves_(curves) {}
 
   // Empty if it is wrong, or the structure is not there.
   std::optional<Spring> bind() {
@@ -52,6 +54,10 @@ class SpringBinder {
     result.stiffness = number(spring_.stiffness, kinds.stiffness, kNotNegative, "stiffness");
     result.damping = damping(turns);
     bind_free(kinds, result);
+    if (spring_.force) {
+      result.force = bind_moving_number(*spring_.force, kinds.action, curves_, context_.evaluator)
+                         .value_or(MovingNumber{});
+    }
     if (spring_.gas) {
       bind_gas(*spring_.gas, result);
     }
@@ -221,15 +227,18 @@ class SpringBinder {
   const SpringDescription& spring_;
   const SectionContext& context_;
   const Topology* topology_;
+  std::span<const Curve> curves_;
   bool turns_ = false;
 };
 
 }  // namespace
 
-std::vector<Spring> bind_springs(const SectionContext& context, const Topology* topology) {
+std::vector<Spring> bind_springs(const SectionContext& context,
+                                 const Topology* topology,
+                                 std::span<const Curve> curves) {
   std::vector<Spring> springs;
   for (const SpringDescription& one : context.description.springs) {
-    if (std::optional<Spring> spring = SpringBinder(one, context, topology).bind()) {
+    if (std::optional<Spring> spring = SpringBinder(one, context, topology, curves).bind()) {
       springs.push_back(*std::move(spring));
     }
   }

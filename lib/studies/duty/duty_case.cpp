@@ -103,7 +103,8 @@ std::size_t index_of(std::span<const LossyMesh> meshes, CouplingId coupling) {
 
 bool has_plain_statics(const Mechanism& mechanism) {
   const Topology& topology = mechanism.topology;
-  return mechanism.contacts.empty() && mechanism.springs.empty() &&
+  return mechanism.contacts.empty() && mechanism.springs.empty() && mechanism.curves.empty() &&
+         std::ranges::none_of(mechanism.cases, &Case::has_inertia) &&
          std::ranges::none_of(topology.couplings,
                               [](const CouplingTopology& one) {
                                 return kind_of(one.type).only_pushes || one.bears_tension();

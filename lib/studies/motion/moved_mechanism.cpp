@@ -41,6 +41,12 @@ class MechanismMover {
       for (std::size_t l = 0; l < moved.cases[c].loads.size(); ++l) {
         move_load(mechanism_.cases[c].loads[l], moved.cases[c].loads[l]);
       }
+      for (std::size_t l = 0; l < moved.cases[c].moving_loads.size(); ++l) {
+        const MovingLoad& drawn = mechanism_.cases[c].moving_loads[l];
+        if (drawn.point) {
+          moved.cases[c].moving_loads[l].point = pose(drawn.body).point(*drawn.point);
+        }
+      }
     }
   }
 

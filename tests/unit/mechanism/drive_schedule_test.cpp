@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -71,6 +72,15 @@ TEST(DriveLaw, begins_and_ends_with_the_range) {
   }
 }
 
+// The first and the last tenth of the time speed up and slow down: 1/(0.1 · 0.9).
+TEST(DriveLaw, has_the_acceleration_behind_a_jump) {
+  EXPECT_EQ(law_at(DriveLaw::trapezoid, 0.1, 0.1).bend, 0.0);
+  EXPECT_EQ(law_at(DriveLaw::trapezoid, 0.1, 0.3 - 0.2).bend, 0.0);
+  EXPECT_NEAR(law_at(DriveLaw::trapezoid, 0.1, 0.9).bend, -1.0 / 0.09, 1e-12);
+  EXPECT_NEAR(law_at(DriveLaw::trapezoid, 1.0 / 3.0, 2.0 / 3.0).bend, -4.5, 1e-12);
+  EXPECT_EQ(law_at(DriveLaw::constant_acceleration, 0.1, 0.5 - 1e-16).bend, -4.0);
+}
+
 TEST(DriveSchedule, runs_straight_in_proportion_without_turning_back) {
   const DriveSchedule straight(
       2.0, {{.from = 0, .to = 4, .speed = 2}, {.from = 1, .to = -1, .speed = -1}});
@@ -90,6 +100,30 @@ TEST(DriveSchedule, tells_the_time_of_a_place) {
   EXPECT_TRUE(schedule.is_straight());
   EXPECT_NEAR(schedule.time_of(2.0 / 6.0), 0.5, 1e-15);
   EXPECT_EQ(schedule.time_of(1.0), 1.0);
+}
+
+// A way of 4 in the first quarter, then a dwell, then back within a quarter, then rest.
+TEST(DriveSchedule, dwells_and_rests_where_its_parts_end) {
+  using enum DriveLaw;
+  const DriveSchedule schedule(
+      8.0,
+      {{.from = 1,
+        .to = 1,
+        .parts = {{.begin = 0.0, .end = 0.25, .from = 1, .to = 5, .law = harmonic},
+                  {.begin = 0.25, .end = 0.5, .from = 5, .to = 5},
+                  {.begin = 0.5, .end = 0.75, .from = 5, .to = 1, .law = constant_speed}}}});
+
+  EXPECT_FALSE(schedule.is_straight());
+  EXPECT_EQ(schedule.at(0, 0.125).position, 3.0);
+  EXPECT_NEAR(schedule.at(0, 0.125).speed, 4.0 / 2.0 * std::numbers::pi / 2.0, 1e-15);
+  EXPECT_EQ(schedule.at(0, 0.25).position, 5.0);
+  EXPECT_EQ(schedule.at(0, 0.375).speed, 0.0);
+  EXPECT_EQ(schedule.at(0, 0.625).position, 3.0);
+  EXPECT_EQ(schedule.at(0, 0.625).speed, -2.0);
+  EXPECT_EQ(schedule.at(0, 0.75).position, 1.0);
+  EXPECT_EQ(schedule.at(0, 1.0).position, 1.0);
+  EXPECT_EQ(schedule.at(0, 1.0).speed, 0.0);
+  EXPECT_EQ(schedule.jumps(), (std::vector<double>{0.5, 0.75}));
 }
 
 }  // namespace

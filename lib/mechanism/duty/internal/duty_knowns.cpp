@@ -54,6 +54,9 @@ std::string cases_hint(const Mechanism& mechanism, std::string_view label) {
 }
 
 std::string why_no_point(const Case& which) {
+  if (std::ranges::any_of(which.actions, &Primary::moves)) {
+    return fmt::format("an action of case '{}' follows a curve", which.label);
+  }
   return which.asks_motions && which.asks_actions
              ? ""
              : fmt::format("case '{}' knows no {}",

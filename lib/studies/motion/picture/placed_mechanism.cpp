@@ -77,6 +77,29 @@ class Placer {
         .number(value, turns() ? QuantityKind::angle : QuantityKind::length);
   }
 
+  // When a motion in time first has the first drive there, as share of its time.
+  std::optional<double> time_at(double at) const {
+    constexpr int kLooks = 1000;
+    const auto beyond = [&](double time) { return plan_.schedule->at(0, time).position - at; };
+    for (int k = 0; plan_.schedule && k < kLooks; ++k) {
+      double low = static_cast<double>(k) / kLooks;
+      double high = static_cast<double>(k + 1) / kLooks;
+      const bool was_beyond = beyond(low) > 0.0;
+      if (beyond(low) == 0.0) {
+        return low;
+      }
+      if ((beyond(high) > 0.0) == was_beyond && beyond(high) != 0.0) {
+        continue;
+      }
+      for (double middle = 0.5 * (low + high); low < middle && middle < high;
+           middle = 0.5 * (low + high)) {
+        ((beyond(middle) > 0.0) == was_beyond && beyond(middle) != 0.0 ? low : high) = middle;
+      }
+      return high;
+    }
+    return std::nullopt;
+  }
+
   // From where the motion begins to where the first drive is there; others that move go with it.
   MotionPlan way_to(double at) const {
     MotionPlan plan = plan_;
@@ -86,9 +109,13 @@ class Placer {
     plan.schedule.reset();
     plan.time_problem = TimeProblem::none;
     PlannedDrive& first = plan.drives.front();
-    const double share = (at - first.from) / (first.to - first.from);
-    for (PlannedDrive& one : plan.drives) {
-      one.to = one.from + share * (one.to - one.from);
+    // Where the first drive comes back to its beginning, nothing tells where others are.
+    const double share = first.to == first.from ? 0.0 : (at - first.from) / (first.to - first.from);
+    const std::optional<double> time = time_at(at);
+    for (std::size_t d = 0; d < plan.drives.size(); ++d) {
+      PlannedDrive& one = plan.drives[d];
+      one.to =
+          time ? plan_.schedule->at(d, *time).position : one.from + share * (one.to - one.from);
       one.until_limit = false;
     }
     first.to = at;
@@ -119,16 +146,21 @@ class Placer {
     placed_.positions.push_back(std::move(drawn.positions.front()));
     placed_.words.push_back(words_of(at));
     if (which >= 0) {
-      add_case(*motion, which);
+      add_case(*motion, which, time_at(at));
     }
     return true;
   }
 
-  void add_case(const FoundMotion& motion, int which) {
+  // With the speeds and the time that the motion has there, if it is of that case.
+  void add_case(const FoundMotion& motion, int which, std::optional<double> time) {
     MotionPlan plan = motion.plan;
     plan.which = which;
+    if (time && which == plan_.which) {
+      plan.schedule = plan_.schedule;
+    }
     const MotionDetail detail{
-        .velocity = !mechanism_.cases[static_cast<std::size_t>(which)].motions.empty(),
+        .velocity =
+            plan.schedule || !mechanism_.cases[static_cast<std::size_t>(which)].motions.empty(),
         .acceleration = mechanism_.cases[static_cast<std::size_t>(which)].has_inertia(),
         .statics = true,
         .transmission_angle = false,
@@ -136,7 +168,8 @@ class Placer {
     MotionPositions positions(mechanism_, plan, motion.network, motion.drawn, detail);
     const MotionPosition position =
         positions.at(motion.solution.configuration_at(motion.solution.position_count() - 1),
-                     motion.solution.shares.back());
+                     motion.solution.shares.back(),
+                     plan.schedule ? time : std::nullopt);
     if (!position.solved) {
       found_.warning(
           "W0503",

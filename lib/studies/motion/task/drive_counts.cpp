@@ -27,12 +27,12 @@ class DriveCounter {
   }
 
  private:
-  // An end that is left out is where the mechanism is drawn.
+  // An end that is left out is where the mechanism is drawn, or follows from the time.
   std::optional<Rational> count(const std::optional<Value>& typed,
                                 QuantityKind kind,
                                 double planned) {
     if (!typed) {
-      return Rational(0);
+      return planned == 0.0 ? std::optional(Rational(0)) : std::nullopt;
     }
     const auto value =
         evaluate_as<Exact>(kind, typed->expression, description_.units, table_.lookup(), {});
@@ -58,7 +58,8 @@ std::vector<std::optional<WholeRange>> drive_counts(const MechanismDescription& 
   for (std::size_t d = 0; d < plan.drives.size(); ++d) {
     const PlannedDrive& drive = plan.drives[d];
     const bool turns = topology.freedoms[static_cast<std::size_t>(drive.freedom)].is_rotation;
-    counts.push_back(d < typed.size() ? counter.count(typed[d], drive, turns) : std::nullopt);
+    const bool has_range = d < typed.size() && (!plan.schedule || plan.schedule->is_straight());
+    counts.push_back(has_range ? counter.count(typed[d], drive, turns) : std::nullopt);
   }
   return counts;
 }

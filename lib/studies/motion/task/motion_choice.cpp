@@ -54,9 +54,14 @@ void replace_drive(const MotionChoice& choice, MotionDescription& motion, Diagno
                 "add motion: {drive: NAME, to: VALUE}, or write --drive NAME --to VALUE");
     return;
   }
+  if (choice.from || choice.to) {
+    motion.drives.front().profile.clear();
+    motion.drives.front().curve.reset();
+  }
   replace("--from", choice.from, motion.drives.front().from, found);
   replace("--to", choice.to, motion.drives.front().to, found);
-  if (!motion.drives.front().to && !motion.time && !found.has_errors()) {
+  if (!motion.drives.front().to && !motion.drives.front().has_course() && !motion.time &&
+      !found.has_errors()) {
     found.error("E0101",
                 {},
                 fmt::format("the motion of '{}' has no end",

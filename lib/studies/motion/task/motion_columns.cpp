@@ -378,6 +378,9 @@ class ReadingList {
     for (const Load& load : which().loads) {
       names.push_back(load.name);
     }
+    for (const MovingLoad& load : which().moving_loads) {
+      names.push_back(load.name);
+    }
     std::ranges::move(spring_load_names(mechanism_), std::back_inserter(names));
     if (which().has_inertia()) {
       std::ranges::move(inertial_load_names(mechanism_), std::back_inserter(names));

@@ -52,10 +52,11 @@ MotionPositions::MotionPositions(const Mechanism& mechanism,
       moved_(mechanism),
       states_(network, mechanism) {}
 
-// The case with the speeds and accelerations that the drives have then.
+// The case with the speeds and accelerations that the drives have then, be there inertia or not.
 Case MotionPositions::case_at(double time) const {
   Case now = mechanism_.cases[static_cast<std::size_t>(plan_.which)];
   now.asks_motions = true;
+  now.accelerations = now.accelerations.value_or(std::vector<Primary>());
   const auto set = [](std::vector<Primary>& list, const PlannedDrive& drive, double value) {
     const auto at = std::ranges::find(list, drive.freedom, &Primary::index);
     if (at != list.end()) {
@@ -67,9 +68,7 @@ Case MotionPositions::case_at(double time) const {
   for (std::size_t d = 0; d < plan_.drives.size(); ++d) {
     const DriveInstant instant = plan_.schedule->at(d, time);
     set(now.motions, plan_.drives[d], instant.speed);
-    if (now.accelerations) {
-      set(*now.accelerations, plan_.drives[d], instant.acceleration);
-    }
+    set(*now.accelerations, plan_.drives[d], instant.acceleration);
   }
   return now;
 }
@@ -195,7 +194,7 @@ void MotionPositions::solve_passes(const Configuration& configuration,
   Case& which = moved_.cases[static_cast<std::size_t>(plan_.which)];
   if (now_) {
     which.motions = now_->motions;
-    which.accelerations = now_->accelerations;
+    which.accelerations = which.has_inertia() ? now_->accelerations : std::nullopt;
     which.asks_motions = now_->asks_motions;
   }
   if (detail_.transmission_angle) {
@@ -221,19 +220,23 @@ void MotionPositions::solve_passes(const Configuration& configuration,
   }
   judged.asks_actions = judged.asks_actions && (inertial || !judged.has_inertia());
   judged.accelerations = inertial ? judged.accelerations : std::nullopt;
-  SpringPlace springs{
+  const bool is_at_rest = !which.asks_motions;
+  const std::vector<std::optional<double>> unknown(
+      is_at_rest ? 0 : mechanism_.topology.freedoms.size());
+  const LoadPlace place{
       .poses = position.state.poses,
       .twists = position.has_speeds() ? position.state.twists : std::vector<Twist>(),
       .positions = position.freedoms,
-      .rates = position.has_speeds() ? position.state.rates : std::vector<std::optional<double>>()};
+      .rates = position.has_speeds() ? position.state.rates : unknown,
+      .time = position.time};
   const KnownState known{
-      .motion = nullptr, .inertial = inertial ? &*inertial : nullptr, .springs = &springs};
+      .motion = nullptr, .inertial = inertial ? &*inertial : nullptr, .place = &place};
   // What bodies do by themselves is that of the state, too.
   const bool is_of_state = !has_own_rank() || !network_.passive_motions.empty();
   if (is_of_state && which.asks_motions) {
     const KinematicSolution motion = motion_of_state(position);
     position.solved = solve_row(
-        moved_, judged, {.motion = &motion, .inertial = known.inertial, .springs = known.springs});
+        moved_, judged, {.motion = &motion, .inertial = known.inertial, .place = known.place});
     // Forces and velocities are of mechanisms that differ by as much.
     std::optional<PowerFlow>& power = position.solved->power;
     if (power && power->balance_residual <= kClosureInActions * detail_.closure_error) {

@@ -24,6 +24,23 @@ TimeText text_of(const MotionPlan& plan, const std::string& drive, const std::st
     case TimeProblem::two_speeds:
       return {fmt::format("drive '{}' has a speed in case '{}' and a law too", drive, label),
               fmt::format("write motion: {{}} or {}: 0 in the case, or leave out 'law'", drive)};
+    case TimeProblem::two_courses:
+      return {
+          fmt::format(
+              "drive '{}' has a speed in case '{}', and a profile or a curve too", drive, label),
+          fmt::format("write motion: {{}} or {}: 0 in the case", drive)};
+    case TimeProblem::too_long:
+      return {fmt::format("the profile of drive '{}' takes longer than 'time'", drive),
+              "leave out 'time', which follows from the profile, or shorten its parts"};
+    case TimeProblem::beyond_curve:
+      return {fmt::format("the curve of drive '{}' does not reach from 0 to the end of the motion",
+                          drive),
+              "let its first point be at 0 s and its last at 'time', or leave out 'time'"};
+    case TimeProblem::no_duration:
+      return {fmt::format("the curve of drive '{}' repeats, and nothing says how long the motion "
+                          "takes",
+                          drive),
+              "add 'time' to the motion, for example time: 2 s"};
     case TimeProblem::at_rest:
       return {fmt::format("drive '{}' is at rest", drive), "give it a speed or a law"};
     case TimeProblem::never:
@@ -51,6 +68,28 @@ TimeText text_of(const MotionPlan& plan, const std::string& drive, const std::st
   return {};
 }
 
+// "at the beginning and after 0.2 s"
+std::string places_of(const std::vector<double>& shares,
+                      const DriveSchedule& schedule,
+                      const FileUnits& units) {
+  std::vector<std::string> places;
+  for (const double share : shares) {
+    places.push_back(
+        share == 0.0 ? "at the beginning"
+                     : fmt::format("after {:.6g} {}",
+                                   units.from_si(QuantityKind::time, share * schedule.duration()),
+                                   units.text(QuantityKind::time)));
+  }
+  constexpr std::size_t kMostPlaces = 4;
+  if (places.size() > kMostPlaces) {
+    places.resize(kMostPlaces);
+    return fmt::format("{}, …", fmt::join(places, ", "));
+  }
+  const std::string last = places.back();
+  places.pop_back();
+  return fmt::format("{} and {}", fmt::join(places, ", "), last);
+}
+
 }  // namespace
 
 bool check_time(const MotionPlan& plan,
@@ -72,14 +111,16 @@ bool check_time(const MotionPlan& plan,
                 std::move(text.hint));
     return false;
   }
-  if (plan.schedule && plan.schedule->has_jumps() && plan.which >= 0 &&
-      mechanism.cases[static_cast<std::size_t>(plan.which)].has_inertia()) {
+  const std::vector<double> jumps =
+      plan.schedule && plan.which >= 0 &&
+              mechanism.cases[static_cast<std::size_t>(plan.which)].has_inertia()
+          ? plan.schedule->jumps()
+          : std::vector<double>();
+  if (!jumps.empty()) {
     found.warning("W0512",
                   plan.where,
-                  fmt::format("law constant_speed asks for infinite accelerations at the beginning "
-                              "and after {:.6g} {}",
-                              units.from_si(QuantityKind::time, plan.schedule->duration()),
-                              units.text(QuantityKind::time)),
+                  fmt::format("law constant_speed asks for infinite accelerations {}",
+                              places_of(jumps, *plan.schedule, units)),
                   "values at its ends are those between them; polynomial_345 or cycloidal begin "
                   "and end at rest");
   }
