@@ -19,14 +19,15 @@ class DynamicReadings {
       : units_(units), mechanism_(mechanism), plan_(plan) {}
 
   std::vector<MotionReading> run() {
-    add("", "kinetic_energy", QuantityKind::energy, [](const CaseDynamics& one) {
+    add("", std::string(kKineticEnergyColumn), QuantityKind::energy, [](const CaseDynamics& one) {
       return std::optional(one.kinetic_energy);
     });
-    add("", "kinetic_energy_rate", QuantityKind::power, [](const CaseDynamics& one) {
-      return std::optional(one.kinetic_energy_rate);
-    });
-    add_wrench("ground", [](const CaseDynamics& one) { return one.ground; });
-    add_wrench("shaking", [](const CaseDynamics& one) { return one.shaking; });
+    add("",
+        std::string(kKineticEnergyRateColumn),
+        QuantityKind::power,
+        [](const CaseDynamics& one) { return std::optional(one.kinetic_energy_rate); });
+    add_wrench(std::string(kGroundElement), [](const CaseDynamics& one) { return one.ground; });
+    add_wrench(std::string(kShakingElement), [](const CaseDynamics& one) { return one.shaking; });
     for (std::size_t d = 0; d < plan_.drives.size(); ++d) {
       add_drive(d);
     }
