@@ -35,8 +35,9 @@ void add_motion_choice(CLI::App& command, MotionChoice& choice) {
   add_repeated(command,
                "--report",
                choice.report,
-               "what is reported, before what the file says;\n"
-               "may be repeated",
+               "what is reported, before what the file says: a word\n"
+               "of 'kinestat help motion', an actuator, or columns\n"
+               "by their name, 'motor/action'; may be repeated",
                "QUANTITY");
 }
 

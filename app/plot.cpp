@@ -36,7 +36,9 @@ void add_choices(CLI::App& command, PlotChoice& choice) {
                "--report",
                choice.report,
                "what charts of a motion show, before what the file\n"
-               "says; may be repeated",
+               "says: a word of 'kinestat help motion', an actuator,\n"
+               "or columns by their name, 'motor/action'; may be\n"
+               "repeated",
                "QUANTITY");
   add_choice<PictureForm>(
       command,
@@ -65,7 +67,7 @@ void add_plot(CLI::App& command, Job& job) {
       "  kinestat plot list mechanisms/transmissions/ravigneaux.yaml\n"
       "  kinestat plot speeds -o speeds.svg mechanisms/transmissions/ravigneaux.yaml\n"
       "  kinestat plot linkage --at '30 deg' --at '90 deg' crank.yaml > crank.svg\n"
-      "  kinestat plot motion-curves --report transmission_angle crank.yaml > angle.svg\n"
+      "  kinestat plot motion-curves --report motor/action crank.yaml > torque.svg\n"
       "  kinestat plot forces --case M2 --emit gnuplot train.yaml | gnuplot -p\n"
       "\nPictures:\n" +
       picture_help());

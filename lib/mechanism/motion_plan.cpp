@@ -78,17 +78,17 @@ class MotionBinder {
     plan_.steps = static_cast<int>(std::lround(steps.value_or(kUsualSteps)));
     plan_.which = motion_.label ? case_of(*motion_.label) : -1;
     plan_schedule();
-    for (const TracePoint& point : motion_.trace) {
+    for (std::size_t i = 0; i < motion_.trace.size(); ++i) {
+      const TracePoint& point = motion_.trace[i];
       const auto body =
           std::ranges::find(mechanism_.topology.bodies, point.body.text, &BodyTopology::name);
-      const std::string usual = fmt::format("{}.{}", point.body.text, plan_.trace.size() + 1);
-      plan_.trace.push_back({.name = point.name ? point.name->text : usual,
+      plan_.trace.push_back({.name = name_of_trace(motion_.trace, i),
                              .body = {static_cast<int>(body - mechanism_.topology.bodies.begin())},
                              .at = evaluator_.point(point.at).value_or(Vec3::Zero())});
     }
     plan_.report.is_default = motion_.report.empty();
     for (const Name& name : motion_.report) {
-      add_report(name.text);
+      add_report(name);
     }
     plan_.where = motion_.where;
     KINESTAT_EXPECTS(!ignored_.has_errors());
@@ -387,8 +387,9 @@ class MotionBinder {
                             .where = range.actuator.where});
   }
 
-  // A word, an actuator, or a freedom or an action of a coupling.
-  void add_report(const std::string& name) {
+  // A word, an actuator, a freedom or an action of a coupling; any other is that of columns.
+  void add_report(const Name& typed) {
+    const std::string& name = typed.text;
     if (bool* const word = find_report_word(name, plan_.report)) {
       *word = true;
       return;
@@ -412,6 +413,7 @@ class MotionBinder {
         return;
       }
     }
+    plan_.report.columns.push_back(typed);
   }
 
   const MechanismDescription& description_;
@@ -438,6 +440,11 @@ std::span<const std::string> motion_report_words() {
     return result;
   }();
   return words;
+}
+
+std::string name_of_trace(const std::vector<TracePoint>& trace, std::size_t i) {
+  const TracePoint& point = trace[i];
+  return point.name ? point.name->text : fmt::format("{}.{}", point.body.text, i + 1);
 }
 
 std::optional<MotionPlan> bind_motion(const MechanismDescription& description,

@@ -25,9 +25,15 @@ struct PlannedDrive {
 
 /// A point whose path is reported.
 struct TracedPoint {
-  std::string name;  ///< as the file says, or BODY.N, the N-th of all
+  std::string name;  ///< by `name_of_trace`
   BodyId body;
   Vec3 at = Vec3::Zero();  ///< in the drawn position, world frame [m]
+};
+
+/// The columns of a motion by their names, "motor/action".
+struct ChosenColumns {
+  std::vector<std::string> usual;  ///< that the report has without a name of theirs
+  std::vector<std::string> named;  ///< that the report names
 };
 
 /// Which quantities are reported beside the positions of the drives and the traced points.
@@ -45,7 +51,9 @@ struct MotionReport {
   std::vector<int> freedoms;   ///< named one by one: their position, velocity and acceleration
   std::vector<int> actions;    ///< likewise
   std::vector<int> actuators;  ///< with all that is known of them
-  bool is_default = false;     ///< the file does not say what to report
+  std::vector<Name> columns;   ///< other names: of columns, which show once they are made
+  std::optional<ChosenColumns> chosen;  ///< of all columns these alone; empty: all
+  bool is_default = false;              ///< the file does not say what to report
 };
 
 /// Why a motion that is told in time has none.
@@ -81,6 +89,9 @@ bool* find_report_word(std::string_view word, MotionReport& report);
 
 /// These words.
 std::span<const std::string> motion_report_words();
+
+/// As the file says, or BODY.N, the N-th of all.
+std::string name_of_trace(const std::vector<TracePoint>& trace, std::size_t i);
 
 /// Of a description that has been bound to this mechanism without an error; empty if it has no
 /// section `motion`.

@@ -138,7 +138,7 @@ def error(dyad: dict, expected: tuple[Pair, Pair]) -> float:
 
 class Digits(unittest.TestCase):
     def solved(self, text: str, *arguments: str) -> dict:
-        synthesis = program.run("synthesize", *arguments, "-", text=text)["synthesis"]
+        synthesis = program.synthesize(*arguments, "-", text=text)["synthesis"]
         self.assertEqual(synthesis["tasks"][0]["status"], "solved")
         return synthesis
 
@@ -146,12 +146,12 @@ class Digits(unittest.TestCase):
         texts = {name: typed(task) for name, task in TASKS.items()}
         for name, text in {**texts, "formulas": formulas("1e-6")}.items():
             with self.subTest(name):
-                report = program.run("synthesize", "-", text=text)
+                report = program.synthesize("-", text=text)
                 task = report["synthesis"]["tasks"][0]
                 self.assertEqual(task["status"], "no_digits")
                 self.assertEqual(task["dyads"], [])
                 codes = [one["code"] for one in report["diagnostics"]]
-                self.assertEqual(codes, ["W0801"])
+                self.assertEqual(codes, ["W0801", "E0802"])
                 self.assertIn("--digits", report["diagnostics"][0]["hint"])
 
     def test_typed_digits_are_used(self) -> None:
@@ -216,7 +216,7 @@ class Digits(unittest.TestCase):
         angles = (10, 40, 75, 110, 160)
         text = "kinestat: 1\nsynthesis:\n  positions:\n" + "".join(
             f"    - {{at: [2*cos({a} deg), 0], angle: -{a} deg}}\n" for a in angles)
-        task = program.run("synthesize", "--digits", "40", "-", text=text)["synthesis"]["tasks"][0]
+        task = program.synthesize("--digits", "40", "-", text=text)["synthesis"]["tasks"][0]
         self.assertEqual((task["status"], task["reason"]), ("family", "straight_paths"))
         self.assertLess(error(task["dyads"][0], ((-1.0, 0.0), (0.0, 0.0))), 1e-12)
 

@@ -36,7 +36,7 @@ class Linkages(unittest.TestCase):
     def test_move_as_their_verdicts_say(self) -> None:
         counts = {"passes": 0, "cannot": 0}
         for path in self.files():
-            for task in tasks(program.run("synthesize", "--verify", str(path))):
+            for task in tasks(program.synthesize("--verify", str(path))):
                 for linkage in task["linkages"]:
                     check = linkage["verification"]
                     if check is None:
@@ -60,7 +60,7 @@ class Linkages(unittest.TestCase):
         moved = 0
         for path in self.files():
             with tempfile.TemporaryDirectory() as folder:
-                report = program.run("synthesize", "--write-mechanism", folder, str(path))
+                report = program.synthesize("--write-mechanism", folder, str(path))
                 turn = 360.0 if report["mechanism"]["units"]["angle"] == "deg" else 2 * math.pi
                 for task in tasks(report):
                     for linkage in task["linkages"]:

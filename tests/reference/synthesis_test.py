@@ -114,7 +114,7 @@ def path_of(name: str) -> str:
 
 
 def task_of(name: str) -> dict:
-    tasks = program.run("synthesize", path_of(name))["synthesis"]["tasks"]
+    tasks = program.synthesize(path_of(name))["synthesis"]["tasks"]
     assert len(tasks) == 1
     return tasks[0]
 
@@ -274,7 +274,7 @@ class CouplerCurves(unittest.TestCase):
         passed = 0
         for name in ("crank_rocker", "slider_crank", "oscillating_slider", "do_valle_table_1"):
             text = Path(path_of(name)).read_text(encoding="utf-8") + "  curves: {count: 2000}\n"
-            answer = program.run("synthesize", "-", text=text)["synthesis"]["tasks"][0]
+            answer = program.synthesize("-", text=text)["synthesis"]["tasks"][0]
             for linkage in answer["linkages"]:
                 curve = linkage["coupler_curve"]
                 places = [point(one) for one in curve["points"]]
@@ -356,7 +356,7 @@ class WrittenMechanisms(unittest.TestCase):
 
     def written(self, path: str, *options: str) -> Iterator[tuple[dict, dict, Path]]:
         """Task, linkage and file of everything that is written."""
-        report = program.run("synthesize", "--write-mechanism", str(self.folder), *options, path)
+        report = program.synthesize("--write-mechanism", str(self.folder), *options, path)
         unit = math.radians(1) if report["mechanism"]["units"]["angle"] == "deg" else 1.0
         for task in report["synthesis"]["tasks"]:
             task["poses"] = [(point(one["at"]), one["angle"] * unit) for one in task["positions"]]

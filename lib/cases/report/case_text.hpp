@@ -49,8 +49,9 @@ LargestActions largest_actions(const Mechanism& mechanism, const CaseAnalysis& o
 /// left out. Empty without cases.
 TextBlocks overview_blocks(const Analysis& analysis);
 
-/// What people ask first: ratio and torque ratio, or why there is none; efficiencies; the power of
-/// the inputs and the balance of all powers; the largest force and moment, and in which couplings.
+/// What people ask first: ratio and torque ratio, or why there is none; efficiencies, and what the
+/// inputs or outputs take or give with the losses of meshes; the power of the inputs and the balance
+/// of all powers; the largest force and moment, and in which couplings.
 std::string results_text(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in);
 
 /// Cells of a table with a line a case, "-" where there is no number: the ratio with its unit; the
@@ -64,10 +65,6 @@ TextBlocks power_blocks(const Mechanism& mechanism, const CaseAnalysis& one, con
 /// Its inertia: accelerations and forces of the bodies, what the drives have to speed up; the case
 /// must have its dynamics.
 TextBlocks dynamics_blocks(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in);
-
-/// Its efficiencies with lossy meshes: a line for each model, and a word on what tells them apart
-/// where the teeth do not roll. Empty without lossy meshes.
-std::string losses_text(const Mechanism& mechanism, const CaseAnalysis& one);
 
 /// "c.Tx [N*m] = 1.393 c_z - 3.831 h_z", a line for every magnitude that depends on a free
 /// parameter; empty if none does.

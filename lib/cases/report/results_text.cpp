@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 #include <utility>
 
@@ -78,6 +79,39 @@ bool nothing_rolls(const LossyState& state) {
   return std::ranges::none_of(state.meshes, &MeshLossPower::rolls);
 }
 
+// "  with the losses of what rolls: out -270.681 N*m": of the inputs and outputs those whose action
+// the case does not give.
+std::string lossy_ends_text(const Mechanism& mechanism,
+                            const CaseAnalysis& one,
+                            const InUnits& in) {
+  const Case& which = one.which;
+  std::vector<int> ends = which.inputs;
+  ends.insert(ends.end(), which.outputs.begin(), which.outputs.end());
+  const std::vector<std::optional<double>>& actions = one.efficiency->state->actions;
+  double largest = 0.0;
+  for (const std::optional<double>& action : actions) {
+    largest = std::max(largest, std::abs(action.value_or(0.0)));
+  }
+  std::vector<std::string> parts;
+  for (const int end : ends) {
+    const ActuatorTopology& actuator = mechanism.topology.actuators[static_cast<std::size_t>(end)];
+    const auto a = static_cast<std::size_t>(actuator.action);
+    const bool is_given =
+        std::ranges::find(which.actions, actuator.action, &Primary::index) != which.actions.end();
+    if (!is_given && actions[a]) {
+      const bool is_couple = mechanism.topology.actions[a].is_couple;
+      const double action = std::abs(*actions[a]) <= kSameValue * largest ? 0.0 : *actions[a];
+      parts.push_back(fmt::format("{} {} {}",
+                                  actuator.name,
+                                  format_short(in.action(action, is_couple)),
+                                  in.units().text(action_kind(is_couple))));
+    }
+  }
+  return parts.empty()
+             ? ""
+             : fmt::format("  with the losses of what rolls: {}\n", fmt::join(parts, ", "));
+}
+
 void count(double size, const std::string& coupling, LargestAction& largest) {
   const double same = kSameValue * std::max(size, largest.size);
   if (size > largest.size + same) {
@@ -117,9 +151,9 @@ std::string largest_text(const Mechanism& mechanism, const CaseAnalysis& one, co
   return parts.empty() ? "" : fmt::format("  {}\n", fmt::join(parts, "; "));
 }
 
-}  // namespace
-
-std::string losses_text(const Mechanism& mechanism, const CaseAnalysis& one) {
+// A line for each model, the action with losses, and a word on what tells the models apart where
+// the teeth do not roll. Empty without lossy meshes.
+std::string losses_text(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in) {
   if (!one.efficiency) {
     return {};
   }
@@ -127,10 +161,12 @@ std::string losses_text(const Mechanism& mechanism, const CaseAnalysis& one) {
   if (has_one_reason(efficiency)) {
     return fmt::format("  no efficiency with mesh losses: {}\n", efficiency.carrier.reason);
   }
-  const std::string carrier = fmt::format(
-      "  efficiency with mesh losses, of what rolls in each carrier: {}; backwards {}\n",
-      share_text(efficiency.carrier),
-      share_text(efficiency.carrier_backward));
+  const std::string carrier =
+      fmt::format(
+          "  efficiency with mesh losses, of what rolls in each carrier: {}; backwards {}\n",
+          share_text(efficiency.carrier),
+          share_text(efficiency.carrier_backward)) +
+      (efficiency.state ? lossy_ends_text(mechanism, one, in) : "");
   const std::string absolute =
       fmt::format("  efficiency with mesh losses, of all power seen from the ground: {}\n",
                   share_text(efficiency.absolute));
@@ -143,6 +179,8 @@ std::string losses_text(const Mechanism& mechanism, const CaseAnalysis& one) {
   return (mechanism.loss_model == LossModel::carrier ? carrier + absolute : absolute + carrier) +
          std::string(block);
 }
+
+}  // namespace
 
 LargestActions largest_actions(const Mechanism& mechanism, const CaseAnalysis& one) {
   LargestActions largest;
@@ -181,7 +219,7 @@ std::string results_text(const Mechanism& mechanism, const CaseAnalysis& one, co
     text += ratio_text(one, mechanism, in.units());
   }
   if (one.power) {
-    text += losses_text(mechanism, one) + balance_text(one, in);
+    text += losses_text(mechanism, one, in) + balance_text(one, in);
   }
   return text + largest_text(mechanism, one, in);
 }

@@ -161,6 +161,14 @@ constexpr auto kStudyCodes = std::to_array<Code>({
      "not lie on the normal of the path, the line from 'at' to the pole; a centre in the point "
      "itself; a point in the pole, where a path has a cusp; or two points whose curvatures say the "
      "same, because they lie on one line with the pole. The message says which."},
+    {"E0802",
+     no_answer,
+     "no linkage is usable",
+     "The task asks for linkages through its positions, and each that there is has a defect or "
+     "breaks a limit, or too few dyads are real, or none is of the kind that 'linkage' asks for. "
+     "The report has them all the same, the nearest first, with what speaks against each; the "
+     "message counts the reasons. Move a position, give fewer and let 'vary' choose the rest, or "
+     "widen the limits."},
     {"E0901",
      check_failed,
      "published value is missed",

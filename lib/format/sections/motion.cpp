@@ -159,8 +159,8 @@ const Mapping<TracePoint>& trace_point() {
 void declare_report(Mapping<MotionDescription>& m) {
   m.key("report",
         "What each step reports: position, velocity, acceleration, action, power, ratio, "
-        "transmission_angle, mechanical_advantage, dynamics, an actuator, or COUPLING.FREEDOM and "
-        "COUPLING.ACTION.")
+        "transmission_angle, mechanical_advantage, dynamics, an actuator, COUPLING.FREEDOM and "
+        "COUPLING.ACTION, or columns by their names, NAME/QUANTITY.")
       .may(&MotionDescription::report, one_or_more(target()), "[velocity, d.wz]")
       .offer("position", "positions of the freedoms")
       .offer("velocity", "velocities of the freedoms")

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/text.hpp"
+#include "mechanism/motion_column_names.hpp"
 #include "mechanism/motion_figure.hpp"
 #include "mechanism/motion_plan.hpp"
 
@@ -13,13 +14,56 @@ namespace kinestat {
 
 namespace {
 
+constexpr std::string_view kMotionSection = "motion";
+
+// What has columns in a motion under its own name: its bodies and traced points, and the whole.
+std::vector<std::string> elements_of_motion(const SectionContext& context) {
+  const auto bodies = context.names.bodies.names();
+  std::vector<std::string> all(bodies.begin(), bodies.end());
+  all.insert(all.end(), {std::string(kTimeColumn), std::string(kClosureErrorColumn)});
+  all.insert(all.end(), kColumnsOfDynamics.begin(), kColumnsOfDynamics.end());
+  const std::vector<TracePoint>& trace = context.description.motion->trace;
+  for (std::size_t i = 0; i < trace.size(); ++i) {
+    all.push_back(name_of_trace(trace, i));
+  }
+  return all;
+}
+
 // All that a report may name without a dot.
 std::vector<std::string> undotted(std::span<const std::string> words,
+                                  std::string_view section,
                                   const SectionContext& context) {
   std::vector<std::string> candidates(words.begin(), words.end());
   const auto actuators = context.names.actuators.names();
   candidates.insert(candidates.end(), actuators.begin(), actuators.end());
+  if (section == kMotionSection) {
+    const std::vector<std::string> elements = elements_of_motion(context);
+    candidates.insert(candidates.end(), elements.begin(), elements.end());
+  }
   return candidates;
+}
+
+// Which columns a motion has shows once it is made: "motor/action", "pen.velocity", "coupler".
+bool names_motion_column(const Name& name,
+                         std::string_view section,
+                         const SectionContext& context) {
+  if (section != kMotionSection) {
+    return false;
+  }
+  if (name.text.find('/') != std::string::npos) {
+    return true;
+  }
+  const std::size_t dot = name.text.find('.');
+  if (dot != std::string::npos && context.names.couplings.contains(name.text.substr(0, dot))) {
+    return false;
+  }
+  std::vector<std::string> elements = elements_of_motion(context);
+  const auto actuators = context.names.actuators.names();
+  elements.insert(elements.end(), actuators.begin(), actuators.end());
+  return std::ranges::any_of(elements, [&](const std::string& element) {
+    return name.text.starts_with(element) &&
+           (name.text.size() == element.size() || name.text[element.size()] == '.');
+  });
 }
 
 std::string coupling_of(const Name& name) {
@@ -83,7 +127,8 @@ void check_report_names(const std::vector<Name>& names,
   const std::string role = fmt::format("'report' of '{}'", section);
   for (const Name& name : names) {
     if (names_lossy_actuator(name, section, context) ||
-        names_motion_figure(name, section, context)) {
+        names_motion_figure(name, section, context) ||
+        names_motion_column(name, section, context)) {
       continue;
     }
     if (name.text.find('.') != std::string::npos) {
@@ -94,8 +139,9 @@ void check_report_names(const std::vector<Name>& names,
     const bool is_known = std::ranges::find(words, name.text) != words.end() ||
                           context.names.actuators.contains(name.text);
     if (!is_known) {
-      const std::vector<std::string> guesses =
-          context.found.is_hint_worth_it() ? undotted(words, context) : std::vector<std::string>();
+      const std::vector<std::string> guesses = context.found.is_hint_worth_it()
+                                                   ? undotted(words, section, context)
+                                                   : std::vector<std::string>();
       context.found.error(
           "E0313",
           name.where,
@@ -104,8 +150,11 @@ void check_report_names(const std::vector<Name>& names,
               name.text,
               guesses,
               fmt::format("write one of {}, an actuator, or coupling.freedom or coupling.action, "
-                          "for example a.wz",
-                          plain_list(words))));
+                          "for example a.wz{}",
+                          plain_list(words),
+                          section == kMotionSection
+                              ? "; or a column that the motion has, for example motor/action"
+                              : "")));
     }
   }
   context.repeats(names, role);

@@ -100,7 +100,12 @@ void check_reported_quantities(const MechanismDescription& description,
                                const Topology& topology,
                                Diagnostics& found) {
   if (description.motion) {
-    check_report_quantities(description.motion->report, topology, found);
+    // Of more parts they are columns of the motion.
+    std::vector<Name> names = description.motion->report;
+    std::erase_if(names, [](const Name& one) {
+      return one.text.find('/') != std::string::npos || std::ranges::count(one.text, '.') > 1;
+    });
+    check_report_quantities(names, topology, found);
   }
   if (description.sweep) {
     // Names of more parts are figures of a motion, or have had their complaint.

@@ -127,14 +127,18 @@ void mark_extremes(const MotionTable& motion, const Group& group, Chart& chart) 
   }
 }
 
+// How well circuits close is rounding, and where the drives are and when a straight line: of these
+// there is nothing to see. Places are paths.
+bool is_left_out(const MotionColumn& column) {
+  return column.quantity.starts_with(kPlace) || column.quantity == kClosureErrorColumn ||
+         column.quantity == kTimeColumn || column.quantity == kDriveColumn;
+}
+
 std::vector<Group> groups_of(const MotionTable& motion) {
   std::vector<Group> groups;
-  for (std::size_t c = motion.drives.size(); c < motion.columns.size(); ++c) {
+  for (std::size_t c = 0; c < motion.columns.size(); ++c) {
     const MotionColumn& column = motion.columns[c];
-    // How well circuits close is rounding, and when the rows are is a straight line: of these there
-    // is nothing to see.
-    if (column.quantity.starts_with(kPlace) || column.quantity == kClosureErrorColumn ||
-        column.quantity == kTimeColumn || !has_values(motion, c)) {
+    if ((!column.is_named && is_left_out(column)) || !has_values(motion, c)) {
       continue;
     }
     const auto at = std::ranges::find_if(groups, [&column](const Group& group) {

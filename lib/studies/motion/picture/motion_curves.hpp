@@ -11,7 +11,8 @@ namespace kinestat {
 /// One chart a quantity and unit, such as position, velocity or transmission angle, with a series
 /// for each element, against the position of the first drive. Guides stand where a freedom comes to
 /// rest, where the motion is singular and where a drive goes no further; of few series the extremes
-/// are marked. Places of points are left to `path_figure`. No charts if there is nothing else.
+/// are marked. Places of points are left to `path_figure`,
+/// unless they are named one by one. No charts if there is nothing else.
 Figure motion_figure(const MotionTable& motion, const std::string& title);
 
 /// The paths of the traced points or, without any, of the reference points of the bodies, in the

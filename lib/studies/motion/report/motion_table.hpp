@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/types.hpp"
+#include "mechanism/motion_column_names.hpp"
 #include "studies/motion/report/motion_dynamics.hpp"
 
 namespace kinestat {
@@ -24,18 +25,13 @@ enum class MotionEnd {
 /// The word in reports.
 std::string_view word_of(MotionEnd end);
 
-/// The quantity of the column that says how well a position closes.
-inline constexpr std::string_view kClosureErrorColumn = "closure_error";
-
-/// The quantity of the column of a motion in time that says when.
-inline constexpr std::string_view kTimeColumn = "time";
-
 /// One value of every position. The name is "a.wz/position": element, then quantity.
 struct MotionColumn {
-  std::string element;   ///< coupling.freedom, coupling.action, actuator, body or traced point;
-                         ///< empty of a value of the whole
-  std::string quantity;  ///< "position", "velocity", "linear/x"
-  std::string unit;      ///< that of the file; empty for a bare number
+  std::string element;    ///< coupling.freedom, coupling.action, actuator, body or traced point;
+                          ///< empty of a value of the whole
+  std::string quantity;   ///< "position", "velocity", "linear/x"
+  std::string unit;       ///< that of the file; empty for a bare number
+  bool is_named = false;  ///< the report asks for it by its own name
 
   std::string name() const { return element.empty() ? quantity : element + "/" + quantity; }
 };

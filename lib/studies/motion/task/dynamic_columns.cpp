@@ -42,12 +42,13 @@ class DynamicReadings {
       : units_(units), mechanism_(mechanism), plan_(plan) {}
 
   std::vector<MotionReading> run() {
-    add("", "kinetic_energy", QuantityKind::energy, [](const CaseDynamics& one) {
+    add("", std::string(kKineticEnergyColumn), QuantityKind::energy, [](const CaseDynamics& one) {
       return std::optional(one.kinetic_energy);
     });
-    add("", "kinetic_energy_rate", QuantityKind::power, [](const CaseDynamics& one) {
-      return std::optional(one.kinetic_energy_rate);
-    });
+    add("",
+        std::string(kKineticEnergyRateColumn),
+        QuantityKind::power,
+        [](const CaseDynamics& one) { return std::optional(one.kinetic_energy_rate); });
     for (DynamicWrenchComponent& one : dynamic_wrenches(mechanism_)) {
       add(std::move(one.element), std::move(one.quantity), one.kind, std::move(one.value));
     }
@@ -95,8 +96,8 @@ class DynamicReadings {
 
 std::vector<DynamicWrenchComponent> dynamic_wrenches(const Mechanism& mechanism) {
   std::vector<DynamicWrenchComponent> components;
-  add_wrench("ground", &CaseDynamics::ground, mechanism, components);
-  add_wrench("shaking", &CaseDynamics::shaking, mechanism, components);
+  add_wrench(std::string(kGroundElement), &CaseDynamics::ground, mechanism, components);
+  add_wrench(std::string(kShakingElement), &CaseDynamics::shaking, mechanism, components);
   return components;
 }
 

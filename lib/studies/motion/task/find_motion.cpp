@@ -4,6 +4,7 @@
 
 #include "studies/motion/motion.hpp"
 #include "studies/motion/task/cycle/find_motion_dynamics.hpp"
+#include "studies/motion/task/motion_column_choice.hpp"
 #include "studies/motion/task/motion_findings.hpp"
 #include "studies/motion/task/motion_table_maker.hpp"
 
@@ -13,7 +14,8 @@ std::optional<FoundMotion> find_motion(const MechanismDescription& description,
                                        const Mechanism& mechanism,
                                        Diagnostics& found) {
   MotionPlan plan = *bind_motion(description, mechanism);
-  if (!check_report(plan, mechanism, found)) {
+  if (!choose_columns(description, mechanism, plan, found) ||
+      !check_report(plan, mechanism, found)) {
     return std::nullopt;
   }
   std::optional<FoundMotion> motion = follow_motion(description, mechanism, std::move(plan), found);

@@ -7,12 +7,14 @@
 #include <memory>
 #include <numbers>
 #include <string>
+#include <unordered_set>
 #include <utility>
 
 #include "core/axis_name.hpp"
 #include "expression/unit_quotient.hpp"
 #include "math/numbers/settled.hpp"
 #include "studies/motion/task/dynamic_columns.hpp"
+#include "studies/motion/task/motion_column_choice.hpp"
 
 namespace kinestat {
 
@@ -199,18 +201,16 @@ class ReadingList {
                   const std::string& quantity,
                   QuantityKind kind,
                   const std::function<Vector(const MotionPosition&)>& value) {
-    // Worked out once a position, where its first component is read.
+    // Worked out once a position, where the first of its components is read.
     const auto vector = std::make_shared<Vector>();
-    for (int i = 0; i < axis_count(); ++i) {
-      add(element,
-          quantity + "/" + kAxisNames[static_cast<std::size_t>(i)],
-          kind,
-          [value, vector, i](const MotionPosition& at) -> std::optional<double> {
-            if (i == 0) {
-              *vector = value(at);
-            }
-            return (*vector)[static_cast<std::size_t>(i)];
-          });
+    for (std::size_t i = 0; i < static_cast<std::size_t>(axis_count()); ++i) {
+      const Reader alone = [value, vector, i](const MotionPosition& at) {
+        *vector = value(at);
+        return (*vector)[i];
+      };
+      const Reader behind = [vector, i](const MotionPosition&) { return (*vector)[i]; };
+      add(element, quantity + "/" + kAxisNames[i], kind, i == 0 ? alone : behind);
+      readings_.back().alone = alone;
     }
   }
 
@@ -472,7 +472,19 @@ std::vector<MotionReading> motion_readings(const MechanismDescription& descripti
                                            const Mechanism& mechanism,
                                            const MotionPlan& plan,
                                            const MotionPosition& first) {
-  return ReadingList(description, mechanism, plan, first).run();
+  std::vector<MotionReading> readings = ReadingList(description, mechanism, plan, first).run();
+  if (plan.report.chosen) {
+    const ChosenColumns& chosen = *plan.report.chosen;
+    const std::unordered_set<std::string> usual(chosen.usual.begin(), chosen.usual.end());
+    const std::unordered_set<std::string> named(chosen.named.begin(), chosen.named.end());
+    for (MotionReading& one : readings) {
+      one.column.is_named = named.contains(one.column.name());
+    }
+    keep_readings(
+        [&](const MotionColumn& one) { return one.is_named || usual.contains(one.name()); },
+        readings);
+  }
+  return readings;
 }
 
 }  // namespace kinestat

@@ -12,13 +12,16 @@
 namespace kinestat {
 
 /// A column and how its value is read [SI]: at each position the components of a vector one after
-/// the other, the first of them first.
+/// the other, the first of a list first.
 struct MotionReading {
   MotionColumn column;
   QuantityKind kind = QuantityKind::dimensionless;
   std::function<std::optional<double>(const MotionPosition&)> value;
   std::optional<double> fold = {};  ///< at which values are folded: none is above it
   bool is_idle = false;             ///< without values, as nothing determines it
+  std::function<std::optional<double>(const MotionPosition&)> alone =
+      {};  ///< of a component: reads
+           ///< it before the others
 };
 
 /// What must be worked out for the report of a plan.

@@ -10,6 +10,7 @@
 #include "studies/motion/task/drive_counts.hpp"
 #include "studies/motion/task/friction_turns.hpp"
 #include "studies/motion/task/idle_rates.hpp"
+#include "studies/motion/task/motion_column_choice.hpp"
 #include "studies/motion/task/motion_columns.hpp"
 #include "studies/motion/task/motion_events.hpp"
 #include "studies/motion/task/motion_figures.hpp"
@@ -135,9 +136,16 @@ class TableMaker {
                                               ? std::optional(in_unit(kind, solution_.lost_at[d]))
                                           : last < 0 ? std::nullopt
                                                      : std::optional(drive_at(d, last))});
-      table_.columns.push_back(
-          {.element = actuator.name, .quantity = "drive", .unit = units_.text(kind)});
+      table_.columns.push_back({.element = actuator.name,
+                                .quantity = std::string(kDriveColumn),
+                                .unit = units_.text(kind)});
+      tell_named(table_.columns.back());
     }
+  }
+
+  // Of columns that every table has.
+  void tell_named(MotionColumn& column) const {
+    column.is_named = plan_.report.chosen && is_among(plan_.report.chosen->named, column.name());
   }
 
   void add_rows() {
@@ -151,7 +159,8 @@ class TableMaker {
         description_, mechanism_, plan_, positions.at(solution_.configuration_at(0), 0.0));
     leave_out_idle_rates(motion_, mechanism_, readings_);
     if (scope_.columns) {
-      std::erase_if(readings_, [&](const MotionReading& one) { return !is_asked(one.column); });
+      keep_readings([&](const MotionColumn& one) { return is_among(*scope_.columns, one.name()); },
+                    readings_);
     }
     for (const MotionReading& reading : readings_) {
       table_.columns.push_back(reading.column);
@@ -174,6 +183,7 @@ class TableMaker {
     tell_findings();
     table_.columns.push_back(
         {.element = "", .quantity = std::string(kClosureErrorColumn), .unit = ""});
+    tell_named(table_.columns.back());
     for (std::size_t r = 0; r < table_.rows.size(); ++r) {
       const double closure = solution_.closure_errors[r];
       table_.rows[r].values.emplace_back(closure);
@@ -182,16 +192,6 @@ class TableMaker {
         table_.worst_step = table_.rows[r].step;
       }
     }
-  }
-
-  // The component of a vector that is asked for stands on the first.
-  bool is_asked(const MotionColumn& column) const {
-    const std::string name = column.name();
-    const bool is_first = name.ends_with("/x");
-    return std::ranges::any_of(*scope_.columns, [&](const std::string& asked) {
-      return asked == name || (is_first && asked.size() == name.size() &&
-                               asked.starts_with(name.substr(0, name.size() - 1)));
-    });
   }
 
   void judge(const MotionPosition& position, const Mechanism& moved) {

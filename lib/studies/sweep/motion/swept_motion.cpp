@@ -9,36 +9,13 @@
 #include "core/utf8.hpp"
 #include "mechanism/check/report_name_check.hpp"
 #include "studies/motion/configuration.hpp"
-#include "studies/motion/task/motion_columns.hpp"
+#include "studies/motion/task/motion_column_offers.hpp"
 #include "studies/motion/task/motion_events.hpp"
 #include "studies/motion/task/motion_findings.hpp"
 
 namespace kinestat {
 
 namespace {
-
-void unite(std::vector<int>& all, const std::vector<int>& some) {
-  for (const int one : some) {
-    if (std::ranges::find(all, one) == all.end()) {
-      all.push_back(one);
-    }
-  }
-}
-
-void unite(MotionReport& all, MotionReport some) {
-  for (const std::string& word : motion_report_words()) {
-    bool& is_asked = *find_report_word(word, all);
-    is_asked = is_asked || *find_report_word(word, some);
-  }
-  unite(all.positions, some.positions);
-  unite(all.actions, some.actions);
-}
-
-MotionReport report_of(const std::string& word) {
-  MotionReport report;
-  *find_report_word(word, report) = true;
-  return report;
-}
 
 // Places follow from the drives alone.
 bool needs_case(MotionReport report) {
@@ -47,21 +24,6 @@ bool needs_case(MotionReport report) {
          std::ranges::any_of(motion_report_words(), [&](const std::string& word) {
            return *find_report_word(word, report);
          });
-}
-
-// No more than the one column needs of them.
-MotionReport needs_of(const MotionColumn& column, MotionReport needs, const Topology& topology) {
-  if (!needs.positions.empty()) {
-    std::erase_if(needs.positions,
-                  [&](int f) { return topology.freedom_name(f) != column.element; });
-  }
-  for (int a = 0; needs.action && a < topology.action_count(); ++a) {
-    if (topology.action_name(a) == column.element) {
-      needs.action = false;
-      needs.actions = {a};
-    }
-  }
-  return needs;
 }
 
 std::string with_dots(std::string name) {
@@ -111,14 +73,16 @@ MotionColumnSearch::MotionColumnSearch(const MechanismDescription& description,
 }
 
 std::vector<MotionColumnSearch::Candidate> MotionColumnSearch::candidates_of(int which) const {
+  MotionPlan plan = plan_;
+  plan.which = which;
   std::vector<Candidate> all;
-  MotionReport positions;
-  for (int f = 0; f < mechanism_.topology.freedom_count(); ++f) {
-    positions.positions.push_back(f);
-  }
-  add_candidates(which, positions, all);
-  for (const std::string& word : motion_report_words()) {
-    add_candidates(which, report_of(word), all);
+  for (MotionColumnOffer& one : motion_column_offers(description_, mechanism_, plan, positions_)) {
+    std::string name = one.column.name();
+    all.push_back({.name = name,
+                   .dotted = with_dots(name),
+                   .brief = brief_name(one.column),
+                   .unit = one.column.unit,
+                   .needs = std::move(one.needs)});
   }
   all.push_back({.name = std::string(kClosureErrorColumn),
                  .dotted = std::string(kClosureErrorColumn),
@@ -126,30 +90,6 @@ std::vector<MotionColumnSearch::Candidate> MotionColumnSearch::candidates_of(int
                  .unit = {},
                  .needs = {}});
   return all;
-}
-
-void MotionColumnSearch::add_candidates(int which,
-                                        const MotionReport& needs,
-                                        std::vector<Candidate>& all) const {
-  MotionPlan plan = plan_;
-  plan.which = which;
-  plan.report = needs;
-  Diagnostics ignored;
-  if (!check_report(plan, mechanism_, ignored)) {
-    return;
-  }
-  MotionPosition first;
-  first.freedoms = positions_;
-  for (const MotionReading& one : motion_readings(description_, mechanism_, plan, first)) {
-    std::string name = one.column.name();
-    if (std::ranges::find(all, name, &Candidate::name) == all.end()) {
-      all.push_back({.name = name,
-                     .dotted = with_dots(name),
-                     .brief = brief_name(one.column),
-                     .unit = one.column.unit,
-                     .needs = needs_of(one.column, needs, mechanism_.topology)});
-    }
-  }
 }
 
 std::optional<SweepColumn> MotionColumnSearch::find(const Name& name) {
@@ -237,7 +177,7 @@ bool MotionColumnSearch::lacks_case(const std::string& column) {
   return needs_case_of_its_own(column) ||
          std::ranges::any_of(motion_report_words(), [&](const std::string& word) {
            const bool is_of_word = column == word || column.ends_with("." + word);
-           return is_of_word && !can_report(report_of(word));
+           return is_of_word && !can_report(report_of_word(word));
          });
 }
 

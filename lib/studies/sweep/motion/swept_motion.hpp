@@ -56,7 +56,6 @@ class MotionColumnSearch {
   };
 
   std::vector<Candidate> candidates_of(int which) const;
-  void add_candidates(int which, const MotionReport& needs, std::vector<Candidate>& all) const;
   void refuse_column(const Name& name, const std::string& column);
   bool lacks_case(const std::string& column);
   bool needs_case_of_its_own(const std::string& column);

@@ -27,21 +27,9 @@ std::string_view phrase_of(Missing missing) {
   return "";
 }
 
-// Why samples fell out: each is counted once.
 std::string rejected_text(const SelectionCounts& counts) {
-  std::vector<std::string> reasons;
-  for (std::size_t i = 0; i < kMissingCount; ++i) {
-    if (counts.missing[i] > 0) {
-      reasons.push_back(
-          fmt::format("{} {}", phrase_of(static_cast<Missing>(i)), counts.missing[i]));
-    }
-  }
-  for (std::size_t i = 1; i < kDefectCount; ++i) {
-    if (counts.defects[i] > 0) {
-      reasons.push_back(fmt::format("{} {}", phrase_of(static_cast<Defect>(i)), counts.defects[i]));
-    }
-  }
-  return reasons.empty() ? "" : fmt::format("not usable: {}\n", fmt::join(reasons, ", "));
+  const std::string reasons = unusable_text(counts);
+  return reasons.empty() ? "" : fmt::format("not usable: {}\n", reasons);
 }
 
 std::string selection_text(const SelectionCounts& counts, bool has_tasks) {
@@ -226,6 +214,22 @@ class TaskText {
 };
 
 }  // namespace
+
+std::string unusable_text(const SelectionCounts& counts) {
+  std::vector<std::string> reasons;
+  for (std::size_t i = 0; i < kMissingCount; ++i) {
+    if (counts.missing[i] > 0) {
+      reasons.push_back(
+          fmt::format("{} {}", phrase_of(static_cast<Missing>(i)), counts.missing[i]));
+    }
+  }
+  for (std::size_t i = 1; i < kDefectCount; ++i) {
+    if (counts.defects[i] > 0) {
+      reasons.push_back(fmt::format("{} {}", phrase_of(static_cast<Defect>(i)), counts.defects[i]));
+    }
+  }
+  return fmt::format("{}", fmt::join(reasons, ", "));
+}
 
 TextBlocks synthesis_text(const SynthesisAnalysis& analysis) {
   TextBlocks text(title_text(analysis.file, analysis.description));

@@ -8,6 +8,9 @@
 
 namespace kinestat {
 
+/// Why choices or linkages are not usable, each with their number: "branch defect 2, too large 1".
+std::string unusable_text(const SelectionCounts& counts);
+
 TextBlocks synthesis_text(const SynthesisAnalysis& analysis);
 
 /// The same without its title.

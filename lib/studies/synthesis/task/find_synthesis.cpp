@@ -12,6 +12,7 @@
 #include "core/digit_limits.hpp"
 #include "mechanism/bind/bind.hpp"
 #include "studies/synthesis/dyads/precise_burmester.hpp"
+#include "studies/synthesis/task/synthesis_findings.hpp"
 #include "studies/synthesis/task/synthesis_selection.hpp"
 #include "studies/synthesis/task/synthesis_task.hpp"
 #include "studies/synthesis/task/task_positions.hpp"
@@ -202,6 +203,7 @@ std::optional<SynthesisAnalysis> find_synthesis(const std::string& path,
   add_left_out(analysis);
   analysis.curve_count = values.curve_count().value_or(analysis.curve_count);
   warn_of_few_digits(analysis, found);
+  add_usability_findings(analysis, found);
   return analysis;
 }
 

@@ -1,0 +1,94 @@
+#include "studies/synthesis/task/synthesis_findings.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/digit_limits.hpp"
+#include "studies/synthesis/report/synthesis_text.hpp"
+
+namespace kinestat {
+
+namespace {
+
+bool has_usable(const SynthesisTask& task) {
+  return !task.linkages.empty() && task.linkages.front().defect == Defect::none;
+}
+
+bool lacks_digits(const SynthesisTask& task) {
+  return task.dyads && task.dyads->status == BurmesterStatus::no_digits;
+}
+
+// Which dyads of few positions are meant, the file may leave open, and so does a family.
+bool asks_for_linkages(const SynthesisTask& task) {
+  if (!task.dyads || (position_count(task.positions) < 5 && task.dyads->dyads.size() < 2)) {
+    return false;
+  }
+  const bool is_family = task.dyads->status == BurmesterStatus::family &&
+                         task.dyads->reason != Degeneracy::translation;
+  return !is_family || task.dyads->dyads.size() >= 2;
+}
+
+// As a selection counts its choices.
+SelectionCounts counts_of(const std::vector<SynthesisTask>& tasks) {
+  SelectionCounts counts;
+  for (const SynthesisTask& task : tasks) {
+    for (const LinkageCandidate& one : task.linkages) {
+      ++counts.defects[static_cast<std::size_t>(one.defect)];
+    }
+    if (task.linkages.empty() && task.dyads) {
+      const Missing missing = task.dyads->dyads.size() < 2 ? Missing::dyads : Missing::kind;
+      ++counts.missing[static_cast<std::size_t>(missing)];
+    }
+  }
+  return counts;
+}
+
+bool has_no_choice(const SynthesisAnalysis& analysis) {
+  return analysis.selection && analysis.selection->samples == 0;
+}
+
+std::string reason_of(const SynthesisAnalysis& analysis) {
+  if (std::ranges::any_of(analysis.tasks, lacks_digits)) {
+    return fmt::format("the positions are too close to each other for {} digits",
+                       analysis.digits.value_or(kDoubleDigits));
+  }
+  if (has_no_choice(analysis)) {
+    return "the curve of the points to choose from does not pass through their area";
+  }
+  return unusable_text(analysis.selection.value_or(counts_of(analysis.tasks)));
+}
+
+std::string hint_of(const SynthesisAnalysis& analysis) {
+  for (const SynthesisTask& task : analysis.tasks) {
+    if (!task.left_out.empty()) {
+      return fmt::format("'linkage: any' has a usable {}", word_of(task.left_out.front().type));
+    }
+  }
+  const bool has_no_digits = std::ranges::any_of(analysis.tasks, lacks_digits);
+  return has_no_digits ? "write the positions with more digits, or give derivatives instead of "
+                         "positions that close in"
+         : has_no_choice(analysis) ? "widen the area of 'vary', or give other points"
+         : analysis.selection
+             ? "widen the ranges of 'vary', or the limits; the report has what comes nearest"
+             : "move a position, or leave some of it open: 'kinestat help synthesis' has 'vary'; "
+               "the report has what comes nearest";
+}
+
+}  // namespace
+
+void add_usability_findings(const SynthesisAnalysis& analysis, Diagnostics& found) {
+  const bool is_asked =
+      analysis.selection || std::ranges::any_of(analysis.tasks, asks_for_linkages);
+  if (!is_asked || std::ranges::any_of(analysis.tasks, has_usable)) {
+    return;
+  }
+  found.error("E0802",
+              analysis.description.synthesis->where,
+              fmt::format("no linkage is usable: {}", reason_of(analysis)),
+              hint_of(analysis));
+}
+
+}  // namespace kinestat

@@ -1,0 +1,118 @@
+#include "studies/motion/picture/motion_curves.hpp"
+
+#include <gtest/gtest.h>
+
+#include "files/load_file.hpp"
+#include "mechanism/bind/bind.hpp"
+#include "studies/motion/task/find_motion.hpp"
+#include "studies/motion/task/motion_choice.hpp"
+
+namespace kinestat {
+namespace {
+
+// Of a file below the source folder, in two steps; empty where the report cannot be had.
+std::optional<MotionTable> motion_with(const std::string& name,
+                                       const std::vector<std::string>& report) {
+  SourceFile source;
+  Diagnostics found;
+  const std::string path = std::string(KINESTAT_SOURCE_DIR) + "/" + name;
+  std::optional<MechanismDescription> description = load_description(path, {}, source, found);
+  MotionChoice choice;
+  choice.steps = "2";
+  choice.report = report;
+  (void)apply(choice, *description, found);
+  const auto mechanism = bind(*description, found);
+  auto motion = find_motion(*description, *mechanism, found);
+  return motion ? std::optional(std::move(motion->table)) : std::nullopt;
+}
+
+std::optional<std::size_t> index_of(const MotionTable& table, const std::string& name) {
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    if (table.columns[c].name() == name) {
+      return c;
+    }
+  }
+  return std::nullopt;
+}
+
+struct WholeReport {
+  const char* file;
+  std::vector<std::string> words;
+};
+
+class EveryColumn : public testing::TestWithParam<WholeReport> {};
+
+TEST_P(EveryColumn, IsReportedAndDrawnAloneByItsName) {
+  const std::string name = GetParam().file;
+  const MotionTable whole = *motion_with(name, GetParam().words);
+  ASSERT_GT(whole.columns.size(), 20U);
+
+  for (std::size_t c = 0; c < whole.columns.size(); ++c) {
+    const std::string column = whole.columns[c].name();
+    const auto alone = motion_with(name, {column});
+    ASSERT_TRUE(alone) << column;
+    const auto at = index_of(*alone, column);
+    ASSERT_TRUE(at) << column;
+    for (std::size_t r = 0; r < whole.rows.size(); ++r) {
+      const auto& value = alone->rows[r].values[*at];
+      ASSERT_EQ(value.has_value(), whole.rows[r].values[c].has_value()) << column;
+      if (value) {
+        EXPECT_NEAR(*value, *whole.rows[r].values[c], 1e-12 * (1.0 + std::abs(*value))) << column;
+      }
+    }
+    const Figure figure = motion_figure(*alone, "");
+    ASSERT_LE(figure.charts.size(), 1U) << column;
+    if (!figure.charts.empty()) {
+      EXPECT_EQ(figure.charts[0].series.size(), 1U) << column;
+      EXPECT_EQ(figure.charts[0].series[0].name, whole.columns[c].element);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    OfMotions,
+    EveryColumn,
+    testing::Values(
+        WholeReport{.file = "mechanisms/planar/slider_crank.yaml",
+                    .words = {"position",
+                              "velocity",
+                              "acceleration",
+                              "action",
+                              "power",
+                              "ratio",
+                              "transmission_angle",
+                              "mechanical_advantage"}},
+        WholeReport{
+            .file = "tests/cli/motion_in_time/file.yaml",
+            .words = {"position", "velocity", "acceleration", "action", "power", "dynamics"}}));
+
+TEST(MotionColumnNames, StandForAllThatBeginsWithThem) {
+  const MotionTable table =
+      *motion_with("mechanisms/planar/slider_crank.yaml", {"rod/linear", "Tin.velocity", "rod/y"});
+
+  std::vector<std::string> names;
+  for (const MotionColumn& column : table.columns) {
+    names.push_back(column.name());
+  }
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"Tin/drive",
+                                      "rod/at/y",
+                                      "a.wz/velocity",
+                                      "rod/linear/x",
+                                      "rod/linear/y",
+                                      "closure_error"}));
+}
+
+TEST(MotionColumnNames, LeavePlacesOfTracedPointsToThePathsUnlessNamed) {
+  const char* const kFourBar = "mechanisms/planar/four_bar.yaml";
+  const Figure positions = motion_figure(*motion_with(kFourBar, {"d.wz/position"}), "");
+  const Figure figure = motion_figure(*motion_with(kFourBar, {"coupler.1/x"}), "");
+
+  ASSERT_EQ(positions.charts.size(), 1U);
+  EXPECT_EQ(positions.charts[0].y.label, "position of d.wz");
+  ASSERT_EQ(figure.charts.size(), 1U);
+  EXPECT_EQ(figure.charts[0].y.label, "at x of coupler.1");
+}
+
+}  // namespace
+}  // namespace kinestat
