@@ -43,6 +43,7 @@ DECISIONS = {
     "lib/power/efficiency.cpp": "consistency: the powers of a case balance within kPowerBalance",
     "lib/power/power_flow.cpp": "consistency: the powers of a case balance within kPowerBalance",
     "lib/power/transmission_efficiency.cpp": "search: which assumed senses are accepted",
+    "lib/studies/duty/slip_finder.cpp": "search: rates so slow that the position is analysed whole",
     "lib/studies/duty/duty_case.cpp": "search: whether teeth press as where they were analysed",
     "lib/studies/compare/compare_tolerance.cpp": "comparison of two reports, not a zero of a value",
     "lib/studies/motion/lanes/lane_looks.cpp": "search: rates so slow that the whole motion decides",

@@ -30,16 +30,12 @@ struct Sample {
   double miss = 0.0;
 };
 
-// Where a torque jumps over what it should be, as the drag of a clutch turns its sense, it misses
-// by more than this share of what it misses at the nodes.
-constexpr double kFits = 1e-6;
-
 // By false position with halved weights (Illinois), then halving, until the ends are neighbours:
 // they miss in other senses. Empty where the torque has no value between them, or jumps.
 std::optional<double> find_root(Sample low,
                                 Sample high,
                                 const std::function<std::optional<double>(double)>& at) {
-  const double most = kFits * (std::abs(low.miss) + std::abs(high.miss));
+  const double most = kTorqueFits * (std::abs(low.miss) + std::abs(high.miss));
   double low_weight = low.miss;
   double high_weight = high.miss;
   int side = 0;

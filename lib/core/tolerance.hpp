@@ -37,6 +37,14 @@ inline constexpr double kConsistency = 1e-9;
 /// The powers of a case must sum to zero within this share of the largest power.
 inline constexpr double kPowerBalance = 1e-9;
 
+/// The slip of a converter is sought by signs: what is smaller than this share of what it is made of
+/// has none, and the position is analysed whole.
+inline constexpr double kDoubtfulSign = 1e-9;
+
+/// Where a torque jumps over what it should be, as the drag of a clutch turns its sense, it misses
+/// by more than this share of what it misses at the nodes of the search.
+inline constexpr double kTorqueFits = 1e-6;
+
 /// A magnitude is affine in the free parameters if it is met at other points of them to this share
 /// of its largest term. Parameters are moved by at least their own size and that of the mechanism,
 /// where a function that bends shows far more.

@@ -27,7 +27,7 @@ struct PlannedDrive {
 struct TracedPoint {
   std::string name;  ///< by `name_of_trace`
   BodyId body;
-  Vec3 at = Vec3::Zero();  ///< in the drawn position, world frame [m]
+  Vec3 at = Vec3::Zero();  ///< in the drawn position, from the geometry's origin [m]
 };
 
 /// The columns of a motion by their names, "motor/action".

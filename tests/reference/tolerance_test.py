@@ -131,8 +131,16 @@ class FourBars(unittest.TestCase):
 
     def test_far_from_the_origin(self) -> None:
         points = [[0, 0], [0.25, 0.5], [1, 0.75], [1.25, -0.25]]  # exact there, too
-        near = positions(four_bar(*points), "--of", "coupler", "--of", "lever")
-        far = positions(four_bar(*points, shift=2.0**20), "--of", "coupler", "--of", "lever")
+        def answer(shift: float) -> dict:
+            trace = f"{{body: coupler, at: [{0.5 + shift}, {1 + shift}], name: P}}"
+            motion = f"motion: {{drive: motor, to: 40 deg, steps: 2, trace: [{trace}]}}\n"
+            text = four_bar(*points, shift=shift) + motion
+            watched = [word for name in ("coupler", "lever", "P") for word in ("--of", name)]
+            steps = tolerance(text, "--along", *watched)["cases"]
+            return {f"{label} {name}": one for label, step in steps.items()
+                    for name, one in step["positions"].items()} | positions(text, *watched)
+
+        near, far = answer(0.0), answer(2.0**20)
         for name, one in near.items():
             for key, share in one["by"].items():
                 self.assertAlmostEqual(

@@ -12,9 +12,6 @@ namespace kinestat {
 
 namespace {
 
-// What is smaller than this share of what it is made of may be rounding, as far as a sign goes.
-constexpr double kDoubtful = 1e-9;
-
 // Whether the friction of a coupling hangs on what presses, if it has any.
 bool is_pressed(const Topology& topology, const CouplingFriction& friction) {
   const FrictionKind kind = kind_of(topology.coupling(friction.coupling).type).friction;
@@ -52,7 +49,7 @@ bool is_same_converter(const ConverterLaw& a, const ConverterLaw& b) {
 }  // namespace
 
 bool SlipFinder::Sum::is_doubtful() const {
-  return size > 0.0 && std::abs(value) <= slack + kDoubtful * size;
+  return size > 0.0 && std::abs(value) <= slack + kDoubtfulSign * size;
 }
 
 SlipFinder::SlipFinder(const Mechanism& mechanism,
@@ -191,7 +188,7 @@ std::optional<SlipFinder::Sum> SlipFinder::drag_of(const Couple& couple) {
   const std::optional<double> tau = tau_at(friction, std::abs(rate));
   const bool has_tau = friction.tau != 0.0 || friction.tau_of_speed;
   Sum drag;
-  if (has_tau && std::abs(rate) <= kDoubtful * largest_) {
+  if (has_tau && std::abs(rate) <= kDoubtfulSign * largest_) {
     if (!tau || !is_free_at_rest(mechanism_.topology, known_, friction)) {
       is_doubtful_ = true;
       return std::nullopt;

@@ -139,8 +139,7 @@ class HeldMechanism {
   std::vector<BodyWrench> unit_loads(const WatchedPosition& position) const {
     if (const auto* body = std::get_if<BodyDisplacement>(&position.of)) {
       const Wrench unit =
-          body->at ? unit_force(body->direction, *body->at - mechanism_.geometry.origin.place())
-                   : unit_couple(body->direction);
+          body->at ? unit_force(body->direction, *body->at) : unit_couple(body->direction);
       return {{.body = body->body, .wrench = unit}};
     }
     const int freedom = std::get<int>(position.of);

@@ -71,11 +71,7 @@ std::vector<WatchedPosition> all_positions(const Mechanism& mechanism,
   for (std::size_t b = 1; b < topology.bodies.size(); ++b) {
     const BodyId body{static_cast<int>(b)};
     const std::string& name = topology.bodies[b].name;
-    add_place(mechanism,
-              name,
-              body,
-              mechanism.geometry.origin.in_world(mechanism.geometry.references[b]),
-              list);
+    add_place(mechanism, name, body, mechanism.geometry.references[b], list);
     add_turn(mechanism, name, body, list);
   }
   return list;

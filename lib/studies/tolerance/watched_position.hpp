@@ -18,7 +18,7 @@ namespace kinestat {
 struct BodyDisplacement {
   BodyId body;
   Vec3 direction = Vec3::UnitX();  ///< unit vector, world frame
-  std::optional<Vec3> at = {};     ///< world frame [m]
+  std::optional<Vec3> at = {};     ///< from the geometry's origin [m]
 };
 
 /// A position that small errors of parts and drives move.
