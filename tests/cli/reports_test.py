@@ -221,6 +221,9 @@ def repeated_values(report: Any) -> list[Any]:
             found += [case[key] for key in [RATIOS[name]] if name in case and key in case]
         for stress in case.get("statics", {}).get("self_stresses", []):
             found += numbers(stress["actions"])
+        if "dynamics" in case:
+            for key in ("kinetic_energy", "kinetic_energy_rate", "shaking", "ground"):
+                found += numbers(case["dynamics"].get(key, {}))
         if "power" in case:
             found += numbers(case["power"].get("efficiency", {}))
             found += numbers(case["power"].get("losses", {}))
@@ -460,6 +463,11 @@ class Reports(unittest.TestCase):
                 ratio_unit = report.get("cases", {}).get(row["case"], {}).get(
                     f"{RATIOS.get(row['pass'])}_unit", "")
                 is_ratio = row["quantity"] == RATIOS.get(row["pass"])
+                if "acceleration" in row["quantity"]:
+                    own = report["mechanism"]["units"]
+                    self.assertIn(row["unit"], {f"{own[key]}/{own['time']}^2"
+                                                for key in ("angle", "length")}, row)
+                    continue
                 if "self_stress" in row["quantity"]:  # for one unit of its first action
                     self.assertIn(row["unit"], {quotient(above, below) for above in units
                                                 for below in units}, row)
