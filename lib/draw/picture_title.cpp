@@ -21,4 +21,15 @@ std::string picture_title(std::string_view what, const Analysis& analysis) {
   return picture_title(what, analysis.file, analysis.description);
 }
 
+std::string picture_title_of_case(std::string_view what,
+                                  const CaseAnalysis& one,
+                                  const Analysis& analysis) {
+  return picture_title(fmt::format("{}, case {}", what, one.which.label), analysis);
+}
+
+std::string picture_title_of_cases(std::string_view what, const Analysis& analysis) {
+  return analysis.cases.size() == 1 ? picture_title_of_case(what, analysis.cases.front(), analysis)
+                                    : picture_title(what, analysis);
+}
+
 }  // namespace kinestat

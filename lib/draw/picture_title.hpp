@@ -18,4 +18,12 @@ std::string picture_title(std::string_view what,
                           const MechanismDescription& description);
 std::string picture_title(std::string_view what, const Analysis& analysis);
 
+/// "Power flow, case M1: Ravigneaux transmission".
+std::string picture_title_of_case(std::string_view what,
+                                  const CaseAnalysis& one,
+                                  const Analysis& analysis);
+
+/// The same of an analysis that has one case alone; of others without its name.
+std::string picture_title_of_cases(std::string_view what, const Analysis& analysis);
+
 }  // namespace kinestat

@@ -116,7 +116,7 @@ class FileSection {
     html_.close();
   }
 
-  void add_folded_blocks(const char* line, const char* name, const TextBlocks& blocks) {
+  void add_folded_blocks(const std::string& line, const char* name, const TextBlocks& blocks) {
     if (blocks.is_empty()) {
       return;
     }
@@ -132,7 +132,15 @@ class FileSection {
     }
     section_.open_part("shift", "Shift table");
     section_.add_pictures(pictures_at(PicturePlace::shift, section_.source()));
-    add_blocks(shift_blocks(*page_.analysis), "Shift table", html_);
+    const ShiftBlocks shift = shift_parts(*page_.analysis, ShownOthers::all);
+    add_blocks(shift.gears, "Shift table", html_);
+    add_folded_blocks(fmt::format("{} combination{} of elements {} no gear",
+                                  shift.other_count,
+                                  shift.other_count == 1 ? "" : "s",
+                                  shift.other_count == 1 ? "is" : "are"),
+                      "No gear",
+                      shift.others);
+    add_blocks(shift.elements, "Elements", html_);
     html_.close();
   }
 

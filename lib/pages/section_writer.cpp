@@ -17,6 +17,33 @@ namespace {
 // serves every screen, and three stand beside each other on a wide one.
 constexpr double kChartWidth = 300.0;
 
+// How high blocks stand on a page [px]: tables side by side.
+double height_of(const TextBlocks& blocks) {
+  constexpr double kRow = 23.0;
+  std::size_t most = 0;
+  for (const TextBlock& one : blocks.blocks()) {
+    most = std::max(most, one.table ? one.table->rows().size() + 1 : 1);
+  }
+  return kRow * static_cast<double>(most);
+}
+
+// Of pictures those that stand beside the blocks: a column of them that is much higher would leave
+// the page empty below the tables.
+std::size_t count_beside(const std::vector<Picture>& pictures, const TextBlocks& blocks) {
+  constexpr double kCaption = 40.0;
+  constexpr double kOver = 140.0;
+  double left = height_of(blocks) + kOver;
+  std::size_t count = 0;
+  while (count < pictures.size() && !is_broad(pictures[count])) {
+    left -= pictures[count].view.height() + kCaption;
+    if (left < 0.0) {
+      break;
+    }
+    ++count;
+  }
+  return count;
+}
+
 }  // namespace
 
 SectionWriter::SectionWriter(
@@ -56,8 +83,9 @@ void SectionWriter::add_pictures(const std::vector<Picture>& pictures) {
 void SectionWriter::add_pair(const TextBlocks& blocks,
                              const std::string& name,
                              std::vector<Picture> pictures) {
-  const auto below = std::stable_partition(
+  std::stable_partition(
       pictures.begin(), pictures.end(), [](const Picture& one) { return !is_broad(one); });
+  const auto below = pictures.begin() + static_cast<std::ptrdiff_t>(count_beside(pictures, blocks));
   const std::vector<Picture> beside(pictures.begin(), below);
   html_.open("div", {{"class", beside.empty() || blocks.is_empty() ? "pair" : "pair both"}});
   html_.open("div");

@@ -154,7 +154,7 @@ BarMap speed_map(const Analysis& analysis) {
               moving_bodies(analysis));
   return builder.finish(
       "speeds",
-      picture_title("Velocities of the bodies", analysis),
+      picture_title_of_cases("Velocities of the bodies", analysis),
       "Bars of the angular velocity of each body and of the velocity of its reference point, "
       "relative to the ground, for each case on one scale.");
 }
@@ -175,7 +175,7 @@ BarMap torque_map(const Analysis& analysis) {
                    }},
               couplings(analysis));
   return builder.finish("torques",
-                        picture_title("Moments in the couplings", analysis),
+                        picture_title_of_cases("Moments in the couplings", analysis),
                         "Bars of the moment that each coupling bears about its own point, of tail "
                         "on head, for each case on one scale.");
 }
@@ -193,7 +193,7 @@ BarMap force_map(const Analysis& analysis) {
            }},
       couplings(analysis));
   return builder.finish("forces",
-                        picture_title("Forces in the couplings", analysis),
+                        picture_title_of_cases("Forces in the couplings", analysis),
                         "Bars of the force that each coupling bears, of tail on head, for each "
                         "case on one scale.");
 }

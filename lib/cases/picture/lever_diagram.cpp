@@ -85,7 +85,7 @@ class LeverDrawing {
                           analysis_.description.units.text(QuantityKind::angular_velocity)),
               {.ink = Ink::soft, .size = kTextSize});
     return make_picture("lever",
-                        picture_title("Lever diagram", analysis_),
+                        picture_title_of_cases("Lever diagram", analysis_),
                         "Each planetary set as a lever: its central bodies at places given by the "
                         "numbers of teeth, their angular velocities as distances from the ground "
                         "line, for each case.",

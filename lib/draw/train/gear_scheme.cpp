@@ -444,7 +444,9 @@ std::optional<Picture> draw_gear_scheme(const Analysis& analysis,
   const Svg svg = SchemeWriter(analysis, options, section->train, layout).write();
   return make_picture(
       "gear-scheme",
-      picture_title("Gear scheme", analysis),
+      options.which && *options.which < analysis.cases.size()
+          ? picture_title_of_case("Gear scheme", analysis.cases[*options.which], analysis)
+          : picture_title("Gear scheme", analysis),
       fmt::format("{}: {} wheels, {} elements.",
                   layout.axes.empty() ? "Half section along the main axis"
                                       : "Developed section, each axis at a height of its own",

@@ -12,6 +12,7 @@
 #include "report/in_units.hpp"
 #include "report/number_format.hpp"
 #include "studies/shift/report/gear_report.hpp"
+#include "studies/shift/report/shift_others.hpp"
 #include "studies/shift/report/shift_sums.hpp"
 
 namespace kinestat {
@@ -20,9 +21,6 @@ namespace {
 
 constexpr const char* kEngaged = "●";
 constexpr const char* kOpen = "·";
-
-// Combinations that are no gear: beyond so many nobody reads their reasons.
-constexpr std::size_t kMostStates = 40;
 
 // A cell of the table; empty where there is no value.
 std::string number_or_dash(const std::optional<double>& value) {
@@ -55,14 +53,17 @@ class ShiftTables {
     }
   }
 
-  TextBlocks run() const {
-    TextBlocks blocks(head_text());
-    blocks += gears_blocks();
-    blocks += remarks_text();
-    blocks += reactions_blocks();
-    blocks += others_blocks();
-    blocks += elements_blocks();
-    return blocks += changes_blocks();
+  ShiftBlocks run(ShownOthers shown) const {
+    TextBlocks gears(head_text());
+    gears += gears_blocks();
+    gears += remarks_text();
+    gears += reactions_blocks();
+    TextBlocks elements = elements_blocks();
+    elements += changes_blocks();
+    return {.gears = std::move(gears),
+            .others = others_blocks(shown),
+            .other_count = solution_.states.size() - gears_.size(),
+            .elements = std::move(elements)};
   }
 
  private:
@@ -80,7 +81,7 @@ class ShiftTables {
 
   std::string head_text() const {
     const std::size_t inputs = plan_.inputs.size();
-    std::string text = fmt::format(
+    return fmt::format(
         "Shift table: a gear engages {}{} of {} elements (net degree of freedom {}, {} input{}), "
         "{:.0f} possibilit{}{}, {} gear{}\n\n",
         solution_.needed,
@@ -97,14 +98,13 @@ class ShiftTables {
             : "",
         gears_.size(),
         gears_.size() == 1 ? "" : "s");
-    return text;
   }
 
   // A column for each element: engaged or open.
-  void add_marks(std::size_t first, std::size_t count, std::vector<TextColumn>& columns) const {
+  void add_marks(const std::vector<std::size_t>& states, std::vector<TextColumn>& columns) const {
     for (int e = 0; e < static_cast<int>(plan_.elements.size()); ++e) {
       TextColumn column{.head = element_name(e), .cells = {}};
-      for (std::size_t s = first; s < first + count; ++s) {
+      for (const std::size_t s : states) {
         const bool is_engaged = std::ranges::binary_search(solution_.states[s].engaged, e);
         column.cells.push_back(is_engaged ? kEngaged : kOpen);
       }
@@ -172,7 +172,9 @@ class ShiftTables {
       return {};
     }
     std::vector<TextColumn> columns = {names("Gear", 0, gears_.size())};
-    add_marks(0, gears_.size(), columns);
+    std::vector<std::size_t> states(gears_.size());
+    std::iota(states.begin(), states.end(), std::size_t{0});
+    add_marks(states, columns);
     const std::vector<RatiosInUnits> units = gear_ratio_units(analysis_);
     const auto with_unit = [](std::string head, const RatioInUnits& ratio) {
       return ratio.unit.empty() ? head : fmt::format("{} [{}]", head, ratio.unit);
@@ -304,29 +306,26 @@ class ShiftTables {
     return text.empty() ? "" : text + "\n";
   }
 
-  // Combinations that are no gear, each with its reason below the table.
-  TextBlocks others_blocks() const {
-    const std::size_t first = gears_.size();
-    const std::size_t all = solution_.states.size() - first;
-    const std::size_t count = std::min(all, kMostStates);
-    if (count == 0) {
+  // Each with its reason below the table.
+  TextBlocks others_blocks(ShownOthers shown) const {
+    const std::vector<std::size_t> states = shown_others(solution_, gears_.size(), shown);
+    if (states.empty()) {
       return {};
     }
-    std::vector<TextColumn> columns = {names("No gear", first, count)};
-    add_marks(first, count, columns);
+    TextColumn name{.head = "No gear", .cells = {}};
     TextColumn kinds{.head = "class", .cells = {}};
     std::string reasons;
-    for (std::size_t s = first; s < first + count; ++s) {
+    for (const std::size_t s : states) {
       const NamedShiftState& one = solution_.states[s];
+      name.cells.push_back(name_of(static_cast<int>(s)));
       kinds.cells.emplace_back(word_of(one.state.kind));
       reasons += fmt::format("  {}: {}\n", name_of(static_cast<int>(s)), one.reason);
     }
+    std::vector<TextColumn> columns = {std::move(name)};
+    add_marks(states, columns);
     columns.push_back(std::move(kinds));
-    if (count < all) {
-      reasons += fmt::format("  and {} more, which --format csv lists\n", all - count);
-    }
-    TextBlocks blocks(columns);
-    return blocks += reasons + "\n";
+    return TextBlocks(std::move(columns)) +=
+           reasons + rest_of_others_text(solution_, gears_.size(), states) + "\n";
   }
 
   // What each element bears where it is engaged, and how fast it slips where it is open.
@@ -486,9 +485,16 @@ class ShiftTables {
 
 }  // namespace
 
-TextBlocks shift_blocks(const Analysis& analysis) {
+ShiftBlocks shift_parts(const Analysis& analysis, ShownOthers shown) {
   KINESTAT_EXPECTS(analysis.shift.has_value());
-  return ShiftTables(analysis).run();
+  return ShiftTables(analysis).run(shown);
+}
+
+TextBlocks shift_blocks(const Analysis& analysis) {
+  ShiftBlocks parts = shift_parts(analysis, ShownOthers::first);
+  parts.gears += std::move(parts.others);
+  parts.gears += std::move(parts.elements);
+  return std::move(parts.gears);
 }
 
 }  // namespace kinestat
