@@ -26,9 +26,8 @@ constexpr auto kErrorCodes = std::to_array<Code>({
      "value of --set cannot be used",
      "--set gives a parameter of the mechanism file another value for this run. It takes "
      "NAME=VALUE, where NAME is one of the section 'parameters' and VALUE a number or an "
-     "expression that measures the same as the value of the file, and that the places take where "
-     "it is used, of which a note shows the one that does not. In the shell, quotes keep a value "
-     "with spaces together, as in --set 'h_z=10 mm'."},
+     "expression that measures the same as the value of the file; in the shell, quotes keep a "
+     "value with spaces together, as in --set 'h_z=10 mm'."},
     {"E0103",
      usage,
      "wrong use of the library",

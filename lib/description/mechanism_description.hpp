@@ -38,7 +38,6 @@ struct ParameterDescription {
   bool is_free = false;
   std::string set_by =
       {};  ///< NAME=VALUE of the command line that replaced the value; empty if none did
-  std::optional<Value> in_file = {};  ///< the value that it replaced
 };
 
 /// An active coupling; `freedom` is needed where the coupling has several.

@@ -47,9 +47,6 @@ void apply(const Override& text, MechanismDescription& description, Diagnostics&
     refuse(text, error->message, error->hint, found);
     return;
   }
-  if (!parameter->in_file) {
-    parameter->in_file = parameter->value;
-  }
   parameter->value.expression = std::get<Expression>(std::move(parsed));
   parameter->value.text_column = 0;
   parameter->set_by = text;

@@ -9,7 +9,6 @@
 #include "couplings/kinds.hpp"
 #include "description/cable_expansion.hpp"
 #include "description/gear_expansion.hpp"
-#include "mechanism/bind/override_blame.hpp"
 #include "mechanism/bind/structure_binder.hpp"
 #include "mechanism/cables/internal/cable_check.hpp"
 #include "mechanism/cables/internal/cable_contact_binder.hpp"
@@ -234,9 +233,9 @@ bool bind_whole_structure(const SectionContext& context, ScrewSpaces spaces, Mec
   return false;
 }
 
-std::optional<Mechanism> bind_as_given(Purpose purpose,
-                                       const MechanismDescription& description,
-                                       Diagnostics& found) {
+std::optional<Mechanism> bind_for(Purpose purpose,
+                                  const MechanismDescription& description,
+                                  Diagnostics& found) {
   const int errors_before = found.error_count();
   const std::vector<Unanalysed> unanalysed = find_unanalysed(description);
   const bool is_undecided = std::ranges::any_of(unanalysed, [purpose](const Unanalysed& one) {
@@ -290,24 +289,6 @@ std::optional<Mechanism> bind_as_given(Purpose purpose,
                    (has_all_meshes(description) && is_expanded(description)));
   return is_right && description.has_mechanism() && !is_undecided ? std::optional(std::move(result))
                                                                   : std::nullopt;
-}
-
-std::optional<Mechanism> bind_for(Purpose purpose,
-                                  const MechanismDescription& description,
-                                  Diagnostics& found) {
-  if (!has_overrides(description)) {
-    return bind_as_given(purpose, description, found);
-  }
-  Diagnostics said;
-  std::optional<Mechanism> result = bind_as_given(purpose, description, said);
-  add_blaming_overrides(
-      description,
-      [purpose](const MechanismDescription& other, Diagnostics& of_other) {
-        (void)bind_as_given(purpose, other, of_other);
-      },
-      said,
-      found);
-  return result;
 }
 
 }  // namespace
