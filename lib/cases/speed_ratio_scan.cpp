@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/tolerance.hpp"
+
 namespace kinestat {
 
 namespace {

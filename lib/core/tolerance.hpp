@@ -37,8 +37,8 @@ inline constexpr double kConsistency = 1e-9;
 /// The powers of a case must sum to zero within this share of the largest power.
 inline constexpr double kPowerBalance = 1e-9;
 
-/// The slip of a converter is sought by signs: what is smaller than this share of what it is made of
-/// has none, and the position is analysed whole.
+/// The slip of a converter is sought by signs: what is smaller than this share of what it is made
+/// of has none, and the position is analysed whole.
 inline constexpr double kDoubtfulSign = 1e-9;
 
 /// Where a torque jumps over what it should be, as the drag of a clutch turns its sense, it misses

@@ -172,8 +172,15 @@ def moved_origin(sizes: float) -> Callable[[MechanismFile], Factors | None]:
 LENGTHS = {"radius", "thrust_radius", "length", "pitch", "lead", "module", "centre_distance"}
 
 
+def _names_curve(file: MechanismFile, text: str) -> bool:
+    return bool(set(re.findall(r"[A-Za-z_]\w*", text)) & set(file.tree.get("curves") or {}))
+
+
 def _with_unit(file: MechanismFile, text: str, unit: str) -> str:
-    if text.strip() in ("0", "flat") or not file.evaluate(text).is_bare:
+    """The points of curves have units in the files of the library."""
+    if text.strip() in ("0", "flat") or _names_curve(file, text):
+        return text
+    if not file.evaluate(text).is_bare:
         return text
     return f"({text})*1 {unit}"
 

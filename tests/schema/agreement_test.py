@@ -65,6 +65,7 @@ EXCEPTIONS = [
     (r"mesh '.*' needs a carrier: its planet '.*' turns on '.*', not on the ground",
      "follows references"),
     (r"mesh '.*' has no teeth to find its loss from", "follows references"),
+    (r"parameter '.*' of 'vary' lacks the key 'step'", "looks at 'sample' of the sweep, too"),
     (r"body '.*' has a mass, on which gravity acts, but no centre of mass", "looks at 'gravity' too"),
     (r"'gears' lacks the key 'module'", "looks at members and meshes, where it may be instead"),
     (r"planet '.*' has no distance from the main axis", "follows references"),

@@ -50,8 +50,8 @@ LargestActions largest_actions(const Mechanism& mechanism, const CaseAnalysis& o
 TextBlocks overview_blocks(const Analysis& analysis);
 
 /// What people ask first: ratio and torque ratio, or why there is none; efficiencies, and what the
-/// inputs or outputs take or give with the losses of meshes; the power of the inputs and the balance
-/// of all powers; the largest force and moment, and in which couplings.
+/// inputs or outputs take or give with the losses of meshes; the power of the inputs and the
+/// balance of all powers; the largest force and moment, and in which couplings.
 std::string results_text(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in);
 
 /// Cells of a table with a line a case, "-" where there is no number: the ratio with its unit; the

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/tolerance.hpp"
 #include "couplings/kinds.hpp"
 #include "network/bases.hpp"
 #include "statics/action.hpp"

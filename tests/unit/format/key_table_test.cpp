@@ -17,9 +17,9 @@ bool has_line(const std::string& text, const std::string& line) {
 TEST(KeyTable, SaysFormNeedUsualValueAndExampleAndTheMeaningBelow) {
   const std::string table = key_table("motion");
 
-  EXPECT_TRUE(has_line(table, "  drive   NAME; needed; e.g. drive")) << table;
-  EXPECT_TRUE(has_line(table, "          The actuator that drives."));
-  EXPECT_TRUE(has_line(table, "  steps   VALUE; default 100; e.g. 360"));
+  EXPECT_TRUE(has_line(table, "  drive    NAME; needed; e.g. drive")) << table;
+  EXPECT_TRUE(has_line(table, "           The actuator that drives."));
+  EXPECT_TRUE(has_line(table, "  steps    VALUE; default 100; e.g. 360"));
 }
 
 TEST(KeyTable, ListsBelowAKeyWhatStandsInItsValue) {

@@ -9,6 +9,7 @@
 #include "mechanism/cables/internal/cable_check.hpp"
 #include "mechanism/cases/load_binder.hpp"
 #include "mechanism/check/section_checks.hpp"
+#include "mechanism/curves/curve_binder.hpp"
 #include "mechanism/gears/internal/gear_check.hpp"
 #include "mechanism/inertia/mass_binder.hpp"
 #include "support/read_text.hpp"
@@ -47,7 +48,7 @@ inline void check_all_sections(const MechanismDescription& description,
   (void)check_gears(context);
   (void)check_cables(context);
   check_sections(context);
-  (void)bind_loads(context, bind_masses(context));
+  (void)bind_loads(context, bind_masses(context), bind_curves(context, nullptr));
 }
 
 /// Errors of the reader are a failed test.

@@ -114,7 +114,7 @@ TEST(DriveSchedule, dwells_and_rests_where_its_parts_end) {
                   {.begin = 0.5, .end = 0.75, .from = 5, .to = 1, .law = constant_speed}}}});
 
   EXPECT_FALSE(schedule.is_straight());
-  EXPECT_EQ(schedule.at(0, 0.125).position, 3.0);
+  EXPECT_NEAR(schedule.at(0, 0.125).position, 3.0, 1e-15);
   EXPECT_NEAR(schedule.at(0, 0.125).speed, 4.0 / 2.0 * std::numbers::pi / 2.0, 1e-15);
   EXPECT_EQ(schedule.at(0, 0.25).position, 5.0);
   EXPECT_EQ(schedule.at(0, 0.375).speed, 0.0);
