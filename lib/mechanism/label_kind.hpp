@@ -6,6 +6,11 @@
 
 namespace kinestat {
 
+/// Of where a freedom stands.
+constexpr QuantityKind position_kind(bool is_rotation) {
+  return is_rotation ? QuantityKind::angle : QuantityKind::length;
+}
+
 /// Of the rate of a freedom.
 constexpr QuantityKind rate_kind(bool is_rotation) {
   return is_rotation ? QuantityKind::angular_velocity : QuantityKind::velocity;

@@ -12,6 +12,7 @@
 #include "core/contract.hpp"
 #include "core/tolerance.hpp"
 #include "mechanism/bind/evaluator.hpp"
+#include "mechanism/label_kind.hpp"
 
 namespace kinestat {
 
@@ -206,7 +207,7 @@ class MotionBinder {
   // Parts in seconds as yet; answers how long all of them take.
   double bind_profile(std::size_t d, DriveCourse& course) {
     PlannedDrive& drive = plan_.drives[d];
-    const QuantityKind kind = position_kind(drive);
+    const QuantityKind kind = drive_kind(drive);
     double place = drive.from;
     double time = 0.0;
     const auto seconds = [&](const std::optional<Value>& value) {
@@ -239,7 +240,7 @@ class MotionBinder {
     KINESTAT_EXPECTS(at != mechanism_.curves.end());
     Curve curve = *at;
     if (is_bare(curve.dimension)) {
-      const double unit = description_.units.factor(position_kind(plan_.drives[d]));
+      const double unit = description_.units.factor(drive_kind(plan_.drives[d]));
       for (auto* list : {&curve.values, &curve.slopes}) {
         for (double& number : *list) {
           number *= unit;
@@ -250,9 +251,9 @@ class MotionBinder {
     return *course.curve;
   }
 
-  QuantityKind position_kind(const PlannedDrive& drive) const {
+  QuantityKind drive_kind(const PlannedDrive& drive) const {
     const auto f = static_cast<std::size_t>(drive.freedom);
-    return mechanism_.topology.freedoms[f].is_rotation ? QuantityKind::angle : QuantityKind::length;
+    return position_kind(mechanism_.topology.freedoms[f].is_rotation);
   }
 
   // False iff a problem was found.
@@ -371,7 +372,7 @@ class MotionBinder {
         std::ranges::find(topology.actuators, range.actuator.text, &ActuatorTopology::name);
     KINESTAT_EXPECTS(at != topology.actuators.end());
     const bool turns = topology.freedoms[static_cast<std::size_t>(at->freedom)].is_rotation;
-    const QuantityKind kind = turns ? QuantityKind::angle : QuantityKind::length;
+    const QuantityKind kind = position_kind(turns);
     const auto value = [&](const std::optional<Value>& text) {
       return text ? evaluator_.number(*text, kind).value_or(0.0) : 0.0;
     };

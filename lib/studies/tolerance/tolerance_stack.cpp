@@ -6,6 +6,7 @@
 #include "core/rounding.hpp"
 #include "math/dense/least_norm.hpp"
 #include "math/numbers/settled.hpp"
+#include "mechanism/label_kind.hpp"
 
 namespace kinestat {
 
@@ -82,7 +83,7 @@ class StackMaker {
     const double tolerance = tolerances[at(coupling.value)];
     shares.push_back(
         {.name = topology_.coupling(coupling).name + (is_angle ? "/angle" : "/place"),
-         .kind = is_angle ? QuantityKind::angle : QuantityKind::length,
+         .kind = position_kind(is_angle),
          .influence = size,
          .direction = size > 0.0 ? std::optional<Vec3>(direction_of(vector, size)) : std::nullopt,
          .tolerance = tolerance,
@@ -93,7 +94,7 @@ class StackMaker {
     const Primary& drive = which_.motions[held];
     const double tolerance = tolerances_.drives[held];
     return {.name = drive.given + "/drive",
-            .kind = position_kind(topology_.freedoms[at(drive.index)]),
+            .kind = position_kind(topology_.freedoms[at(drive.index)].is_rotation),
             .influence = influence,
             .direction = std::nullopt,
             .tolerance = tolerance,

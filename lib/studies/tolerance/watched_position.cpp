@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/axis_name.hpp"
+#include "mechanism/label_kind.hpp"
 
 namespace kinestat {
 
@@ -13,7 +14,7 @@ namespace {
 
 WatchedPosition freedom_position(const Topology& topology, int freedom) {
   return {.name = topology.freedom_name(freedom),
-          .kind = position_kind(topology.freedoms[static_cast<std::size_t>(freedom)]),
+          .kind = position_kind(topology.freedoms[static_cast<std::size_t>(freedom)].is_rotation),
           .of = freedom};
 }
 

@@ -28,11 +28,6 @@ struct WatchedPosition {
   std::variant<int, BodyDisplacement> of = 0;  ///< index into Topology::freedoms, or of a body
 };
 
-/// Of where a freedom stands.
-inline QuantityKind position_kind(const FreedomLabel& freedom) {
-  return freedom.is_rotation ? QuantityKind::angle : QuantityKind::length;
-}
-
 /// Those of a name: a freedom, an actuator, a point of the section `motion`, a body, or one
 /// component of these two, as "P/at/x". None if nothing is called so.
 std::vector<WatchedPosition> watched_positions(const Mechanism& mechanism,

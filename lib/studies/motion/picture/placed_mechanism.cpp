@@ -13,6 +13,7 @@
 #include "draw/linkage/drawn_motion.hpp"
 #include "draw/picture_title.hpp"
 #include "mechanism/bind/evaluator.hpp"
+#include "mechanism/label_kind.hpp"
 #include "studies/motion/picture/drawn_motion_maker.hpp"
 #include "studies/motion/task/find_motion.hpp"
 #include "studies/motion/task/motion_findings.hpp"
@@ -73,8 +74,7 @@ class Placer {
       return std::nullopt;
     }
     const Value value{.expression = std::get<Expression>(std::move(parsed)), .where = {}};
-    return make_evaluator(description_, found_)
-        .number(value, turns() ? QuantityKind::angle : QuantityKind::length);
+    return make_evaluator(description_, found_).number(value, position_kind(turns()));
   }
 
   // When a motion in time first has the first drive there, as share of its time.
@@ -191,7 +191,7 @@ class Placer {
   }
 
   std::string words_of(double at) const {
-    const QuantityKind kind = turns() ? QuantityKind::angle : QuantityKind::length;
+    const QuantityKind kind = position_kind(turns());
     const std::string unit = description_.units.text(kind);
     return fmt::format(
         "{} = {}{}{}",

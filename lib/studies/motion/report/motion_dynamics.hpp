@@ -7,6 +7,7 @@
 
 #include "core/types.hpp"
 #include "expression/file_units.hpp"
+#include "mechanism/label_kind.hpp"
 
 namespace kinestat {
 
@@ -92,9 +93,7 @@ struct MotionDynamics {
   FileUnits units;
 
   /// Of positions of the first drive.
-  QuantityKind place_kind() const {
-    return drive_turns ? QuantityKind::angle : QuantityKind::length;
-  }
+  QuantityKind place_kind() const { return position_kind(drive_turns); }
 
   bool is_empty() const {
     return !flywheel && harmonics.empty() && !balance && limit_speeds.empty();

@@ -4,6 +4,7 @@
 
 #include "expression/evaluate.hpp"
 #include "expression/parameters.hpp"
+#include "mechanism/label_kind.hpp"
 
 namespace kinestat {
 
@@ -17,7 +18,7 @@ class DriveCounter {
         table_(evaluate_parameters<Exact>(parameters_of(description)).table) {}
 
   std::optional<WholeRange> count(const DriveRange& typed, const PlannedDrive& drive, bool turns) {
-    const QuantityKind kind = turns ? QuantityKind::angle : QuantityKind::length;
+    const QuantityKind kind = position_kind(turns);
     const auto from = count(typed.from, kind, drive.from);
     const auto to = count(typed.to, kind, drive.to);
     if (!from || !to || *from == *to) {
@@ -77,8 +78,7 @@ double shown_drive(const MechanismDescription& description,
     return count->at(position);
   }
   const auto freedom = static_cast<std::size_t>(motion.plan.drives[drive].freedom);
-  const QuantityKind kind =
-      topology.freedoms[freedom].is_rotation ? QuantityKind::angle : QuantityKind::length;
+  const QuantityKind kind = position_kind(topology.freedoms[freedom].is_rotation);
   const double value =
       description.units.from_si(kind, motion.solution.drive_value(drive, position));
   return value == 0.0 ? 0.0 : value;

@@ -13,6 +13,7 @@
 #include "core/axis_name.hpp"
 #include "expression/unit_quotient.hpp"
 #include "math/numbers/settled.hpp"
+#include "mechanism/label_kind.hpp"
 #include "studies/motion/task/dynamic_columns.hpp"
 #include "studies/motion/task/motion_column_choice.hpp"
 
@@ -156,7 +157,7 @@ class ReadingList {
       if (is_asked && first_.freedoms[i]) {
         add(topology_.freedom_name(f),
             "position",
-            turns(f) ? QuantityKind::angle : QuantityKind::length,
+            position_kind(turns(f)),
             [i](const MotionPosition& at) { return at.freedoms[i]; });
       }
     }

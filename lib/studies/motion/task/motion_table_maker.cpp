@@ -6,6 +6,7 @@
 
 #include "cases/case_status.hpp"
 #include "core/tolerance.hpp"
+#include "mechanism/label_kind.hpp"
 #include "studies/motion/motion.hpp"
 #include "studies/motion/task/drive_counts.hpp"
 #include "studies/motion/task/friction_turns.hpp"
@@ -97,7 +98,7 @@ class TableMaker {
  private:
   QuantityKind kind_of(const PlannedDrive& drive) const {
     const auto f = static_cast<std::size_t>(drive.freedom);
-    return topology_.freedoms[f].is_rotation ? QuantityKind::angle : QuantityKind::length;
+    return position_kind(topology_.freedoms[f].is_rotation);
   }
 
   double in_unit(QuantityKind kind, double value) const {

@@ -8,6 +8,7 @@
 
 #include "core/motion_tolerance.hpp"
 #include "expression/file_units.hpp"
+#include "mechanism/label_kind.hpp"
 #include "studies/motion/task/motion_events.hpp"
 
 namespace kinestat {
@@ -218,9 +219,7 @@ std::optional<double> LaneMotions::value_of(const Source& source, std::size_t la
       return std::nullopt;
     }
   }
-  const auto in_unit = [&](double value) {
-    return units_->from_si(turns ? QuantityKind::angle : QuantityKind::length, value);
-  };
+  const auto in_unit = [&](double value) { return units_->from_si(position_kind(turns), value); };
   switch (source.figure) {
     case MotionFigure::least:
       return in_unit(all.least);

@@ -11,6 +11,7 @@
 #include "core/index.hpp"
 #include "core/text.hpp"
 #include "core/utf8.hpp"
+#include "mechanism/label_kind.hpp"
 #include "studies/motion/moved_mechanism.hpp"
 #include "studies/motion/task/drive_counts.hpp"
 #include "studies/motion/task/find_motion.hpp"
@@ -120,8 +121,8 @@ class ToleranceJob {
     Mechanism moved = mechanism_;
     const std::optional<WholeRange> count =
         drive_counts(analysis_.description, mechanism_.topology, motion.plan).front();
-    const QuantityKind kind =
-        position_kind(mechanism_.topology.freedoms[at(motion.plan.drives.front().freedom)]);
+    const QuantityKind kind = position_kind(
+        mechanism_.topology.freedoms[at(motion.plan.drives.front().freedom)].is_rotation);
     std::vector<CaseTolerance> result;
     for (int p = 0; p < motion.solution.position_count(); ++p) {
       const Configuration configuration = motion.solution.configuration_at(p);

@@ -12,6 +12,7 @@
 #include "core/text.hpp"
 #include "core/utf8.hpp"
 #include "expression/evaluate.hpp"
+#include "mechanism/label_kind.hpp"
 
 namespace kinestat {
 
@@ -130,8 +131,11 @@ class ToleranceReader {
       for (std::size_t h = 0; h < held.size(); ++h) {
         if (held[h].given == name) {
           const int errors_before = found_.error_count();
-          result[c].drives[h] = size_of(
-              "--each", text, quantity, position_kind(topology_.freedoms[at(held[h].index)]));
+          result[c].drives[h] =
+              size_of("--each",
+                      text,
+                      quantity,
+                      position_kind(topology_.freedoms[at(held[h].index)].is_rotation));
           if (found_.error_count() > errors_before) {
             return true;
           }
@@ -154,8 +158,7 @@ class ToleranceReader {
       return;
     }
     const bool is_angle = fits(quantity.dimension, QuantityKind::angle);
-    const double size =
-        size_of("--each", text, quantity, is_angle ? QuantityKind::angle : QuantityKind::length);
+    const double size = size_of("--each", text, quantity, position_kind(is_angle));
     for (PartTolerances& one : result) {
       (is_angle ? one.angles : one.places)[coupling] = size;
       if (is_bare(quantity.dimension)) {
