@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/axis_name.hpp"
+
 namespace kinestat {
 
 namespace {
@@ -63,7 +65,7 @@ bool changes_upwards(const std::vector<ForcePath>& paths) {
 }
 
 Chart path_of(const std::vector<ForcePath>& paths, int up, const std::string& unit) {
-  const std::string axis(1, "xyz"[up]);
+  const std::string axis = kAxisNames[static_cast<std::size_t>(up)];
   Chart chart = {.x = {.label = "shaking force along x", .unit = unit},
                  .y = {.label = "along " + axis, .unit = unit},
                  .series = {},
