@@ -19,6 +19,12 @@ bool has_cables(const Mechanism& mechanism) {
   });
 }
 
+bool has_long_springs(const Mechanism& mechanism) {
+  return std::ranges::any_of(mechanism.springs, [&](const Spring& spring) {
+    return !spring.is_of_freedom() || !mechanism.topology.freedoms[at(spring.freedom)].is_rotation;
+  });
+}
+
 double way_of(const Vec3& drawn, BodyId body, const std::vector<LinkagePosition>& positions) {
   double way = 0.0;
   for (std::size_t i = 1; i < positions.size(); ++i) {
@@ -79,7 +85,7 @@ std::vector<std::size_t> spread_positions(std::size_t count, std::size_t most) {
 }
 
 bool moves_by_matrices(const Mechanism& mechanism) {
-  return mechanism.space == Space::planar && !has_cables(mechanism);
+  return mechanism.space == Space::planar && !has_cables(mechanism) && !has_long_springs(mechanism);
 }
 
 std::size_t most_frames(const Mechanism& mechanism) {

@@ -1,7 +1,9 @@
 #include "draw/linkage/linkage_drawer.hpp"
 
 #include <algorithm>
+#include <array>
 
+#include "draw/linkage/spring_symbols.hpp"
 #include "draw/symbols.hpp"
 
 namespace kinestat {
@@ -20,6 +22,55 @@ void LinkageDrawer::place_cables() {
   for (const CableLine& span : parts_.spans) {
     canvas_.set_place(span.coupling, (span.from + span.to) / 2);
   }
+}
+
+void LinkageDrawer::draw_springs() {
+  for (const SpringLine& line : parts_.springs) {
+    const Spring& spring = analysis_.mechanism.springs[line.spring];
+    const std::array<Attribute, 1> marks = {{{"data-spring", spring.name}}};
+    svg_.open_group(spring.name, marks);
+    const PixelPoint from = canvas_.view().at(line.from);
+    const PixelPoint to = canvas_.view().at(line.to);
+    const double scale = canvas_.view().scale;
+    draw_spring(
+        svg_, spring, {.from = from, .to = to, .drawn = scale * line.drawn, .scale = scale});
+    svg_.close_group();
+    canvas_.placer().keep_off(from, to);
+  }
+}
+
+void LinkageDrawer::draw_spirals() {
+  for (const Spring& spring : analysis_.mechanism.springs) {
+    if (const std::optional<CouplingId> hinge = hinge_of(spring)) {
+      canvas_.open_body(carrier(topology_.coupling(*hinge)));
+      draw_spiral(svg_, canvas_.view().at(canvas_.place(*hinge)));
+      svg_.close_group();
+    }
+  }
+}
+
+void LinkageDrawer::name_springs() {
+  for (const SpringLine& line : parts_.springs) {
+    const Vec3 middle = (line.from + line.to) / 2;
+    canvas_.name(analysis_.mechanism.springs[line.spring].name,
+                 canvas_.view().at(middle),
+                 kSpringHalf + 4.0,
+                 Ink::ink);
+  }
+  for (const Spring& spring : analysis_.mechanism.springs) {
+    if (const std::optional<CouplingId> hinge = hinge_of(spring)) {
+      canvas_.name(
+          spring.name, canvas_.view().at(canvas_.place(*hinge)), kSpiralRadius + 3.0, Ink::ink);
+    }
+  }
+}
+
+std::optional<CouplingId> LinkageDrawer::hinge_of(const Spring& spring) const {
+  if (!spring.is_of_freedom()) {
+    return std::nullopt;
+  }
+  const FreedomLabel& freedom = topology_.freedoms[static_cast<std::size_t>(spring.freedom)];
+  return freedom.is_rotation ? std::optional(freedom.coupling) : std::nullopt;
 }
 
 void LinkageDrawer::add_place(PixelPoint place, std::vector<PixelPoint>& places) {

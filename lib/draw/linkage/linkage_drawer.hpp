@@ -1,6 +1,7 @@
 // What planar and spatial drawings of a mechanism ask and do alike.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "draw/linkage/linkage_canvas.hpp"
@@ -47,6 +48,14 @@ class LinkageDrawer {
   /// Cables are named in the middle of their straight parts.
   void place_cables();
 
+  /// Those that are lines.
+  void draw_springs();
+
+  /// Those about a freedom, which turn with the body of their coupling.
+  void draw_spirals();
+
+  void name_springs();
+
   /// Adds a place unless the list has it already.
   static void add_place(PixelPoint place, std::vector<PixelPoint>& places);
 
@@ -58,6 +67,9 @@ class LinkageDrawer {
 
   /// Keeps names off the sides of a bar from place to place.
   void keep_off_bar(const std::vector<PixelPoint>& places, double half);
+
+  /// The coupling about whose axis a spring turns; empty for one that is a line.
+  std::optional<CouplingId> hinge_of(const Spring& spring) const;
 
   const Analysis& analysis_;
   const Topology& topology_;

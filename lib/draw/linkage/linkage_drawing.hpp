@@ -8,14 +8,15 @@
 //   transform="matrix(c -s s c  X(1-c)-Ys+ku  Y(1-c)+Xs-kv)",   c = cos θ, s = sin θ
 // on all its groups. Guides and slots stand in the groups of the bodies that have them. A cable is
 // in groups `<g data-cable="COUPLING">` for a straight part and `<g data-wrap="NAME-INDEX">` for
-// the part on a pulley, which a script hides or draws anew. Names, forces and drives of the drawn
-// position stand in `<g data-layer="names">`, `"forces"`, `"drives"`, `"velocities"`; paths in
-// `"paths"`, their points in the groups of their bodies; these are to be hidden or left as they
-// are.
+// the part on a pulley, a spring in `<g data-spring="NAME">`, which a script hides or draws anew.
+// Names, forces and drives of the drawn position stand in `<g data-layer="names">`, `"forces"`,
+// `"drives"`, `"velocities"`; paths in `"paths"`, their points in the groups of their bodies; these
+// are to be hidden or left as they are.
 //
-// What no such matrix moves, a spatial mechanism and the cables of a planar one, is drawn anew for
-// every position of LinkageOptions::frames, in a group `<g data-frame="K" display="none">`; shown,
-// it stands for the `"still"` layers of a spatial mechanism, or for all cables.
+// What no such matrix moves, a spatial mechanism and the cables and springs of a planar one, is
+// drawn anew for every position of LinkageOptions::frames, in a group `<g data-frame="K"
+// display="none">`; shown, it stands for the `"still"` layers of a spatial mechanism, or for all
+// cables and springs.
 //
 // That group of a spatial mechanism has the unit vectors to the right and upwards, `data-right="X Y
 // Z"` and `data-up`: the world point p is drawn at (X + k right·p, Y - k up·p).

@@ -40,6 +40,7 @@ class PartFinder {
       }
     }
     add_arcs();
+    add_springs();
     for (const MeshWheels& mesh : find_mesh_wheels(description_, mechanism_)) {
       for (const auto* wheel : {&mesh.tail, &mesh.head}) {
         if (*wheel) {
@@ -225,6 +226,46 @@ class PartFinder {
                                 .is_positive = station->radius > 0.0});
       }
     }
+  }
+
+  void add_springs() {
+    for (std::size_t s = 0; s < mechanism_.springs.size(); ++s) {
+      const Spring& spring = mechanism_.springs[s];
+      if (!spring.is_of_freedom()) {
+        add_spring(s, spring.from, spring.to);
+      } else if (!topology_.freedoms[index(spring.freedom)].is_rotation) {
+        add_slide_spring(s);
+      }
+    }
+  }
+
+  void add_spring(std::size_t s, const Vec3& from, const Vec3& to) {
+    const Spring& spring = mechanism_.springs[s];
+    const SpringLine line = {.spring = s,
+                             .from = moved(spring.tail, from),
+                             .to = moved(spring.head, to),
+                             .drawn = (to - from).norm()};
+    result_.springs.push_back(line);
+    add_point(spring.tail, line.from, std::nullopt);
+    add_point(spring.head, line.to, std::nullopt);
+  }
+
+  // The file says not where it begins: away from the rest of its head.
+  void add_slide_spring(std::size_t s) {
+    constexpr double kLength = 0.25;  // of the mechanism
+    const Spring& spring = mechanism_.springs[s];
+    const auto f = index(spring.freedom);
+    const Vec3 axis = mechanism_.geometry.motions[f].linear.normalized();
+    const Vec3 at = mechanism_.geometry.points[index(topology_.freedoms[f].coupling.value)];
+    double ahead = 0.0;
+    for (std::size_t e = 0; e < topology_.couplings.size(); ++e) {
+      const CouplingTopology& coupling = topology_.couplings[e];
+      if (coupling.tail == spring.head || coupling.head == spring.head) {
+        ahead += axis.dot(mechanism_.geometry.points[e] - at);
+      }
+    }
+    const double away = (ahead < 0.0 ? 1.0 : -1.0) * kLength * mechanism_.geometry.length;
+    add_spring(s, at + away * axis, at);
   }
 
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }

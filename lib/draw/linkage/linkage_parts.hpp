@@ -1,6 +1,7 @@
 // What a drawing of a mechanism shows of each body: places where couplings are, wheels, cables.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
@@ -45,10 +46,18 @@ struct CableArc {
   bool is_positive = true;
 };
 
+/// A spring as it is drawn: between its points, or along the axis of what slides.
+struct SpringLine {
+  std::size_t spring = 0;    ///< index into Mechanism::springs
+  Vec3 from = Vec3::Zero();  ///< on the tail
+  Vec3 to = Vec3::Zero();    ///< on the head
+  double drawn = 0.0;        ///< its length as drawn [m]
+};
+
 /// A place of a body that its drawing reaches.
 struct BodyPoint {
   Vec3 at = Vec3::Zero();
-  std::optional<CouplingId> coupling;  ///< empty: a load or a point of a path is there
+  std::optional<CouplingId> coupling;  ///< empty: a spring ends there
 };
 
 /// Lists that are said to be of each body are parallel to that of the Topology.
@@ -59,6 +68,7 @@ struct LinkageParts {
   std::vector<Wheel> wheels;                   ///< one a body, centre and radius
   std::vector<CableLine> spans;
   std::vector<CableArc> arcs;
+  std::vector<SpringLine> springs;  ///< all but those about a freedom
 };
 
 /// In the drawn position, or with these poses of all bodies; `mechanism` is as drawn.

@@ -20,10 +20,10 @@ constexpr double kGuideHalf = 46.0;  // half the length of a guide [px]
 constexpr double kGuideDepth = 9.5;  // from the middle of a block to its guide [px]
 constexpr double kRingDepth = 9.0;
 
-void draw_cables_at(const Analysis& analysis,
-                    const LinkageOptions& options,
-                    const LinkageParts& parts,
-                    LinkageCanvas& canvas);
+void draw_stretched_at(const Analysis& analysis,
+                       const LinkageOptions& options,
+                       const LinkageParts& parts,
+                       LinkageCanvas& canvas);
 
 std::size_t index(BodyId body) {
   return static_cast<std::size_t>(body.value);
@@ -32,6 +32,12 @@ std::size_t index(BodyId body) {
 class PlanarDrawing : private PlanarDrawer {
  public:
   using PlanarDrawer::PlanarDrawer;
+
+  /// What no matrix moves.
+  void draw_stretched() {
+    draw_cables();
+    draw_springs();
+  }
 
   void draw_cables() {
     for (const CableLine& span : parts_.spans) {
@@ -60,6 +66,7 @@ class PlanarDrawing : private PlanarDrawer {
       draw_traced(body);
       svg_.close_group();
     }
+    draw_spirals();
   }
 
   void draw() {
@@ -67,9 +74,9 @@ class PlanarDrawing : private PlanarDrawer {
     draw_ground();
     draw_bodies();
     if (!options_.cycle) {
-      draw_cables();
+      draw_stretched();
     }
-    draw_linkage_frames(analysis_, options_, canvas_, draw_cables_at);
+    draw_linkage_frames(analysis_, options_, canvas_, draw_stretched_at);
     canvas_.draw_paths();
     draw_planar_couplings(analysis_, options_, parts_, canvas_);
     if (options_.shows_names) {
@@ -83,6 +90,7 @@ class PlanarDrawing : private PlanarDrawer {
  private:
   void add_names() {
     canvas_.name_couplings();
+    name_springs();
     for (const BodyId body : bodies_from_behind()) {
       name_body(body);
     }
@@ -123,12 +131,32 @@ class PlanarDrawing : private PlanarDrawer {
     }
     draw_wheels(BodyId{0});
     draw_outline(BodyId{0});
+    for (const SpringLine& line : parts_.springs) {
+      const Spring& spring = analysis_.mechanism.springs[line.spring];
+      const PixelPoint from = canvas_.view().at(line.from);
+      const PixelPoint to = canvas_.view().at(line.to);
+      if (spring.tail.value == 0) {
+        draw_anchor(from, to);
+      }
+      if (spring.head.value == 0) {
+        draw_anchor(to, from);
+      }
+    }
     for (const CouplingTopology& coupling : topology_.couplings) {
       if (coupling.type == prismatic && guide_body(coupling).value == 0) {
         draw_guide(coupling);
       }
     }
     svg_.close_group();
+  }
+
+  // A piece of the ground across the spring that ends there.
+  void draw_anchor(PixelPoint at, PixelPoint other_end) {
+    constexpr double kHalf = 11.0;
+    const PixelPoint along = unit_of(other_end - at);
+    const PixelPoint across = {.x = -along.y, .y = along.x};
+    draw_fixed_line(svg_, at - kHalf * across, at + kHalf * across);
+    canvas_.placer().keep_off(at - kHalf * across, at + kHalf * across);
   }
 
   bool stands_in_support(CouplingId coupling) const {
@@ -348,11 +376,11 @@ class PlanarDrawing : private PlanarDrawer {
   }
 };
 
-void draw_cables_at(const Analysis& analysis,
-                    const LinkageOptions& options,
-                    const LinkageParts& parts,
-                    LinkageCanvas& canvas) {
-  PlanarDrawing(analysis, options, parts, canvas).draw_cables();
+void draw_stretched_at(const Analysis& analysis,
+                       const LinkageOptions& options,
+                       const LinkageParts& parts,
+                       LinkageCanvas& canvas) {
+  PlanarDrawing(analysis, options, parts, canvas).draw_stretched();
 }
 
 }  // namespace
@@ -370,7 +398,7 @@ void draw_planar_bodies(const Analysis& analysis,
                         LinkageCanvas& canvas) {
   PlanarDrawing drawing(analysis, options, parts, canvas);
   drawing.draw_bodies();
-  drawing.draw_cables();
+  drawing.draw_stretched();
   draw_planar_couplings(analysis, options, parts, canvas);
 }
 

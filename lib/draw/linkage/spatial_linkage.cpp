@@ -85,6 +85,8 @@ class SpatialDrawing : private LinkageDrawer {
       svg_.close_group();
     }
     draw_cables();
+    draw_springs();
+    draw_spirals();
     for (const CouplingId id : couplings_from_behind()) {
       draw_coupling(id);
     }
@@ -93,6 +95,7 @@ class SpatialDrawing : private LinkageDrawer {
  private:
   void add_names() {
     canvas_.name_couplings();
+    name_springs();
     for (int b = 0; b < topology_.body_count(); ++b) {
       name_body(BodyId{b});
     }

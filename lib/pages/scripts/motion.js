@@ -15,7 +15,8 @@ for (const motion of all(".motion[data-poses]")) {
   const groups = data.bodies.map((body) => all('[data-body="' + body + '"]', frame));
   const frames = all("[data-frame]", frame);
   const drawn = all('[data-layer="still"],[data-layer="names"],[data-layer="forces"],' +
-                    '[data-layer="drives"],[data-layer="velocities"],[data-cable],[data-wrap]', frame)
+                    '[data-layer="drives"],[data-layer="velocities"],' +
+                    '[data-cable],[data-wrap],[data-spring]', frame)
     .filter((one) => !one.closest("[data-frame]"));
 
   const matrix = (u, v, angle) => {

@@ -171,6 +171,16 @@ TEST(Animation, DrawsCablesFrameByFrame) {
   EXPECT_TRUE(has(picture, "animateTransform"));
 }
 
+// What turns moves by itself; of what changes its length only the frames are seen.
+TEST(Animation, StretchesSpringsFrameByFrame) {
+  const Picture picture = library_animation("planar/tailgate.yaml").picture;
+  const std::size_t frames = count_of(picture, "data-frame=");
+
+  EXPECT_GT(frames, 20U);
+  EXPECT_EQ(count_of(picture, "data-spring=\"strut\""), frames);
+  EXPECT_TRUE(has(picture, "animateTransform"));
+}
+
 // What comes last in a motion that closes is what comes first.
 TEST(Animation, DrawsNoFrameTwiceOfAMotionThatCloses) {
   const LibraryAnimation animation = library_animation("spatial/bennett.yaml");

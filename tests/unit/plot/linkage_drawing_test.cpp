@@ -32,6 +32,25 @@ TEST(LinkageDrawing, HasAGroupForEachBody) {
   }
 }
 
+// The strut of the tailgate stands between (0.1, -0.12) on the ground and (0.35, 0.02) on the lid,
+// its cylinder 0.48 - 0.2 m long as far as the rod leaves room; its torsion spring is in the hinge.
+TEST(LinkageDrawing, ShowsSpringsWhereTheyEnd) {
+  const Picture picture = draw_linkage(library_analysis("planar/tailgate.yaml"));
+  const double k = attribute(picture, "data-scale");
+  const double x0 = attribute(picture, "data-x0");
+  const double y0 = attribute(picture, "data-y0");
+  const double share = 0.95;  // 0.28 m would be almost all of it
+  const std::string rod = "x1=\"" + format_coordinate(x0 + (0.1 + share * 0.25) * k) + "\" y1=\"" +
+                          format_coordinate(y0 - (-0.12 + share * 0.14) * k) + "\" x2=\"" +
+                          format_coordinate(x0 + 0.35 * k) + "\" y2=\"" +
+                          format_coordinate(y0 - 0.02 * k) + "\"";
+
+  EXPECT_EQ(count_of(picture, "data-spring="), 1U);
+  EXPECT_TRUE(has(picture, rod)) << rod;
+  EXPECT_TRUE(has(picture, ">strut</text>"));
+  EXPECT_TRUE(has(picture, ">torsion</text>"));
+}
+
 // What the header says of a moved body, for a body that has turned by θ and moved by (u, v).
 TEST(LinkageDrawing, MovesByTheMatrixOfItsHeader) {
   const double angle = 0.7;
