@@ -56,7 +56,8 @@ AxisDemand widened(AxisDemand demand) {
 }
 
 double step_of(const AxisDemand& demand) {
-  const double least = (demand.high - demand.low) / std::max(1, demand.tick_count);
+  const double least =
+      std::max(demand.least_step, (demand.high - demand.low) / std::max(1, demand.tick_count));
   return demand.in_degrees ? step_in_degrees(least) : decimal_step(least);
 }
 

@@ -33,6 +33,7 @@ struct AxisDemand {
   double high = 0.0;
   int tick_count = 6;       ///< about as many ticks
   bool in_degrees = false;  ///< ticks at parts of a turn
+  double least_step = 0.0;  ///< no ticks nearer to each other
 };
 
 /// An axis from tick to tick around the demand, with steps of 1, 2 or 5 times a power of ten; in

@@ -23,6 +23,7 @@ struct ChartAxis {
   ScaleKind scale = ScaleKind::linear;
   std::optional<double> low = {};   ///< the axis ends there; empty: at a tick beyond the data
   std::optional<double> high = {};  ///< likewise
+  double least_step = 0.0;          ///< values stand no nearer, so that ticks need not
 };
 
 enum class SeriesStyle { line, points };

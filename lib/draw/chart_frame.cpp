@@ -53,7 +53,8 @@ AxisRange axis_range(const ChartAxis& axis, Range range, double pixels, double t
   const AxisDemand demand = {.low = axis.low.value_or(range.low),
                              .high = axis.high.value_or(range.high),
                              .tick_count = static_cast<int>(pixels / tick_distance),
-                             .in_degrees = axis.unit == "deg"};
+                             .in_degrees = axis.unit == "deg",
+                             .least_step = axis.least_step};
   if (axis.scale == ScaleKind::logarithmic) {
     return logarithmic_axis(demand);
   }

@@ -96,6 +96,10 @@ class PowerModeller {
     const double along = model_.edges[e].tail == 0   ? into_head
                          : model_.edges[e].head == 0 ? out_of_tail
                                                      : smaller(into_head, out_of_tail);
+    if (!is_at_ground && drives(e)) {
+      add_drive(e, into_head - along, model_.edges[e].head);
+      add_drive(e, along - out_of_tail, model_.edges[e].tail);
+    }
     if (along == 0.0) {
       return;
     }
@@ -106,7 +110,7 @@ class PowerModeller {
     const double lost = -one_.power->supplied[e];
     if (is_at_ground) {
       power.text += role_of(e);
-    } else if (lost > 0.0) {
+    } else if (lost > 0.0 && !drives(e)) {
       power.text += fmt::format(", {} lost", in_unit(lost));
     }
   }
@@ -117,6 +121,22 @@ class PowerModeller {
     }
     return std::abs(a) < std::abs(b) ? a : b;
   }
+
+  // What an actuator between two moving bodies gives or takes besides what passes through it.
+  void add_drive(std::size_t e, double power, int body) {
+    if (power != 0.0) {
+      add_port(body, power, role_of(e).substr(2));
+    }
+  }
+
+  void add_port(int body, double power, const std::string& name) {
+    model_.ports.push_back({.node = body,
+                            .enters = power > 0.0,
+                            .size = std::abs(power),
+                            .text = fmt::format("{} {}", name, in_unit(std::abs(power)))});
+  }
+
+  bool drives(std::size_t e) const { return !role_of(e).empty(); }
 
   // ", input C1", by the actuators of the coupling.
   std::string role_of(std::size_t e) const {
@@ -155,11 +175,7 @@ class PowerModeller {
     for (std::size_t i = 0; i < one_.which.loads.size(); ++i) {
       const double power = one_.power->loads[i];
       if (power != 0.0) {
-        model_.ports.push_back(
-            {.node = one_.which.loads[i].acts.body.value,
-             .enters = power > 0.0,
-             .size = std::abs(power),
-             .text = fmt::format("{} {}", one_.which.loads[i].name, in_unit(std::abs(power)))});
+        add_port(one_.which.loads[i].acts.body.value, power, one_.which.loads[i].name);
       }
     }
   }

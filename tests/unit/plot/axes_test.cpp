@@ -28,6 +28,13 @@ TEST(Axes, StepBy1And2And5) {
             Labels({"−50", "0", "50", "100"}));
 }
 
+TEST(Axes, StepNoFinerThanTheValues) {
+  EXPECT_EQ(labels_of(tight_axis({.low = 0.0, .high = 4.0, .tick_count = 8, .least_step = 1.0})),
+            Labels({"0", "1", "2", "3", "4"}));
+  EXPECT_EQ(labels_of(tight_axis({.low = 0.0, .high = 40.0, .tick_count = 8, .least_step = 1.0})),
+            Labels({"0", "5", "10", "15", "20", "25", "30", "35", "40"}));
+}
+
 TEST(Axes, StepByPartsOfATurnInDegrees) {
   EXPECT_EQ(
       labels_of(linear_axis({.low = 0.0, .high = 360.0, .tick_count = 8, .in_degrees = true})),

@@ -75,6 +75,23 @@ TEST(PowerModel, FollowsThePowerFromInputToOutput) {
   EXPECT_EQ(power("j").size, 0.0);
 }
 
+// Each leg of the platform drives between two bodies that move or may; what the six give is what
+// the weight takes, and nothing else enters.
+TEST(PowerModel, ShowsWhatDrivesBetweenMovingBodies) {
+  const GraphModel model = power_model(library_analysis("spatial/ups_platform.yaml"), 0);
+  double given = 0.0;
+  double taken = 0.0;
+  int drives = 0;
+  for (const ModelPort& port : model.ports) {
+    (port.enters ? given : taken) += port.size;
+    drives += port.enters ? 1 : 0;
+  }
+
+  EXPECT_EQ(drives, 6);
+  EXPECT_GT(taken, 0.0);
+  EXPECT_NEAR(given, taken, 1e-9 * taken);
+}
+
 // Cazangi 2008, eq. 5.10: circuit h is a - e - f + h.
 TEST(CircuitModels, NameTheirEdgesWithSigns) {
   const Analysis analysis = library_analysis("transmissions/ravigneaux.yaml");

@@ -88,9 +88,10 @@ Chart orders_of(const MotionDynamics& dynamics, QuantityKind kind, const std::st
       shown.push_back(&one);
     }
   }
-  Chart chart = {.x = {.label = "order by the turn of " + drive, .unit = "", .low = 0.0},
-                 .y = {.label = "amplitude", .unit = dynamics.units.text(kind)},
-                 .series = {}};
+  Chart chart = {
+      .x = {.label = "order by the turn of " + drive, .unit = "", .low = 0.0, .least_step = 1.0},
+      .y = {.label = "amplitude", .unit = dynamics.units.text(kind)},
+      .series = {}};
   for (std::size_t s = 0; s < shown.size(); ++s) {
     const double aside =
         kBesideOthers * (static_cast<double>(s) - 0.5 * static_cast<double>(shown.size() - 1));
