@@ -70,8 +70,9 @@ class GraphWriter {
     for (std::size_t v = 0; v < model_.nodes.size(); ++v) {
       draw_node(v);
     }
-    for (std::size_t i = 0; i < model_.ports.size(); ++i) {
-      draw_port(model_.ports[i], static_cast<int>(i));
+    std::map<int, int> drawn;  // of each node
+    for (const ModelPort& port : model_.ports) {
+      draw_port(port, drawn[port.node]++);
     }
     constexpr std::size_t kMostLabels = 500;  // nobody reads more, and they take long
     for (std::size_t e = 0; model_.edges.size() <= kMostLabels && e < model_.edges.size(); ++e) {
@@ -284,7 +285,8 @@ class GraphWriter {
                .anchor = Anchor::middle});
   }
 
-  // An arrow from outside, or to it, away from the middle of the picture.
+  // An arrow from outside, or to it, away from the middle of the picture; `number` counts those of
+  // its node.
   void draw_port(const ModelPort& port, int number) {
     PixelPoint middle = {.x = 0.0, .y = 0.0};
     for (const PixelPoint& p : places_) {
@@ -293,8 +295,10 @@ class GraphWriter {
     PixelPoint out = unit_of(place(port.node) - middle);
     const double turn = 0.5 * number;
     out = std::cos(turn) * out + std::sin(turn) * left_of(out);
-    const PixelPoint near = place(port.node) + 24.0 * out;
-    const PixelPoint far = place(port.node) + 66.0 * out;
+    const PixelPoint half = node_half(model_.nodes[static_cast<std::size_t>(port.node)]);
+    const double edge = 6.0 + std::min(half.x / std::abs(out.x), half.y / std::abs(out.y));
+    const PixelPoint near = place(port.node) + edge * out;
+    const PixelPoint far = near + 42.0 * out;
     const double width = power_width(port.size, largest_);
     svg_.arrow(port.enters ? far : near,
                port.enters ? near : far,
