@@ -12,9 +12,9 @@ from typing import Iterable, Sequence
 
 def whole(row: Iterable[Fraction]) -> list[int]:
     """The row as the shortest integers in the same ratio."""
-    fractions = [Fraction(x) for x in row]
-    common = math.lcm(*(x.denominator for x in fractions)) if fractions else 1
-    return _shortened([int(x * common) for x in fractions])
+    ratios = [x.as_integer_ratio() for x in row]
+    common = math.lcm(*(below for _, below in ratios))
+    return _shortened([above * (common // below) for above, below in ratios])
 
 
 def _shortened(row: list[int]) -> list[int]:

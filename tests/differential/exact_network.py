@@ -15,6 +15,7 @@ from sketch import Coupling, Sketch, cross
 
 Vector = list[Fraction]
 PLANAR = (2, 3, 4)  # about z, along x, along y
+ZERO = Fraction(0)
 SPATIAL = (0, 1, 2, 3, 4, 5)
 
 
@@ -35,6 +36,11 @@ class Counts:
     rank: int
     net: int        # what must be known
     other_net: int  # redundant constraints of motions; unresisted freedoms of actions
+
+
+def signed(value: Fraction, sign: int) -> Fraction:
+    """The value times 1, 0 or -1."""
+    return value if sign > 0 else -value if sign < 0 else ZERO
 
 
 def wrench(point: Vector, force: Vector, couple: Vector) -> Vector:
@@ -90,13 +96,13 @@ class ExactNetwork:
 
     def closure(self) -> list[Vector]:
         """Rows of M_N: circuits by coordinates, columns by freedoms."""
-        return [[Fraction(circuit.get(coupling.name, 0)) * twist[i]
+        return [[signed(twist[i], circuit.get(coupling.name, 0))
                  for _, coupling, twist in self.freedoms]
                 for circuit in self.circuits for i in self.order]
 
     def equilibrium(self) -> list[Vector]:
         """Rows by moving bodies and coordinates, columns by actions."""
-        return [[one[i] * ((c.head == body) - (c.tail == body)) for _, c, one in self.actions]
+        return [[signed(one[i], (c.head == body) - (c.tail == body)) for _, c, one in self.actions]
                 for body in self.sketch.bodies for i in self.order]
 
     def motion_counts(self) -> Counts:
@@ -121,22 +127,24 @@ class ExactNetwork:
             return Side("dependent")
         if with_known < len(names):
             return Side("indeterminate")
-        solution = Solution(rows + given, [Fraction(0)] * len(rows) + list(known.values()),
+        solution = Solution(rows + given, [ZERO] * len(rows) + list(known.values()),
                             len(names))
         values = dict(zip(names, solution.values))
         return Side("solved", values, {b: self._twist(b, values) for b in self.sketch.bodies})
 
     def _twist(self, body: str, rates: dict[str, Fraction | None]) -> Vector:
         steps = self._path(body)
-        return [sum((rates[name] * twist[i] * steps.get(c.name, 0)
-                     for name, c, twist in self.freedoms), Fraction(0)) for i in SPATIAL]
+        passed = [(signed(rates[name], steps[c.name]), twist)
+                  for name, c, twist in self.freedoms if c.name in steps]
+        return [sum((rate * twist[i] for rate, twist in passed if twist[i]), ZERO)
+                for i in SPATIAL]
 
     def loads(self) -> dict[str, Vector]:
         """On every body, about the origin."""
         result: dict[str, Vector] = {}
         for load in self.sketch.loads:
             one = wrench(load.at, load.force, load.couple)
-            before = result.get(load.body, [Fraction(0)] * 6)
+            before = result.get(load.body, [ZERO] * 6)
             result[load.body] = [a + b for a, b in zip(before, one)]
         return result
 
@@ -145,11 +153,11 @@ class ExactNetwork:
         rows = self.equilibrium()
         names = [name for name, _, _ in self.actions]
         loads = self.loads()
-        right = [-loads.get(body, [Fraction(0)] * 6)[i]
+        right = [-loads.get(body, [ZERO] * 6)[i]
                  for body in self.sketch.bodies for i in self.order]
         open_ = [i for i, name in enumerate(names) if name not in known]
         given = [i for i, name in enumerate(names) if name in known]
-        right = [b - sum((row[i] * known[names[i]] for i in given), Fraction(0))
+        right = [b - sum((row[i] * known[names[i]] for i in given), ZERO)
                  for row, b in zip(rows, right)]
         solution = Solution([[row[i] for i in open_] for row in rows], right, len(open_))
         if not solution.is_consistent:
@@ -166,4 +174,5 @@ class ExactNetwork:
         parts = [(values[name], one) for name, c, one in self.actions if c is coupling]
         if any(value is None for value, _ in parts):
             return None
-        return [sum((value * one[i] for value, one in parts), Fraction(0)) for i in SPATIAL]
+        return [sum((value * one[i] for value, one in parts if one[i]), ZERO)
+                for i in SPATIAL]
