@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import csv
 import io
+import math
 import sys
 import unittest
 
@@ -38,6 +39,16 @@ def lever_speed(r: float) -> float:
     """The rod keeps its length: (v_c - v_b) . (c - b) = 0, v_b = (0, r, 0), v_c = (0, 0, 60 w)."""
     rod = (120 - r, 60, 50)
     return r * rod[1] / (60 * rod[2])
+
+
+def lever_ratio(turn: float, swing: float) -> float:
+    """The same with the crank and the lever turned by so much from where they are drawn."""
+    c, s = math.cos(swing), math.sin(swing)
+    rod = (120 - 40 * math.cos(turn), 60 * c - 40 * math.sin(turn), 50 + 60 * s)
+    crank = (-40 * math.sin(turn), 40 * math.cos(turn), 0.0)
+    lever = (0.0, -60 * s, 60 * c)
+    dot = lambda a, b: sum(x * y for x, y in zip(a, b))
+    return dot(rod, crank) / dot(rod, lever)
 
 
 class SpinOfARod(ReferenceTest):
@@ -76,6 +87,28 @@ class SpinOfARod(ReferenceTest):
         for row in rows:
             self.near(float(row["d.wx [rad/s]"]), lever_speed(float(row["r"])), "lever")
             self.assertEqual((row["b.wx [rad/s]"], row["status"]), ("", "no_value"))
+
+    def test_forces_of_a_motion_need_no_velocities_beside(self) -> None:
+        text = TEXT + "motion: {drive: motor, to: 72 deg, steps: 6, case: go}\n"
+
+        def rows(*report: str) -> list[dict[str, str]]:
+            asked = [word for one in report for word in ("--report", one)]
+            done = program.plain("motion", "--format", "csv", "--layout", "wide", *asked, "-",
+                                 text=text)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            return list(csv.DictReader(io.StringIO(done.stdout)))
+
+        swings = [float(row["d.wx/position [deg]"]) for row in rows("d.wx/position")]
+        expected = [lever_ratio(math.radians(12 * i), math.radians(swing))
+                    for i, swing in enumerate(swings)]
+        for report, column, value in (
+                ("motor/action", "motor/action [N*m]", lambda w: w),
+                ("ratio", "load/ratio", lambda w: 1 / w),
+                ("mechanical_advantage", "load/mechanical_advantage", lambda w: abs(1 / w))):
+            found = rows(report)
+            self.assertEqual({row["status"] for row in found}, {"solved"}, column)
+            for row, speed in zip(found, expected):
+                self.near(float(row[column]), value(speed), column)
 
     def test_the_derivative_is_that_of_the_lever(self) -> None:
         """w = r 60 / 3000: linear in r."""

@@ -86,7 +86,7 @@ MotionPosition MotionPositions::at(const Configuration& configuration,
     }
   }
   const bool asks_speeds = which_ != nullptr && (detail_.velocity || detail_.acceleration);
-  const bool needs_speeds = asks_speeds || (detail_.statics && !has_own_rank());
+  const bool needs_speeds = asks_speeds || (detail_.statics && has_motion_of_state(*which_));
   const StateDetail detail =
       detail_.acceleration ? StateDetail::acceleration : StateDetail::velocity;
   CaseSpeeds found{.known = SpeedsKnown::not_by_state, .speeds = {}};
@@ -162,6 +162,11 @@ bool MotionPositions::has_own_rank() const {
   return detail_.closure_error <= kLeastCorrection;
 }
 
+// What bodies do by themselves is that of the state, too.
+bool MotionPositions::has_motion_of_state(const Case& which) const {
+  return which.asks_motions && (!has_own_rank() || !network_.passive_motions.empty());
+}
+
 KinematicSolution MotionPositions::motion_of_state(const MotionPosition& position) const {
   KinematicSolution motion;
   if (!position.has_speeds()) {
@@ -231,9 +236,7 @@ void MotionPositions::solve_passes(const Configuration& configuration,
       .time = position.time};
   const KnownState known{
       .motion = nullptr, .inertial = inertial ? &*inertial : nullptr, .place = &place};
-  // What bodies do by themselves is that of the state, too.
-  const bool is_of_state = !has_own_rank() || !network_.passive_motions.empty();
-  if (is_of_state && which.asks_motions) {
+  if (has_motion_of_state(which)) {
     const KinematicSolution motion = motion_of_state(position);
     position.solved = solve_row(
         moved_, judged, {.motion = &motion, .inertial = known.inertial, .place = known.place});

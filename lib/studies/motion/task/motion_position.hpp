@@ -72,6 +72,7 @@ class MotionPositions {
                     const GivenSpeeds& speeds,
                     MotionPosition& position);
   bool has_own_rank() const;
+  bool has_motion_of_state(const Case& which) const;
   KinematicSolution motion_of_state(const MotionPosition& position) const;
 
   const Mechanism& mechanism_;
