@@ -187,6 +187,76 @@ class FourBar(FiguresTest):
         self.holds(motion, "coupler.1/at/y", lambda t: self.traced(t).imag)
 
 
+# A couple against the crank that rises to 100 N*m within a degree, falls to 50 in eight more and to
+# nothing in another: 50 + 75 * 8 + 25 = 675 N*m deg.
+PUNCH = """\
+kinestat: 1
+space: planar
+units: {length: mm, angle: deg}
+ground: frame
+bodies: [crank]
+couplings: {a: {type: revolute, bodies: [frame, crank], at: [0, 0]}}
+actuators: {motor: {coupling: a}}
+curves: {work: {over: OVER, points: [[0 P, 0 N*m], [11 P, 0 N*m], [12 P, -100 N*m], [20 P, -50 N*m],
+  [21 P, 0 N*m], [360 P, 0 N*m]]}}
+loads: {punch: {body: crank, couple: work}}
+cases: {run: {motion: {motor: 1 deg/s}, action: {}}}
+motion: {drive: motor, to: 360 deg, steps: 72, case: run, report: motor/action}
+"""
+
+
+class PointsOfCurves(FiguresTest):
+    def holds_punch(self, text: str) -> None:
+        for steps in (5, 72, 97):
+            found = self.figures(run(text, "--steps", str(steps)), "motor/action")
+            with self.subTest(steps=steps):
+                self.assertLess(abs(found["greatest"] - 100.0), 1e-9)
+                self.assertLess(abs(found["greatest_at"] - 12.0), 1e-9)
+                self.assertLess(abs(found["mean"] - 675.0 / 360.0), 1e-12)
+
+    def test_peaks_and_means_see_the_points_of_a_curve_over_the_drive(self) -> None:
+        self.holds_punch(PUNCH.replace("OVER", "motor").replace(" P,", " deg,"))
+
+    def test_peaks_and_means_see_the_points_of_a_curve_over_time(self) -> None:
+        text = PUNCH.replace("OVER", "time").replace(" P,", " s,")
+        self.holds_punch(text.replace("steps: 72", "steps: 72, time: 360 s"))
+
+    def test_a_curve_that_repeats_has_its_points_every_time(self) -> None:
+        text = PUNCH.replace("OVER", "motor, period: 360 deg").replace(" P,", " deg,")
+        self.holds_punch(text)
+        text = text.replace("to: 360 deg", "from: 340 deg, to: 1060 deg")
+        found = self.figures(run(text, "--steps", "7"), "motor/action")
+        self.assertLess(abs(found["greatest"] - 100.0), 1e-9)
+        self.assertLess(abs(found["mean"] - 675.0 / 360.0), 1e-12)
+
+    def test_peaks_see_the_points_of_a_curve_over_what_follows(self) -> None:
+        """The rod is as long as the crank: the slider is at 200 cos(turn) mm, and the motor bears
+        200 sin(turn) times the force, which is greatest at 50 mm."""
+        text = """\
+kinestat: 1
+space: planar
+units: {length: mm, angle: deg}
+ground: frame
+bodies: [crank, rod, slider]
+couplings:
+  a: {type: revolute, bodies: [frame, crank], at: [0, 0]}
+  b: {type: revolute, bodies: [crank, rod], at: [60, 80]}
+  c: {type: revolute, bodies: [rod, slider], at: [120, 0]}
+  d: {type: prismatic, bodies: [frame, slider], at: [120, 0], axis: x}
+actuators: {motor: {coupling: a}, press: {coupling: d}}
+curves:
+  work: {over: press, points: [[-300, 0 N], [-71, 0 N], [-70, 900 N], [-69, 0 N], [300, 0 N]]}
+loads: {work: {body: slider, at: [120, 0], force: [work, 0]}}
+cases: {run: {motion: {motor: 1 deg/s}, action: {press: 0}}}
+motion: {drive: motor, to: 30 deg, steps: 4, case: run, report: motor/action}
+"""
+        found = self.figures(run(text), "motor/action")
+        turn = math.degrees(math.acos(0.25) - math.atan2(4, 3))
+        expected = 900.0 * 0.2 * math.sqrt(1.0 - 0.25 ** 2)
+        self.assertLess(abs(abs(found["greatest"]) - expected), 1e-9 * expected)
+        self.assertLess(abs(found["greatest_at"] - turn), 1e-9)
+
+
 class Limited(MotionTest):
     def test_a_motion_that_ends_before_has_no_mean(self) -> None:
         text = FOUR_BAR.replace("[160, 0]", "[230, 0]")

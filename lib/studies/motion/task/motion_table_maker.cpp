@@ -9,12 +9,12 @@
 #include "mechanism/label_kind.hpp"
 #include "studies/motion/motion.hpp"
 #include "studies/motion/task/drive_counts.hpp"
+#include "studies/motion/task/figures/curve_corners.hpp"
 #include "studies/motion/task/friction_turns.hpp"
 #include "studies/motion/task/idle_rates.hpp"
 #include "studies/motion/task/motion_column_choice.hpp"
 #include "studies/motion/task/motion_columns.hpp"
 #include "studies/motion/task/motion_events.hpp"
-#include "studies/motion/task/motion_figures.hpp"
 #include "studies/motion/task/position_findings.hpp"
 
 namespace kinestat {
@@ -313,22 +313,30 @@ class TableMaker {
            column.quantity.starts_with("rotation/");
   }
 
+  // Of the columns that are wanted, beside the drives.
+  template <class IsWanted>
+  std::vector<std::optional<double>> values_at(const MotionPosition& position,
+                                               const std::vector<double>& drives,
+                                               const IsWanted& is_wanted) const {
+    std::vector<std::optional<double>> values(drives.begin(), drives.end());
+    for (const MotionReading& reading : readings_) {
+      const std::optional<double> value =
+          is_wanted(reading.column) ? reading.value(position) : std::nullopt;
+      values.push_back(value && std::isfinite(*value) ? std::optional(in_unit(reading.kind, *value))
+                                                      : std::nullopt);
+    }
+    values.emplace_back();  // the closure error
+    return values;
+  }
+
   // Extremes of positions lie where a freedom turns back.
   std::vector<std::optional<double>> places_at(const DeadPoint& point,
                                                MotionPositions& positions) const {
     if (point.step < 0 || readings_.empty()) {
       return {};
     }
-    const MotionPosition position = positions.at(point.configuration, point.share);
-    const std::vector<double> drives = drives_at(point.share);
-    std::vector<std::optional<double>> places(drives.begin(), drives.end());
-    for (const MotionReading& reading : readings_) {
-      const std::optional<double> value =
-          is_place(reading.column) ? reading.value(position) : std::nullopt;
-      places.push_back(value ? std::optional(in_unit(reading.kind, *value)) : std::nullopt);
-    }
-    places.emplace_back();  // the closure error
-    return places;
+    return values_at(
+        positions.at(point.configuration, point.share), drives_at(point.share), is_place);
   }
 
   void add_events() {
@@ -373,13 +381,9 @@ class TableMaker {
 
   void add_column_figures() {
     const auto drive_at = [this](double share) { return drives_at(share).front(); };
-    const auto middle_behind = [this](std::size_t row) {
-      const double middle = (static_cast<double>(row) + 0.5) / static_cast<double>(plan_.steps);
-      return plan_.schedule ? plan_.schedule->share_at(middle)
-                            : 0.5 * (solution_.shares[row] + solution_.shares[row + 1]);
-    };
+    const auto share_at = [this](double step) { return share_at_step(motion_, step); };
     if (readings_.empty() || (!scope_.extremes && table_.columns.size() > kMostClimbed)) {
-      add_figures(solution_.shares, {}, {}, drive_at, middle_behind, table_);
+      add_figures(solution_.shares, {}, {}, {}, drive_at, share_at, table_);
       return;
     }
     table_.looks_between_steps = true;
@@ -394,8 +398,13 @@ class TableMaker {
     MotionPositions positions(mechanism_, plan_, motion_.network, motion_.drawn, detail_);
     WayBetween way(motion_.network, solution_);
     const std::size_t first = table_.drives.size();
+    const std::vector<FigurePlace> corners = find_curve_corners(
+        mechanism_, motion_, detail_, [this](const auto& position, double share) {
+          return values_at(position, drives_at(share), [](const MotionColumn&) { return true; });
+        });
     add_figures(
         solution_.shares,
+        corners,
         climbed,
         [&](std::size_t column, std::size_t row, double share) -> std::optional<double> {
           if (share <= solution_.shares[row]) {
@@ -406,7 +415,7 @@ class TableMaker {
           return there ? read(column - first, positions.at(*there, share)) : std::nullopt;
         },
         drive_at,
-        middle_behind,
+        share_at,
         table_);
   }
 

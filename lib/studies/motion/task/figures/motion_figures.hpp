@@ -21,17 +21,25 @@ struct ClimbedColumn {
   std::optional<double> fold = {};  ///< at which its values are folded, as an angle at 90 degrees
 };
 
+/// A position between two steps that figures are to see.
+struct FigurePlace {
+  double step = 0.0;   ///< in steps, of time in a motion in time, else of the way
+  double share = 0.0;  ///< of the ranges of the drives
+  std::vector<std::optional<double>> values;  ///< of each column
+};
+
 /// Fills the figures of a table whose rows stand at those shares of the ranges and whose events are
-/// known. Extremes are those of the steps, of positions at dead points too; in the columns that are
-/// climbed, which may be fewer than all, they are looked for between the steps. Means take the
-/// middle of an interval where one of its ends has no value, as friction has none where it turns
-/// round. `drive_at` answers where the first drive is at a share, in its unit, `middle_behind` the
-/// share in the middle between a row and the next.
+/// known. Extremes are those of the steps and of `corners`, which are in order, of positions at
+/// dead points too; in the columns that are climbed, which may be fewer than all, they are looked
+/// for between these. Means take the middle of an interval where one of its ends has no value, as
+/// friction has none where it turns round. `drive_at` answers where the first drive is at a share,
+/// in its unit, `share_at` the share at so many steps.
 void add_figures(std::span<const double> shares,
+                 std::span<const FigurePlace> corners,
                  const std::vector<std::optional<ClimbedColumn>>& climbed,
                  const BetweenSteps& between,
                  const std::function<double(double share)>& drive_at,
-                 const std::function<double(std::size_t row)>& middle_behind,
+                 const std::function<double(double step)>& share_at,
                  MotionTable& table);
 
 }  // namespace kinestat

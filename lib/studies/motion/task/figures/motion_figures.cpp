@@ -1,4 +1,4 @@
-#include "studies/motion/task/motion_figures.hpp"
+#include "studies/motion/task/figures/motion_figures.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,19 +14,31 @@ namespace {
 class FigureMaker {
  public:
   FigureMaker(std::span<const double> shares,
+              std::span<const FigurePlace> corners,
               const std::vector<std::optional<ClimbedColumn>>& climbed,
               const BetweenSteps& between,
               const std::function<double(double)>& drive_at,
-              const std::function<double(std::size_t)>& middle_behind,
+              const std::function<double(double)>& share_at,
               MotionTable& table)
       : shares_(shares),
         climbed_(climbed),
         between_(between),
         drive_at_(drive_at),
-        middle_behind_(middle_behind),
+        share_at_(share_at),
         table_(table) {
-    for (const MotionRow& row : table.rows) {
-      places_.push_back(&row.values);
+    for (std::size_t r = 0; r < table.rows.size(); ++r) {
+      const auto step = static_cast<double>(r);
+      samples_.push_back({.step = step, .share = shares[r], .values = &table.rows[r].values});
+    }
+    for (const FigurePlace& corner : corners) {
+      samples_.push_back({.step = corner.step,
+                          .share = corner.share,
+                          .values = &corner.values,
+                          .is_corner = true});
+    }
+    std::ranges::stable_sort(samples_, {}, &Sample::step);
+    for (const Sample& sample : samples_) {
+      places_.push_back(sample.values);
     }
     for (const MotionEvent& event : table.events) {
       if (!event.places.empty()) {
@@ -47,6 +59,24 @@ class FigureMaker {
   }
 
  private:
+  struct Sample {
+    double step = 0.0;
+    double share = 0.0;
+    const std::vector<std::optional<double>>* values = nullptr;
+    bool is_corner = false;
+  };
+
+  // Those of the column: of the steps, and of the corners at which it has a value.
+  std::vector<Sample> samples_of(std::size_t column) const {
+    std::vector<Sample> found;
+    for (const Sample& one : samples_) {
+      if (!one.is_corner || (*one.values)[column]) {
+        found.push_back(one);
+      }
+    }
+    return found;
+  }
+
   std::optional<ColumnExtreme> extreme(std::size_t column, double sign) {
     std::optional<ColumnExtreme> found;
     for (const std::vector<std::optional<double>>* place : places_) {
@@ -62,22 +92,23 @@ class FigureMaker {
   }
 
   void climb(std::size_t column, double sign, ColumnExtreme& found) {
-    const auto sample = [&](std::size_t row) -> std::optional<PeakSample> {
+    const std::vector<Sample> samples = samples_of(column);
+    const auto sample = [&](std::size_t i) -> std::optional<PeakSample> {
       const std::optional<double> value =
-          row < table_.rows.size() ? table_.rows[row].values[column] : std::nullopt;
-      return value ? std::optional(PeakSample{.share = shares_[row], .value = sign * *value})
+          i < samples.size() ? (*samples[i].values)[column] : std::nullopt;
+      return value ? std::optional(PeakSample{.share = samples[i].share, .value = sign * *value})
                    : std::nullopt;
     };
     PeakSearch search(sign * found.value, sign > 0.0 ? climbed_[column]->fold : std::nullopt);
-    for (std::size_t r = 1; r + 1 < table_.rows.size(); ++r) {
-      const std::optional<PeakSample> before = sample(r - 1);
-      const std::optional<PeakSample> there = sample(r);
-      const std::optional<PeakSample> behind = sample(r + 1);
+    for (std::size_t i = 1; i + 1 < samples.size(); ++i) {
+      const std::optional<PeakSample> before = sample(i - 1);
+      const std::optional<PeakSample> there = sample(i);
+      const std::optional<PeakSample> behind = sample(i + 1);
       if (!before || !there || !behind) {
         continue;
       }
-      const bool is_first = r < 2 || !sample(r - 2);
-      const bool is_last = !sample(r + 2);
+      const bool is_first = i < 2 || !sample(i - 2);
+      const bool is_last = !sample(i + 2);
       if (may_be_peak(before->value, there->value, behind->value, is_first, is_last)) {
         search.add({*before, *there, *behind});
       }
@@ -96,7 +127,7 @@ class FigureMaker {
     return square ? std::optional(std::sqrt(*square)) : std::nullopt;
   }
 
-  // Over the way of the drives, or in time: the trapezoids between the steps of a motion that
+  // Over the way of the drives, or in time: the trapezoids between the samples of a motion that
   // reaches its end, or the middle where an end has no value.
   template <class Measure>
   std::optional<double> mean(std::size_t column, const Measure& measure) const {
@@ -105,49 +136,54 @@ class FigureMaker {
     if (!is_whole || table_.rows.size() < 2) {
       return std::nullopt;
     }
-    const std::size_t last = table_.rows.size() - 1;
     double sum = 0.0;
     double size = 0.0;
     const auto add = [&](double value, double weight) {
       sum += weight * measure(value);
       size += weight * std::abs(measure(value));
     };
-    for (std::size_t row = 0; row < last; ++row) {
-      const std::optional<double>& low = table_.rows[row].values[column];
-      const std::optional<double>& high = table_.rows[row + 1].values[column];
+    const std::vector<Sample> samples = samples_of(column);
+    for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
+      const double width = samples[i + 1].step - samples[i].step;
+      const std::optional<double>& low = (*samples[i].values)[column];
+      const std::optional<double>& high = (*samples[i + 1].values)[column];
       if (low && high) {
-        add(*low, 0.5);
-        add(*high, 0.5);
+        add(*low, 0.5 * width);
+        add(*high, 0.5 * width);
         continue;
       }
-      const std::optional<double> middle =
-          (low || high) && between_ ? between_(column, row, middle_behind_(row)) : std::nullopt;
-      if (!middle) {
+      const double middle = 0.5 * (samples[i].step + samples[i + 1].step);
+      const auto row = static_cast<std::size_t>(middle);
+      const std::optional<double> value =
+          (low || high) && between_ ? between_(column, row, share_at_(middle)) : std::nullopt;
+      if (!value) {
         return std::nullopt;
       }
-      add(*middle, 1.0);
+      add(*value, width);
     }
-    return settled(sum, kCancellation * size) / static_cast<double>(last);
+    return settled(sum, kCancellation * size) / static_cast<double>(table_.rows.size() - 1);
   }
 
   std::span<const double> shares_;
   const std::vector<std::optional<ClimbedColumn>>& climbed_;
   const BetweenSteps& between_;
   const std::function<double(double)>& drive_at_;
-  const std::function<double(std::size_t)>& middle_behind_;
+  const std::function<double(double)>& share_at_;
   MotionTable& table_;
+  std::vector<Sample> samples_;                                    // steps and corners, in order
   std::vector<const std::vector<std::optional<double>>*> places_;  // parallel to the columns
 };
 
 }  // namespace
 
 void add_figures(std::span<const double> shares,
+                 std::span<const FigurePlace> corners,
                  const std::vector<std::optional<ClimbedColumn>>& climbed,
                  const BetweenSteps& between,
                  const std::function<double(double share)>& drive_at,
-                 const std::function<double(std::size_t row)>& middle_behind,
+                 const std::function<double(double step)>& share_at,
                  MotionTable& table) {
-  FigureMaker(shares, climbed, between, drive_at, middle_behind, table).run();
+  FigureMaker(shares, corners, climbed, between, drive_at, share_at, table).run();
 }
 
 }  // namespace kinestat
