@@ -257,6 +257,29 @@ motion: {drive: motor, to: 30 deg, steps: 4, case: run, report: motor/action}
         self.assertLess(abs(found["greatest_at"] - turn), 1e-9)
 
 
+class Quotients(FiguresTest):
+    """The rocker of the crank-rocker turns back twice: rates over its own have no bound."""
+
+    def test_what_becomes_infinite_on_the_way_has_no_greatest_value_and_no_mean(self) -> None:
+        for steps in (24, 97):
+            motion = run(FOUR_BAR, "--report", "ratio", "--report", "mechanical_advantage",
+                         "--steps", str(steps))
+            ratio = self.figures(motion, "load/ratio")
+            advantage = self.figures(motion, "load/mechanical_advantage")
+            with self.subTest(steps=steps):
+                for key in ("least", "greatest", "mean"):
+                    self.assertIsNone(ratio[key], key)
+                for key in ("greatest", "mean"):
+                    self.assertIsNone(advantage[key], key)
+                self.assertGreater(advantage["least"], 0.0)
+
+    def test_what_does_not_has_them(self) -> None:
+        text = FOUR_BAR.replace("to: 360", "to: 20")
+        figures = self.figures(run(text, "--report", "ratio"), "load/ratio")
+        self.assertIsNotNone(figures["greatest"])
+        self.assertIsNotNone(figures["mean"])
+
+
 class Limited(MotionTest):
     def test_a_motion_that_ends_before_has_no_mean(self) -> None:
         text = FOUR_BAR.replace("[160, 0]", "[230, 0]")

@@ -11,11 +11,11 @@
 #include <utility>
 
 #include "core/axis_name.hpp"
-#include "expression/unit_quotient.hpp"
 #include "math/numbers/settled.hpp"
 #include "mechanism/label_kind.hpp"
 #include "studies/motion/task/dynamic_columns.hpp"
 #include "studies/motion/task/motion_column_choice.hpp"
+#include "studies/motion/task/quotient_columns.hpp"
 
 namespace kinestat {
 
@@ -51,43 +51,6 @@ bool has_acceleration(const MotionPosition& position) {
 Vec3 rotation_vector(const Mat3& rotation) {
   const Eigen::AngleAxisd turn(rotation);
   return turn.angle() * turn.axis();
-}
-
-bool turns_actuator(const Mechanism& mechanism, int actuator) {
-  const int freedom = mechanism.topology.actuators[static_cast<std::size_t>(actuator)].freedom;
-  return mechanism.topology.freedoms[static_cast<std::size_t>(freedom)].is_rotation;
-}
-
-// The kinds of an action of the input and the output, and of their rates.
-struct EndKinds {
-  QuantityKind input_rate;
-  QuantityKind output_rate;
-  QuantityKind input_action;
-  QuantityKind output_action;
-};
-
-EndKinds kinds_of_ends(const Case& which, const Mechanism& mechanism) {
-  const bool in = turns_actuator(mechanism, which.inputs.front());
-  const bool out = turns_actuator(mechanism, which.outputs.front());
-  using enum QuantityKind;
-  return {.input_rate = in ? angular_velocity : velocity,
-          .output_rate = out ? angular_velocity : velocity,
-          .input_action = in ? moment : force,
-          .output_action = out ? moment : force};
-}
-
-std::string unit_of_quotient(const FileUnits& units, QuantityKind above, QuantityKind below) {
-  return above == below ? "" : unit_quotient(units.text(above), units.text(below));
-}
-
-// Action of the output over that of the input; in a case without actions the ratio of their rates,
-// which in SI is the same number by virtual power.
-std::optional<double> mechanical_advantage(const CaseAnalysis& one) {
-  if (one.action) {
-    return one.ratios->advantage;
-  }
-  const std::optional<double> ratio = one.ratios->ratio;
-  return ratio ? std::optional(std::abs(*ratio)) : std::nullopt;
 }
 
 class ReadingList {
@@ -403,37 +366,7 @@ class ReadingList {
       });
       readings_.back().fold = std::numbers::pi / 2.0;
     }
-    if (!report().ratio && !report().mechanical_advantage) {
-      return;
-    }
-    const EndKinds kinds =
-        kinds_of_ends(mechanism_.cases[static_cast<std::size_t>(plan_.which)], mechanism_);
-    if (report().ratio) {
-      add_quotient("ratio", kinds.input_rate, kinds.output_rate, [](const CaseAnalysis& one) {
-        return one.ratios->ratio;
-      });
-    }
-    if (report().mechanical_advantage) {
-      add_quotient(
-          "mechanical_advantage", kinds.output_action, kinds.input_action, mechanical_advantage);
-    }
-  }
-
-  void add_quotient(const std::string& quantity,
-                    QuantityKind above,
-                    QuantityKind below,
-                    const std::function<std::optional<double>(const CaseAnalysis&)>& quotient) {
-    const double factor = above == below ? 1.0 : units_.factor(below) / units_.factor(above);
-    readings_.push_back(
-        {.column = {.element = output_name(),
-                    .quantity = quantity,
-                    .unit = unit_of_quotient(units_, above, below)},
-         .kind = QuantityKind::dimensionless,
-         .value = [quotient, factor](const MotionPosition& at) -> std::optional<double> {
-           const std::optional<double> value =
-               at.solved && at.solved->ratios ? quotient(*at.solved) : std::nullopt;
-           return value ? std::optional(*value * factor) : std::nullopt;
-         }});
+    std::ranges::move(quotient_readings(units_, mechanism_, plan_), std::back_inserter(readings_));
   }
 
   const FileUnits& units_;

@@ -19,6 +19,8 @@ struct MotionReading {
   std::function<std::optional<double>(const MotionPosition&)> value;
   std::optional<double> fold = {};  ///< at which values are folded: none is above it
   bool is_idle = false;             ///< without values, as nothing determines it
+  bool is_size = false;             ///< without its sign
+  std::function<std::optional<double>(const MotionPosition&)> divisor = {};  ///< of a quotient
   std::function<std::optional<double>(const MotionPosition&)> alone =
       {};  ///< of a component: reads
            ///< it before the others

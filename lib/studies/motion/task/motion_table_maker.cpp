@@ -10,6 +10,7 @@
 #include "studies/motion/motion.hpp"
 #include "studies/motion/task/drive_counts.hpp"
 #include "studies/motion/task/figures/curve_corners.hpp"
+#include "studies/motion/task/figures/pole_watch.hpp"
 #include "studies/motion/task/friction_turns.hpp"
 #include "studies/motion/task/idle_rates.hpp"
 #include "studies/motion/task/motion_column_choice.hpp"
@@ -91,6 +92,7 @@ class TableMaker {
     add_rows();
     add_events();
     add_column_figures();
+    poles_.leave_out_unbounded(readings_, table_.drives.size(), table_);
     add_assembly();
     return std::move(table_);
   }
@@ -244,6 +246,7 @@ class TableMaker {
           is_left_out && !row.lacks_accelerations && is_rate_of_rate(reading.kind);
     }
     table_.rows.push_back(std::move(row));
+    poles_.look(readings_, position);
     sliding_.push_back(sliding_at(mechanism_, position));
   }
 
@@ -474,6 +477,7 @@ class TableMaker {
   std::vector<int> driven_;                 // of each reading the drive whose position it is, or -1
   std::vector<std::vector<Vec3>> sliding_;  // of each row
   std::vector<CaseFindings> said_;          // likewise
+  PoleWatch poles_;
   MotionTable table_;
 };
 

@@ -44,8 +44,8 @@ class FigureReader {
 
   double value(MotionFigure figure, std::size_t column) const {
     const ColumnFigures& figures = motion_.figures[column];
-    const double least = figures.least->value;
-    const double greatest = figures.greatest->value;
+    const double least = figures.least ? figures.least->value : kNone;
+    const double greatest = figures.greatest ? figures.greatest->value : kNone;
     switch (figure) {
       case MotionFigure::least:
         return least;
@@ -56,7 +56,8 @@ class FigureReader {
       case MotionFigure::mean:
         return figures.mean.value_or(kNone);
       case MotionFigure::peak:
-        return std::max(std::abs(least), std::abs(greatest));
+        return figures.least && figures.greatest ? std::max(std::abs(least), std::abs(greatest))
+                                                 : kNone;
       case MotionFigure::dead_points:
         break;
     }
@@ -144,7 +145,8 @@ std::string StateMotion::find_figures(const MechanismDescription& description,
     return unsolved->status;
   }
   const std::string_view warning = code_of(found, Severity::warning);
-  return std::string(!warning.empty() ? warning : gap != nullptr ? kNoNumber : kSolved);
+  const bool lacks_some = std::ranges::any_of(values_, [](double one) { return std::isnan(one); });
+  return std::string(!warning.empty() ? warning : lacks_some ? kNoNumber : kSolved);
 }
 
 void StateMotion::show(std::string_view status, SweepRow& row) {

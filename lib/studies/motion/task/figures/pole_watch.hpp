@@ -1,0 +1,29 @@
+// Quotients of a motion that become infinite on the way.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "studies/motion/report/motion_table.hpp"
+#include "studies/motion/task/motion_columns.hpp"
+
+namespace kinestat {
+
+/// Sees by the signs of their divisors between which steps quotients go through infinity: a ratio
+/// where the output turns back, a mechanical advantage where the input needs nothing.
+class PoleWatch {
+ public:
+  /// Looks at the positions of a motion one after the other, always with the same readings.
+  void look(const std::vector<MotionReading>& readings, const MotionPosition& position);
+
+  /// What has no bound has no extreme and no mean. The columns of the readings begin at `first`.
+  void leave_out_unbounded(const std::vector<MotionReading>& readings,
+                           std::size_t first,
+                           MotionTable& table) const;
+
+ private:
+  std::vector<double> last_;        // of each reading the last divisor; 0: none yet
+  std::vector<bool> is_unbounded_;  // likewise
+};
+
+}  // namespace kinestat
