@@ -161,7 +161,12 @@ void add_accuracy(CLI::App& command, AccuracyRequest& request) {
 }
 
 void add_written_file(CLI::App& command, std::string& path, Overwrite& overwrite) {
-  add_argument(command, "FILE", path, "the file to write; default standard output");
+  const auto standard_output = [](std::string& word) {
+    word = word == "-" ? "" : word;
+    return std::string();
+  };
+  add_argument(command, "FILE", path, "the file to write; default standard output")
+      .transform(CLI::Validator(standard_output, ""));
   add_flag(
       command,
       "--force",
