@@ -130,47 +130,40 @@ std::string simulation_csv(const SimulationReportView& v) {
                         QuantityKind kind,
                         const std::optional<double>& value,
                         const std::string& state,
-                        const std::string& step,
-                        double time) {
-    text += csv_line(
-        std::array<std::string, 10>{name,
-                                    "",
-                                    "simulation",
-                                    element,
-                                    quantity,
-                                    value ? format_exact(units.from_si(kind, *value)) : "",
-                                    units.text(kind),
-                                    state,
-                                    step,
-                                    format_exact(units.from_si(QuantityKind::time, time))});
+                        const std::string& step) {
+    text +=
+        csv_line(std::array<std::string, 10>{name,
+                                             "",
+                                             "simulation",
+                                             element,
+                                             quantity,
+                                             value ? format_exact(units.from_si(kind, *value)) : "",
+                                             units.text(kind),
+                                             state,
+                                             step,
+                                             ""});
   };
   const std::vector<SimulationColumn> columns = simulation_columns(v);
   for (std::size_t r = 0; r < v.solution.rows.size(); ++r) {
     for (const SimulationColumn& column : columns) {
-      if (column.quantity != "time") {
-        line(column.element,
-             column.quantity,
-             column.kind,
-             column.values[r],
-             status,
-             std::to_string(r),
-             v.solution.rows[r].time);
-      }
+      line(column.element,
+           column.quantity,
+           column.kind,
+           column.values[r],
+           status,
+           std::to_string(r));
     }
   }
-  for (const SimulationEvent& one : v.solution.events) {
+  for (std::size_t e = 0; e < v.solution.events.size(); ++e) {
+    const SimulationEvent& one = v.solution.events[e];
     const std::string kind(word_of(one.kind));
     const QuantityKind rate = rate_kind(one.is_rotation);
-    line(one.element,
-         "event/position",
-         position_kind(one.is_rotation),
-         one.position,
-         kind,
-         "",
-         one.time);
-    line(one.element, "event/speed", rate, one.speed, kind, "", one.time);
+    const std::string event = fmt::format("event/{}/", e + 1);
+    line(one.element, event + "time", QuantityKind::time, one.time, kind, "");
+    line(one.element, event + "position", position_kind(one.is_rotation), one.position, kind, "");
+    line(one.element, event + "speed", rate, one.speed, kind, "");
     if (one.speed_after) {
-      line(one.element, "event/speed_after", rate, one.speed_after, kind, "", one.time);
+      line(one.element, event + "speed_after", rate, one.speed_after, kind, "");
     }
   }
   return text;

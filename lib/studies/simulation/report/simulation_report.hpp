@@ -7,9 +7,9 @@
 
 namespace kinestat {
 
-/// The header of the table: that of every table, and the step and the time of a value.
+/// The header of the table is that of motions; no drive has a position in it.
 inline constexpr std::string_view kSimulationCsvHeader =
-    "mechanism,case,pass,element,quantity,value,unit,status,step,time\n";
+    "mechanism,case,pass,element,quantity,value,unit,status,step,drive\n";
 
 /// The tables of the text.
 TextBlocks simulation_blocks(const SimulationReportView& view);
