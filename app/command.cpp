@@ -7,7 +7,7 @@ namespace kinestat::app {
 
 namespace {
 
-constexpr std::array<Command, 23> kCommands = {{
+constexpr std::array<Command, 24> kCommands = {{
     {"new", "Write a commented mechanism file to begin with.", add_new},
     {"examples", "List the published mechanisms of the library, or write one.", add_examples},
     {"check", "Read and validate the files; say 'ok' for each that is well-formed.", add_check},
@@ -20,6 +20,9 @@ constexpr std::array<Command, 23> kCommands = {{
     {"shift", "List which combination of clutches and brakes makes which gear.", add_shift},
     {"duty", "Sum what a duty cycle costs, and what it does to gears and bearings.", add_duty},
     {"motion", "Move the mechanism through the ranges of its drives.", add_motion},
+    {"simulate",
+     "Leave the mechanism to what acts on it: places, speeds, energies in time.",
+     add_simulate},
     {"sensitivity", "Show how answers move with each parameter (derivatives).", add_sensitivity},
     {"tolerance", "Show how far positions are off where parts and drives are.", add_tolerance},
     {"sweep", "Analyse every combination of the parameters that a file varies.", add_sweep},

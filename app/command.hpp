@@ -27,6 +27,7 @@ void add_motion(CLI::App& command, Job& job);
 void add_duty(CLI::App& command, Job& job);
 void add_sensitivity(CLI::App& command, Job& job);
 void add_tolerance(CLI::App& command, Job& job);
+void add_simulate(CLI::App& command, Job& job);
 void add_sweep(CLI::App& command, Job& job);
 void add_merge(CLI::App& command, Job& job);
 void add_synthesize(CLI::App& command, Job& job);

@@ -15,7 +15,7 @@
 #include "run/texts/library_file.hpp"
 #include "run/texts/schema_text.hpp"
 #include "run/texts/starter.hpp"
-#include "run/written_reports.hpp"
+#include "run/texts/written_reports.hpp"
 
 namespace kinestat::app {
 

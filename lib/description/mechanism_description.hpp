@@ -17,6 +17,7 @@
 #include "description/loss_description.hpp"
 #include "description/motion_description.hpp"
 #include "description/shift_description.hpp"
+#include "description/simulation_description.hpp"
 #include "description/spring_description.hpp"
 #include "description/sweep_description.hpp"
 #include "description/synthesis_description.hpp"
@@ -89,6 +90,7 @@ struct MechanismDescription {
   std::optional<DutyDescription> duty;
   std::optional<MotionDescription> motion;
   std::optional<DynamicsDescription> dynamics;
+  std::optional<SimulationDescription> simulation;
   std::optional<SweepDescription> sweep;
   std::optional<SynthesisDescription> synthesis;
   std::vector<PublishedValue> published;

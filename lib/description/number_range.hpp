@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/digit_limits.hpp"
+#include "core/simulation_tolerance.hpp"
 
 namespace kinestat {
 
@@ -41,6 +42,8 @@ inline constexpr NumberRange kPlanets = {.least = 1, .most = 64, .is_whole = tru
 inline constexpr NumberRange kSteps = {.least = 1, .most = 1'000'000, .is_whole = true};
 inline constexpr NumberRange kFluctuation = {.above = 0, .below = 1};
 inline constexpr NumberRange kHarmonics = {.least = 1, .most = 100, .is_whole = true};
+inline constexpr NumberRange kIntegrationTolerance = {.least = kFinestIntegration,
+                                                      .most = kCoarsestIntegration};
 inline constexpr NumberRange kPoints = {.least = 2, .most = 1'000'000, .is_whole = true};
 inline constexpr NumberRange kStates = {.least = 1, .most = 1e12, .is_whole = true};
 inline constexpr NumberRange kSeed = {.least = 0, .most = 4'294'967'295, .is_whole = true};

@@ -105,6 +105,35 @@ std::variant<std::vector<SpringState>, SpringObstacle> spring_states(
   return states;
 }
 
+double stored_energy(const Spring& spring, double position) {
+  double stretch = position - spring.free;
+  if (!spring.is_of_freedom()) {
+    stretch = cut_off(spring.acts, stretch);
+  }
+  const double of_stiffness = 0.5 * spring.stiffness * stretch * stretch;
+  if (!spring.gas) {
+    return of_stiffness;
+  }
+  const GasSpring& gas = *spring.gas;
+  if (gas.hold == 0.0) {
+    return of_stiffness + gas.force * (gas.length - position);
+  }
+  const double left = 1.0 - gas.hold * (gas.length - position) / gas.stroke;
+  const double scale = gas.force * gas.stroke / gas.hold;
+  const double power = 1.0 - gas.exponent;
+  return of_stiffness +
+         (power == 0.0 ? -scale * std::log(left) : scale * (std::pow(left, power) - 1.0) / -power);
+}
+
+double elastic_tension(const Spring& spring, double position) {
+  const double tension = spring.stiffness * (position - spring.free);
+  if (spring.is_of_freedom()) {
+    return tension;
+  }
+  return cut_off(spring.acts,
+                 tension + (spring.gas ? gas_tension(*spring.gas, position).value_or(0.0) : 0.0));
+}
+
 std::vector<Load> spring_loads(const Mechanism& moved,
                                const LoadPlace& place,
                                const std::vector<SpringState>& states) {

@@ -35,6 +35,14 @@ struct SpringObstacle {
 std::variant<std::vector<SpringState>, SpringObstacle> spring_states(
     const Mechanism& drawn, const LoadPlace& place, std::span<const double> forces);
 
+/// What the stiffness or the gas of a spring holds at that length or position [J]; none where they
+/// act not.
+double stored_energy(const Spring& spring, double position);
+
+/// How that grows with the position: the tension without damping [N], or minus the action of a
+/// freedom [N or N·m].
+double elastic_tension(const Spring& spring, double position);
+
 /// Their forces on the bodies they join, as loads spring.NAME, or spring.NAME.BODY where both move;
 /// the names are `spring_load_names`, in that order.
 /// `moved` has the screws of the position.

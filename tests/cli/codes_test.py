@@ -70,7 +70,8 @@ def messages_of(text: str) -> tuple[int, list[str]]:
     """Exit status and codes of a mechanism file, or of a list of commands."""
     with tempfile.TemporaryDirectory(prefix="kinestat-example-") as name:
         folder = Path(name)
-        command = "kinestat analyze --quiet file.yaml"
+        study = "simulate" if "\nsimulation:" in text else "analyze --quiet"
+        command = f"kinestat {study} file.yaml"
         if text.startswith("$ "):
             command = "\n".join(line.removeprefix("$ ") for line in text.splitlines())
             write_inputs(folder)

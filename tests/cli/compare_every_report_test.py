@@ -22,6 +22,7 @@ COMMANDS = {
     ("shift",): ("transmissions/lepelletier_6hp26",),
     ("duty",): ("transmissions/muncie_m20",),
     ("motion",): ("planar/slider_crank",),
+    ("simulate",): ("../tests/schema/valid/simulation",),
     ("mobility",): ("spatial/bennett", "cables/surgical_instrument"),
     ("inputs",): ("planar/four_bar", "cables/finger_rehabilitation"),
     ("sensitivity",): ("planar/rack_and_pinion", "gears/simple_planetary"),

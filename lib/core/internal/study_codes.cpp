@@ -109,6 +109,37 @@ constexpr auto kStudyCodes = std::to_array<Code>({
      "follows, on a shaft of steady speed. Counterweights need bodies that turn about an axis of "
      "the ground; a limit speed needs contacts whose force hangs on speed as the forces of inertia "
      "do. The message says what is not so; the rows of the motion are given all the same."},
+    {"E0515",
+     no_answer,
+     "simulation cannot go on",
+     "The accelerations of a mechanism are not known everywhere: in a singular position nothing "
+     "says "
+     "which way it goes, a curve ends, a spring has no force, or something moves that has neither "
+     "mass nor inertia. The message has the time and the cause; the report goes as far as the "
+     "simulation did. Stops, or 'until', end it before."},
+    {"E0516",
+     wrong_input,
+     "simulation does not know this",
+     "'kinestat simulate' knows bodies with inertia, loads, weights, springs, dampers, viscous "
+     "friction, actions that follow curves, and stops. Dry friction, which sticks and slips, "
+     "losses "
+     "of teeth, cables and contacts, which can part, and bodies that turn freely about a point are "
+     "refused, because an answer without them would be wrong. Forces along a given motion have all "
+     "of these: 'kinestat help dynamics'."},
+    {"E0517",
+     wrong_input,
+     "start of a simulation does not fit",
+     "'start' gives places and speeds of as many freedoms as are independent of each other, by "
+     "actuators or COUPLING.FREEDOM; the others follow. The mechanism is led there from the drawn "
+     "position, as 'kinestat motion' does it, and must come there. What 'motion' of the simulation "
+     "holds keeps its speed from the begin on, and a freedom does not begin beyond its stop."},
+    {"E0518",
+     wrong_input,
+     "what acts in a simulation is not known",
+     "Each actuator has an action in 'action' of 'simulation', be it 0, or a speed in 'motion' "
+     "that "
+     "something holds, and not both; what couplings bear follows and is not given. Some body has "
+     "mass or inertia, or nothing says how fast the mechanism speeds up."},
     {"E0601",
      wrong_input,
      "primary actions depend on each other",

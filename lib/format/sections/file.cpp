@@ -225,6 +225,10 @@ void declare_tasks(Mapping<File>& m) {
         "What is asked of that motion beside its steps, where bodies have inertia: flywheel, "
         "harmonics, counterweights, and the speed at which contacts part.")
       .may(&File::dynamics, dynamics_section);
+  m.key("simulation",
+        "The mechanism left to what acts on it from a start onwards, where bodies have inertia: "
+        "places, speeds and energies in time.")
+      .may(&File::simulation, simulation_section);
   m.key("sweep", "Analyses every combination of some parameters, in the order of the file.")
       .may(&File::sweep, sweep_section);
   m.key("published", "Values that the source prints, against which the report is checked.")

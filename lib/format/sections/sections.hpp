@@ -24,6 +24,7 @@ const Mapping<ShiftDescription>& shift_section();
 const Mapping<DutyDescription>& duty_section();
 const Mapping<MotionDescription>& motion_section();
 const Mapping<DynamicsDescription>& dynamics_section();
+const Mapping<SimulationDescription>& simulation_section();
 const Mapping<SweepDescription>& sweep_section();
 Form<std::vector<PublishedValue>> published();
 const Mapping<SynthesisDescription>& synthesis_section();

@@ -291,6 +291,10 @@ std::vector<Case> bind_cases(const MechanismDescription& description,
   for (const CaseDescription& one : description.cases) {
     cases.push_back(binder.bind(one));
   }
+  if (description.simulation) {
+    // For what is wrong with it: simulations make a case of it where they need one.
+    (void)binder.bind(case_of(*description.simulation));
+  }
   return cases;
 }
 

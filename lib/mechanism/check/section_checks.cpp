@@ -47,6 +47,7 @@ void check_sections(const SectionContext& context) {
   check_duty(context);
   check_motion(context);
   check_dynamics(context);
+  check_simulation(context);
   check_sweep(context);
   check_synthesis(context);
 }

@@ -7,8 +7,9 @@
 namespace kinestat {
 
 /// Evaluates every number of the outlines of bodies, of `losses`, `shift`, `duty`, `motion`,
-/// `dynamics`, `sweep` and `synthesis`, resolves every reference, and complains of what is wrong
-/// without any analysis. check_gears and check_cables do the same for `gears` and `cables`.
+/// `dynamics`, `simulation`, `sweep` and `synthesis`, resolves every reference, and complains of
+/// what is wrong without any analysis. check_gears and check_cables do the same for `gears` and
+/// `cables`.
 void check_sections(const SectionContext& context);
 
 /// Complains of inputs and outputs of cases that are no actuators, of knowns whose coupling or
@@ -27,6 +28,9 @@ void check_motion(const SectionContext& context);
 
 /// Those of `dynamics`, and that there is a motion.
 void check_dynamics(const SectionContext& context);
+
+/// Those of `simulation`; its known motions and actions are bound as those of a case.
+void check_simulation(const SectionContext& context);
 
 /// Those of `shift`. Complains of elements and labels that contradict each other, too.
 void check_shift(const SectionContext& context);

@@ -315,6 +315,9 @@ std::set<std::string_view> names_where_curves_stand(const MechanismDescription& 
     add_loads(one.loads);
     std::ranges::for_each(one.actions, add, &Assignment::value);
   }
+  if (description.simulation) {
+    std::ranges::for_each(description.simulation->actions, add, &Assignment::value);
+  }
   for (const SpringDescription& spring : description.springs) {
     if (spring.force) {
       add(*spring.force);

@@ -9,6 +9,7 @@
 #include "studies/inputs/report/inputs_record.hpp"
 #include "studies/mobility/report/mobility_record.hpp"
 #include "studies/sensitivity/report/sensitivity_record.hpp"
+#include "studies/simulation/report/simulation_record.hpp"
 #include "studies/synthesis/report/synthesis_record.hpp"
 #include "studies/tolerance/report/tolerance_record.hpp"
 
@@ -32,11 +33,12 @@ bool has_keys_of(const RecordShape& record, const Json& report) {
 }  // namespace
 
 std::span<const ReportKind> report_kinds() {
-  static const std::array<ReportKind, 8> kinds = {{{"bench", &benchmark_report_record()},
+  static const std::array<ReportKind, 9> kinds = {{{"bench", &benchmark_report_record()},
                                                    {"duty", &duty_report_record()},
                                                    {"inputs", &inputs_report_record()},
                                                    {"mobility", &mobility_report_record()},
                                                    {"sensitivity", &sensitivity_report_record()},
+                                                   {"simulation", &simulation_report_record()},
                                                    {"tolerance", &tolerance_report_record()},
                                                    {"synthesis", &synthesis_report_record()},
                                                    {"report", &report_record()}}};

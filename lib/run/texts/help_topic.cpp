@@ -15,7 +15,7 @@
 #include "io/synonyms.hpp"
 #include "run/embedded.hpp"
 #include "run/texts/explain.hpp"
-#include "run/written_reports.hpp"
+#include "run/texts/written_reports.hpp"
 #include "studies/compare/compare_values.hpp"
 
 namespace kinestat {

@@ -8,7 +8,7 @@
 #include "core/utf8.hpp"
 #include "format/schema.hpp"
 #include "report/record_schema.hpp"
-#include "run/written_reports.hpp"
+#include "run/texts/written_reports.hpp"
 
 namespace kinestat {
 

@@ -1,4 +1,4 @@
-#include "run/written_reports.hpp"
+#include "run/texts/written_reports.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,0 +1,25 @@
+// The tolerances of simulations: what each is relative to, and why it has this size.
+#pragma once
+
+namespace kinestat {
+
+/// What a step of the integration may be off, where the file does not say it, and the bounds of
+/// what it may say: rounding, and more than a drawing shows.
+inline constexpr double kUsualIntegration = 1e-9;
+inline constexpr double kFinestIntegration = 1e-13;
+inline constexpr double kCoarsestIntegration = 1e-3;
+
+/// A joint whose motion is this share of the largest is told from those that stand still with the
+/// others.
+inline constexpr double kIndependentJoint = 1e-6;
+
+/// A rotor turns about its axis to this share: as typed.
+inline constexpr double kOffRotorAxis = 1e-6;
+
+/// A freedom that begins so near a stop touches it [rad, or sizes of the mechanism].
+inline constexpr double kAtStop = 1e-12;
+
+/// A chord comes no nearer to an end of what it divides than by this share.
+inline constexpr double kLeastChord = 1e-3;
+
+}  // namespace kinestat

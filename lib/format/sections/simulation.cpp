@@ -1,0 +1,119 @@
+// The section `simulation`.
+#include "format/collections.hpp"
+#include "format/number_forms.hpp"
+#include "format/sections/sections.hpp"
+#include "format/value_forms.hpp"
+
+namespace kinestat {
+
+namespace {
+
+Form<std::vector<Assignment>> known_values(const Form<Value>& value) {
+  return values_by_name(&Assignment::target,
+                        &Assignment::value,
+                        value,
+                        {.elements = "names to values", .name_definition = "target"},
+                        "'{0}'");
+}
+
+Form<Value> integration_tolerance() {
+  return number_form(
+      "integration_tolerance", "A number from 1e-13 to 1e-3.", {"1e-9"}, kIntegrationTolerance);
+}
+
+Form<Value> restitution() {
+  return number_form("restitution", "A number from 0, below 1.", {"0.7"}, kLostShare);
+}
+
+const Mapping<FreedomState>& freedom_state() {
+  static const Mapping<FreedomState> mapping(
+      "freedom_state",
+      "Where a freedom stands and how fast it moves.",
+      "{position: 120 deg, speed: 0}",
+      [](auto& m) {
+        m.key("position", "Measured from the drawn position.")
+            .may(&FreedomState::position, drawn_position(), "120 deg");
+        m.key("speed", "Of the head relative to the tail.")
+            .may(&FreedomState::speed, speed(), "20 rad/s");
+        m.rule({.kind = FormRule::Kind::any_of,
+                .others = {"position", "speed"},
+                .message = "{} has neither 'position' nor 'speed'",
+                .hint = "write for example {position: 90 deg}, or {speed: 10 rad/s}"});
+      });
+  return mapping;
+}
+
+const Mapping<StopDescription>& stop() {
+  static const Mapping<StopDescription> mapping(
+      "stop", "How far a freedom can go.", "{from: -0.8, restitution: 0.7}", [](auto& m) {
+        m.key("from", "Its least position, from the drawn one.")
+            .may(&StopDescription::from, drawn_position(), "-30 deg");
+        m.key("to", "Its greatest position, from the drawn one.")
+            .may(&StopDescription::to, drawn_position(), "90 deg");
+        m.key("restitution", "Speed behind an impact by that before it.")
+            .may(&StopDescription::restitution, restitution(), "0.7")
+            .usual("0");
+        m.rule({.kind = FormRule::Kind::any_of,
+                .others = {"from", "to"},
+                .message = "{} has neither 'from' nor 'to'",
+                .hint = "write for example {from: -30 deg, to: 90 deg}"});
+      });
+  return mapping;
+}
+
+Form<std::vector<FreedomState>> freedom_states() {
+  return named(&FreedomState::target,
+               freedom_state().form(),
+               {.elements = "names to places and speeds", .name_definition = "target"},
+               "'{0}'");
+}
+
+Form<std::vector<StopDescription>> freedom_stops() {
+  return named(&StopDescription::target,
+               stop().form(),
+               {.elements = "names to stops", .name_definition = "target"},
+               "the stop of '{0}'");
+}
+
+}  // namespace
+
+const Mapping<SimulationDescription>& simulation_section() {
+  static const Mapping<SimulationDescription> mapping(
+      "",
+      "",
+      "{action: {drive: 4 N*m}, start: {drive: {position: 0, speed: 0}}, time: 5 s, steps: 500}",
+      [](auto& m) {
+        m.key("action",
+              "What acts at each actuator that is not held, on the head; it may follow curves, as "
+              "over the speed of a motor. Loads, weights and springs act beside it.")
+            .may(&SimulationDescription::actions, known_values(action()), "{drive: 4 N*m}");
+        m.key("motion", "Freedoms that something keeps at a steady speed, whatever that takes.")
+            .may(&SimulationDescription::motions, known_values(speed()), "{belt: 0.3}");
+        m.key("start",
+              "Where freedoms begin and how fast: actuators or COUPLING.FREEDOM, no more than are "
+              "independent. What is not named begins as drawn and at rest.")
+            .may(&SimulationDescription::start,
+                 freedom_states(),
+                 "{drive: {position: 120 deg, speed: 0}}");
+        m.key("until",
+              "Places or speeds of freedoms: the first that is reached ends the simulation before "
+              "its time.")
+            .may(&SimulationDescription::until, freedom_states(), "{drive: {position: 720 deg}}");
+        m.key("stops", "How far freedoms can go; they strike there by Newton's restitution.")
+            .may(&SimulationDescription::stops,
+                 freedom_stops(),
+                 "{drive: {from: -30 deg, to: 90 deg, restitution: 0.7}}");
+        m.key("time", "How long it lasts.").needed(&SimulationDescription::time, duration(), "5 s");
+        m.key("steps", "Number of steps between the rows, which are equal in time.")
+            .may(&SimulationDescription::steps, step_count(), "500")
+            .usual(usual_number<kUsualSteps>());
+        m.key("tolerance",
+              "What a step of the integration may be off: of places in radians or sizes of the "
+              "mechanism, of speeds by the fastest.")
+            .may(&SimulationDescription::tolerance, integration_tolerance(), "1e-9")
+            .usual("1e-9");
+      });
+  return mapping;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,63 @@
+#include <algorithm>
+
+#include "mechanism/check/section_checks.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// An actuator, or coupling.freedom or coupling.action.
+void check_target(const Name& target, const SectionContext& context) {
+  const DeclaredNames& names = context.names;
+  const std::size_t dot = target.text.find('.');
+  if (dot == std::string::npos) {
+    names.check_actuator(target, "'simulation' names", context.found);
+    return;
+  }
+  const Name owner{.text = target.text.substr(0, dot), .where = target.where};
+  names.couplings.check(owner, "'simulation' names something of", context.found);
+}
+
+void check_number(const std::optional<Value>& value, const SectionContext& context) {
+  if (value) {
+    context.evaluator.quantity(*value);
+  }
+}
+
+}  // namespace
+
+void check_simulation(const SectionContext& context) {
+  if (!context.description.simulation) {
+    return;
+  }
+  const SimulationDescription& simulation = *context.description.simulation;
+  constexpr NumberRule kDuration = {
+      .kind = QuantityKind::time, .range = kAboveZero, .allowed = "a time above zero"};
+  constexpr NumberRule kRows = {.kind = QuantityKind::dimensionless,
+                                .range = kSteps,
+                                .allowed = "a whole number from 1 to 1000000"};
+  constexpr NumberRule kTolerance = {.kind = QuantityKind::dimensionless,
+                                     .range = kIntegrationTolerance,
+                                     .allowed = "a number from 1e-13 to 1e-3"};
+  constexpr NumberRule kRestitution = {.kind = QuantityKind::dimensionless,
+                                       .range = kLostShare,
+                                       .allowed = "a number from 0, below 1"};
+  context.number(simulation.time, kDuration, "'time' of 'simulation'");
+  context.number(simulation.steps, kRows, "'steps' of 'simulation'");
+  context.number(simulation.tolerance, kTolerance, "'tolerance' of 'simulation'");
+  for (const std::vector<FreedomState>* list : {&simulation.start, &simulation.until}) {
+    for (const FreedomState& one : *list) {
+      check_target(one.target, context);
+      check_number(one.position, context);
+      check_number(one.speed, context);
+    }
+  }
+  for (const StopDescription& one : simulation.stops) {
+    check_target(one.target, context);
+    check_number(one.from, context);
+    check_number(one.to, context);
+    context.number(one.restitution, kRestitution, "'restitution' of a stop");
+  }
+}
+
+}  // namespace kinestat

@@ -1,0 +1,33 @@
+#include "run/simulation.hpp"
+
+#include <optional>
+
+#include "files/each_file.hpp"
+#include "files/load_file.hpp"
+#include "studies/simulation/report/simulation_report.hpp"
+#include "studies/simulation/task/find_simulation.hpp"
+
+namespace kinestat {
+
+Outcome simulate_files(const std::vector<std::string>& paths, const AnalyseOptions& options) {
+  return report_on_each_file(paths, options, [&](ReportedFile& file) -> std::optional<FileReport> {
+    const std::optional<MechanismDescription> description =
+        load_description(file.path, options.load, file.source, file.found);
+    if (!description) {
+      return std::nullopt;
+    }
+    const std::optional<FoundSimulation> answer = find_simulation(*description, file.found);
+    if (!answer) {
+      return std::nullopt;
+    }
+    return make_simulation_report({.file = file.path,
+                                   .description = *description,
+                                   .mechanism = answer->mechanism,
+                                   .plan = answer->plan,
+                                   .solution = answer->solution,
+                                   .found = &file.found},
+                                  file.forms);
+  });
+}
+
+}  // namespace kinestat

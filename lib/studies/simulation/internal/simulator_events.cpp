@@ -1,0 +1,330 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "core/index.hpp"
+#include "core/simulation_tolerance.hpp"
+#include "core/tolerance.hpp"
+#include "studies/motion/configuration.hpp"
+#include "studies/simulation/internal/simulator.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// A step is looked at in so many parts for what ends it.
+constexpr int kLooks = 4;
+
+// A rebound that is lower than the tolerance times this, in sizes or radians, is none.
+constexpr double kNoRebound = 1.0;
+
+// No impact is left after so many at once.
+constexpr int kMostImpacts = 1000;
+
+constexpr int kMostHalvings = 200;
+
+}  // namespace
+
+std::optional<double> Simulator::position_at(int freedom, double time, std::span<const double> y) {
+  const std::vector<int>& driven = system_->network().driven_freedoms;
+  const auto drive = std::ranges::find(driven, freedom);
+  if (drive != driven.end()) {
+    return drives_at(time, y)[static_cast<std::size_t>(drive - driven.begin())];
+  }
+  Configuration configuration;
+  return place(time, y, configuration)
+             ? freedom_positions(system_->network(), mechanism_, configuration)[at(freedom)]
+             : std::nullopt;
+}
+
+std::optional<double> Simulator::speed_at(int freedom, double time, std::span<const double> y) {
+  const std::vector<int>& driven = system_->network().driven_freedoms;
+  const auto drive = std::ranges::find(driven, freedom);
+  if (drive != driven.end()) {
+    return speeds_of(y)[static_cast<std::size_t>(drive - driven.begin())];
+  }
+  Configuration configuration;
+  std::vector<double> ignored(free_count());
+  if (!place(time, y, configuration) || !accelerate(time, configuration, y, ignored)) {
+    return std::nullopt;
+  }
+  const VecX along = system_->direction_of(freedom);
+  const std::vector<double> speeds = speeds_of(y);
+  return along.dot(Eigen::Map<const VecX>(speeds.data(), along.size()));
+}
+
+std::optional<double> Simulator::distance(const Happening& what, double time) {
+  std::vector<double> y(state_.size());
+  time == integration_->time() ? void(std::ranges::copy(integration_->state(), y.begin()))
+                               : integration_->state_at(time, y);
+  return distance(what, time, y);
+}
+
+std::optional<double> Simulator::distance(const Happening& what,
+                                          double time,
+                                          std::span<const double> y) {
+  if (what.kind == SimulationEvent::Kind::goal) {
+    const SimulationGoal& goal = plan_.goals[what.index];
+    const std::optional<double> now =
+        goal.is_speed ? speed_at(goal.of.freedom, time, y) : position_at(goal.of.freedom, time, y);
+    const double sign = signs_[what.index];
+    return now ? std::optional((sign == 0.0 ? 1.0 : sign) * (*now - goal.value)) : std::nullopt;
+  }
+  const SimulationStop& stop = plan_.stops[what.index];
+  if (what.kind == SimulationEvent::Kind::impact) {
+    const std::optional<double> now = position_at(stop.of.freedom, time, y);
+    return now ? std::optional(stop.side * (stop.place - *now)) : std::nullopt;
+  }
+  Configuration configuration;
+  std::vector<double> ignored(free_count());
+  if (!place(time, y, configuration) || !accelerate(time, configuration, y, ignored)) {
+    return std::nullopt;
+  }
+  return -stop.side * system_->held_actions()[held_place(what.index)];
+}
+
+std::size_t Simulator::held_place(std::size_t stop) const {
+  std::size_t place = plan_.held.size();
+  for (std::size_t s = 0; s < stop; ++s) {
+    place += rests_[s] ? 1U : 0U;
+  }
+  return place;
+}
+
+std::vector<Simulator::Happening> Simulator::possible() const {
+  std::vector<Happening> all;
+  for (std::size_t g = 0; g < plan_.goals.size(); ++g) {
+    all.push_back({.kind = SimulationEvent::Kind::goal, .index = g});
+  }
+  for (std::size_t s = 0; s < plan_.stops.size(); ++s) {
+    all.push_back(
+        {.kind = rests_[s] ? SimulationEvent::Kind::release : SimulationEvent::Kind::impact,
+         .index = s});
+  }
+  return all;
+}
+
+std::optional<Simulator::Happening> Simulator::find_first() {
+  std::optional<Happening> first;
+  const double from = integration_->time_before();
+  const double to = integration_->time();
+  for (Happening what : possible()) {
+    double low = from;
+    const double end = first ? first->time : to;
+    const bool is_open = what.kind == SimulationEvent::Kind::goal && signs_[what.index] == 0.0;
+    for (int look = 1; look <= kLooks && !is_open; ++look) {
+      const double high = look == kLooks ? to : from + look * (to - from) / kLooks;
+      if (low >= end) {
+        break;
+      }
+      const std::optional<double> there = distance(what, high);
+      if (there && *there < 0.0) {
+        what.time = root(what, low, high);
+        if (!first || what.time < first->time) {
+          first = what;
+        }
+        break;
+      }
+      low = high;
+    }
+  }
+  return first;
+}
+
+double Simulator::root(const Happening& what, double low, double high) {
+  double above = std::max(distance(what, low).value_or(0.0), 0.0);
+  double below = distance(what, high).value_or(-1.0);
+  for (int round = 0; round < kMostHalvings; ++round) {
+    if (high - low <= 2.0 * kEpsilon * std::abs(high)) {
+      break;
+    }
+    // By the chord, every third time by halves.
+    double next = 0.5 * (low + high);
+    if (round % 3 != 2 && above > below) {
+      next =
+          low + (high - low) * std::clamp(above / (above - below), kLeastChord, 1.0 - kLeastChord);
+    }
+    const double there = distance(what, next).value_or(-1.0);
+    (there < 0.0 ? high : low) = next;
+    (there < 0.0 ? below : above) = there;
+  }
+  return high;
+}
+
+void Simulator::note_signs() {
+  for (std::size_t g = 0; g < signs_.size(); ++g) {
+    if (signs_[g] == 0.0) {
+      const Happening what{.kind = SimulationEvent::Kind::goal, .index = g};
+      const double there = distance(what, time_, state_).value_or(0.0);
+      signs_[g] = there > 0.0 ? 1.0 : there < 0.0 ? -1.0 : 0.0;
+    }
+  }
+}
+
+bool Simulator::meet(const Happening& what) {
+  if (what.kind == SimulationEvent::Kind::goal) {
+    const SimulationGoal& goal = plan_.goals[what.index];
+    note(SimulationEvent::Kind::goal, goal.of);
+    result_.end = SimulationEnd::goal;
+    return true;
+  }
+  note_signs();
+  const SimulationStop& stop = plan_.stops[what.index];
+  if (what.kind == SimulationEvent::Kind::release) {
+    const std::optional<VecX> rates = joint_rates(anchor_, speeds_of(state_));
+    note(SimulationEvent::Kind::release, stop.of);
+    rests_[what.index] = false;
+    return rates && go_on_with(*rates);
+  }
+  return strike(what.index);
+}
+
+SimulationEvent& Simulator::note(SimulationEvent::Kind kind, const NamedFreedom& of) {
+  result_.events.push_back({.kind = kind,
+                            .time = time_,
+                            .element = of.name,
+                            .is_rotation = topology_.freedoms[at(of.freedom)].is_rotation,
+                            .position = position_at(of.freedom, time_, state_).value_or(0.0),
+                            .speed = speed_at(of.freedom, time_, state_).value_or(0.0)});
+  return result_.events.back();
+}
+
+bool Simulator::go_on_with(const VecX& rates) {
+  choose_coordinates(system_->network().driven_rates);
+  begin_at(time_, rates);
+  return true;
+}
+
+bool Simulator::strike(std::size_t index) {
+  std::optional<VecX> rates = joint_rates(anchor_, speeds_of(state_));
+  if (!rates) {
+    return false;
+  }
+  const double before = speed_at(plan_.stops[index].of.freedom, time_, state_).value_or(0.0);
+  const bool had_rest = std::ranges::count(rests_, true) > 0;
+  std::vector<bool> touched = rests_;
+  touched[index] = true;
+  if (had_rest) {
+    rests_.assign(rests_.size(), false);
+    go_on_with(*rates);
+  }
+  std::vector<double> ignored(free_count());
+  if (!accelerate(time_, anchor_, state_, ignored)) {
+    return false;
+  }
+  const std::size_t free = free_count();
+  bool is_new = true;
+  for (int round = 0; round < kMostImpacts; ++round) {
+    bool is_quiet = true;
+    for (std::size_t s = 0; s < touched.size(); ++s) {
+      const SimulationStop& stop = plan_.stops[s];
+      if (!touched[s]) {
+        continue;
+      }
+      const double into = stop.side * speed_along(stop.of.freedom);
+      const double least = s == index && is_new ? 0.0 : kEpsilon * fastest_ * unit(stop);
+      const std::optional<ReducedSystem::Impulse> impulse = system_->impulse_at(stop.of.freedom);
+      if (!(into > least) || !impulse) {
+        continue;
+      }
+      is_new = is_new && s != index;
+      is_quiet = false;
+      const double by = -(1.0 + stop.restitution) * stop.side * into;
+      lost_ += 0.5 * impulse->inertia * into * into * (1.0 - stop.restitution * stop.restitution);
+      for (std::size_t j = 0; j < free; ++j) {
+        state_[free + j] += by * impulse->speeds[static_cast<Eigen::Index>(j)];
+      }
+    }
+    if (is_quiet) {
+      break;
+    }
+  }
+  state_[2 * free + 1] = lost_;
+  SimulationEvent& event = note(SimulationEvent::Kind::impact, plan_.stops[index].of);
+  event.speed = before;
+  event.speed_after = speed_along(plan_.stops[index].of.freedom);
+  return settle(touched);
+}
+
+double Simulator::unit(const SimulationStop& stop) const {
+  return topology_.freedoms[at(stop.of.freedom)].is_rotation ? 1.0 : mechanism_.geometry.length;
+}
+
+double Simulator::speed_along(int freedom) const {
+  const std::vector<double> speeds = speeds_of(state_);
+  const VecX along = system_->direction_of(freedom);
+  return along.dot(Eigen::Map<const VecX>(speeds.data(), along.size()));
+}
+
+bool Simulator::settle(const std::vector<bool>& touched) {
+  std::optional<VecX> rates = joint_rates(anchor_, speeds_of(state_));
+  if (!rates) {
+    return false;
+  }
+  bool has_rest = false;
+  double flight = std::numeric_limits<double>::infinity();
+  std::vector<double> accelerations(free_count());
+  if (!accelerate(time_, anchor_, state_, accelerations)) {
+    return false;
+  }
+  const ReducedState now = system_->tell(anchor_, speeds_of(state_), accelerations);
+  for (std::size_t s = 0; s < touched.size(); ++s) {
+    const SimulationStop& stop = plan_.stops[s];
+    const int freedom = stop.of.freedom;
+    const std::optional<double>& found = now.state.rate_rates[at(freedom)];
+    if (!touched[s] || !found) {
+      continue;
+    }
+    const double leaves = -stop.side * speed_along(freedom);
+    const double presses = stop.side * *found;
+    if (!(presses > 0.0)) {
+      continue;
+    }
+    const double height = 0.5 * leaves * leaves / presses;
+    if (height <= kNoRebound * plan_.tolerance * unit(stop)) {
+      // Without a rebound, or what all that would follow take together.
+      const double series =
+          leaves > 0.0 ? 2.0 * leaves / (presses * (1.0 - stop.restitution)) : 0.0;
+      note(SimulationEvent::Kind::rest, stop.of).time += series;
+      result_.events.back().speed = 0.0;
+      rests_[s] = true;
+      has_rest = true;
+      if (const auto impulse = system_->impulse_at(freedom)) {
+        lost_ += 0.5 * impulse->inertia * leaves * leaves;
+      }
+    } else {
+      flight = std::min(flight, 2.0 * leaves / presses);
+    }
+  }
+  if (has_rest) {
+    go_on_with(*rates);
+    state_[2 * free_count() + 1] = lost_;
+  }
+  step_ = std::min(step_.value_or(flight), 0.2 * flight);
+  restart();
+  return true;
+}
+
+bool Simulator::begin_contacts() {
+  note_signs();
+  std::vector<bool> touched(plan_.stops.size(), false);
+  for (std::size_t s = 0; s < touched.size(); ++s) {
+    const SimulationStop& stop = plan_.stops[s];
+    const std::optional<double> now = position_at(stop.of.freedom, time_, state_);
+    touched[s] = now && std::abs(*now - stop.place) <= kAtStop * unit(stop);
+  }
+  if (std::ranges::count(touched, true) == 0) {
+    return true;
+  }
+  for (std::size_t s = 0; s < touched.size(); ++s) {
+    const std::optional<double> speed = speed_at(plan_.stops[s].of.freedom, time_, state_);
+    if (touched[s] && speed && plan_.stops[s].side * *speed > 0.0) {
+      return strike(s);
+    }
+  }
+  return settle(touched);
+}
+
+}  // namespace kinestat

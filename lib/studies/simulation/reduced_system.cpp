@@ -1,0 +1,296 @@
+#include "studies/simulation/reduced_system.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/index.hpp"
+#include "core/simulation_tolerance.hpp"
+#include "dynamics/body_inertia.hpp"
+#include "math/dense/dense_solve.hpp"
+
+namespace kinestat {
+
+namespace {
+
+Wrench moved_load(const Load& load, const BodyPose& pose, Vec3& point) {
+  if (!load.point) {
+    return load.acts.wrench;
+  }
+  point = pose.point(*load.point);
+  const Vec3& force = load.acts.wrench.force;
+  return {.moment = load.acts.wrench.moment + (point - *load.point).cross(force), .force = force};
+}
+
+bool is_weight(const Load& load) {
+  return load.name.starts_with(kWeightPrefix);
+}
+
+}  // namespace
+
+ReducedSystem::ReducedSystem(const Mechanism& mechanism,
+                             const Case& which,
+                             MotionNetwork network,
+                             std::size_t free_count)
+    : mechanism_(mechanism),
+      which_(which),
+      network_(std::move(network)),
+      free_count_(free_count),
+      follower_(network_),
+      states_(network_, mechanism),
+      needs_place_(which.follows_curves() || !mechanism.springs.empty()) {
+  const std::size_t count = network_.driven_rates.size();
+  speeds_.drives.resize(count);
+  for (const int freedom : network_.passive_freedoms) {
+    speeds_.passive.push_back({.freedom = freedom, .speed = 0.0});
+  }
+  units_.resize(count);
+  held_.resize(count - free_count);
+}
+
+bool ReducedSystem::accelerate(double time,
+                               const Configuration& configuration,
+                               std::span<const double> speeds,
+                               std::span<double> accelerations) {
+  const std::size_t count = speeds_.drives.size();
+  for (std::size_t d = 0; d < count; ++d) {
+    speeds_.drives[d] = {.speed = speeds[d]};
+  }
+  state_ = states_.solve(configuration, speeds_, StateDetail::acceleration);
+  if (state_.is_singular || state_.twist_rates.empty()) {
+    return fail(SimulationObstacle::Kind::singular);
+  }
+  for (std::size_t d = 0; d < count; ++d) {
+    for (std::size_t k = 0; k < count; ++k) {
+      speeds_.drives[k] = {.speed = k == d ? 1.0 : 0.0};
+    }
+    units_[d] = states_.solve(configuration, speeds_, StateDetail::velocity);
+  }
+  if (const std::optional<BodyId> rotor = wrong_rotor()) {
+    obstacle_ = {.kind = SimulationObstacle::Kind::rotor, .body = rotor};
+    return false;
+  }
+  add_inertia();
+  supplied_ = 0.0;
+  lost_ = 0.0;
+  forces_ = VecX::Zero(static_cast<Eigen::Index>(count));
+  if (!add_forces(time, configuration)) {
+    return false;
+  }
+  const auto free = static_cast<Eigen::Index>(free_count_);
+  std::optional<VecX> solved = VecX();
+  if (free > 0) {
+    solved = solve_dense(inertia_.topLeftCorner(free, free), forces_.head(free) - bias_.head(free));
+  }
+  if (!solved) {
+    return fail(SimulationObstacle::Kind::no_inertia);
+  }
+  const VecX& found = *solved;
+  std::copy_n(found.data(), free_count_, accelerations.begin());
+  for (std::size_t k = 0; k < held_.size(); ++k) {
+    const auto row = free + static_cast<Eigen::Index>(k);
+    held_[k] = bias_[row] - forces_[row];
+    if (free > 0) {
+      held_[k] += inertia_.row(row).head(free).dot(found);
+    }
+    supplied_ += held_[k] * speeds[free_count_ + k];
+  }
+  return true;
+}
+
+void ReducedSystem::add_inertia() {
+  const auto count = static_cast<Eigen::Index>(units_.size());
+  inertia_ = MatX::Zero(count, count);
+  bias_ = VecX::Zero(count);
+  for (std::size_t b = 0; b < mechanism_.masses.size(); ++b) {
+    if (!mechanism_.masses[b].counts()) {
+      continue;
+    }
+    const BodyInertia body = inertia_at(mechanism_.masses[b], state_.poses[b]);
+    const BoundedWrench acts =
+        inertial_wrench(body, state_.twists[b], state_.twist_rates[b], BodyBounds{});
+    const Wrench wrench{.moment = acts.moment.value, .force = acts.force.value};
+    for (Eigen::Index j = 0; j < count; ++j) {
+      const Twist& unit = units_[static_cast<std::size_t>(j)].twists[b];
+      bias_[j] -= power(wrench, unit);
+      const Wrench carried = momentum(body, unit);
+      for (Eigen::Index k = 0; k <= j; ++k) {
+        inertia_(j, k) += power(carried, units_[static_cast<std::size_t>(k)].twists[b]);
+      }
+    }
+  }
+  inertia_ = inertia_.selfadjointView<Eigen::Lower>();
+}
+
+void ReducedSystem::add_wrench(BodyId body, const Wrench& wrench) {
+  for (std::size_t j = 0; j < units_.size(); ++j) {
+    forces_[static_cast<Eigen::Index>(j)] += power(wrench, units_[j].twists[at(body.value)]);
+  }
+}
+
+double ReducedSystem::unit_rate(std::size_t drive, int freedom) const {
+  return units_[drive].rates[at(freedom)].value_or(0.0);
+}
+
+bool ReducedSystem::add_forces(double time, const Configuration& configuration) {
+  place_.time = time;
+  if (needs_place_) {
+    place_.poses = state_.poses;
+    place_.twists = state_.twists;
+    place_.rates = state_.rates;
+    place_.positions = freedom_positions(network_, mechanism_, configuration);
+  }
+  for (std::size_t l = 0; l < which_.moving_loads.size(); ++l) {
+    MovingLoad& load = which_.moving_loads[l];
+    if (load.point) {
+      const Case& drawn = mechanism_.cases.front();
+      load.point = state_.poses[at(load.body.value)].point(*drawn.moving_loads[l].point);
+    }
+  }
+  const auto numbers = curve_numbers(mechanism_, which_, place_);
+  if (const CurveObstacle* const none = std::get_if<CurveObstacle>(&numbers)) {
+    obstacle_ = {.kind = SimulationObstacle::Kind::curve, .of_curve = *none};
+    return false;
+  }
+  const CurveNumbers& known = std::get<CurveNumbers>(numbers);
+  const auto springs = spring_states(mechanism_, place_, known.springs);
+  if (const SpringObstacle* const none = std::get_if<SpringObstacle>(&springs)) {
+    obstacle_ = {.kind = SimulationObstacle::Kind::spring, .of_spring = *none};
+    return false;
+  }
+  springs_ = std::get<std::vector<SpringState>>(springs);
+  for (const Load& load : which_.loads) {
+    Vec3 point = Vec3::Zero();
+    const std::size_t b = at(load.acts.body.value);
+    const Wrench wrench = moved_load(load, state_.poses[b], point);
+    add_wrench(load.acts.body, wrench);
+    supplied_ += is_weight(load) ? 0.0 : power(wrench, state_.twists[b]);
+  }
+  for (const Load& load : known.loads) {
+    add_wrench(load.acts.body, load.acts.wrench);
+    supplied_ += power(load.acts.wrench, state_.twists[at(load.acts.body.value)]);
+  }
+  actions_ = known.actions;
+  for (std::size_t a = 0; a < actions_.size(); ++a) {
+    const ActionLabel& label = mechanism_.topology.actions[at(which_.actions[a].index)];
+    const int freedom = mechanism_.topology.actuators[at(label.actuator)].freedom;
+    for (std::size_t j = 0; j < units_.size(); ++j) {
+      forces_[static_cast<Eigen::Index>(j)] += actions_[a] * unit_rate(j, freedom);
+    }
+    supplied_ += actions_[a] * state_.rates[at(freedom)].value_or(0.0);
+  }
+  for (const CouplingFriction& friction : mechanism_.frictions) {
+    const int freedom = mechanism_.topology.coupling(friction.coupling).first_freedom;
+    const double rate = state_.rates[at(freedom)].value_or(0.0);
+    for (std::size_t j = 0; j < units_.size(); ++j) {
+      forces_[static_cast<Eigen::Index>(j)] -= friction.viscous * rate * unit_rate(j, freedom);
+    }
+    lost_ += friction.viscous * rate * rate;
+  }
+  add_springs(springs_, known.springs);
+  return true;
+}
+
+void ReducedSystem::add_springs(const std::vector<SpringState>& springs,
+                                std::span<const double> forces) {
+  for (std::size_t i = 0; i < springs.size(); ++i) {
+    const Spring& spring = mechanism_.springs[i];
+    const SpringState& now = springs[i];
+    // What its place changes by for a unit speed of each coordinate; its tension, or minus its
+    // action, works against that.
+    const double against = spring.is_of_freedom() ? -now.force : now.force;
+    for (std::size_t j = 0; j < units_.size(); ++j) {
+      double rate = 0.0;
+      if (spring.is_of_freedom()) {
+        rate = unit_rate(j, spring.freedom);
+      } else {
+        const Vec3 from = state_.poses[at(spring.tail.value)].point(spring.from);
+        const Vec3 to = state_.poses[at(spring.head.value)].point(spring.to);
+        const Vec3 speed = velocity_at(units_[j].twists[at(spring.head.value)], to) -
+                           velocity_at(units_[j].twists[at(spring.tail.value)], from);
+        rate = speed.dot(to - from) / now.position;
+      }
+      forces_[static_cast<Eigen::Index>(j)] -= against * rate;
+    }
+    const double taken = (against - elastic_tension(spring, now.position)) * now.rate;
+    (forces[i] == 0.0 ? lost_ : supplied_) += forces[i] == 0.0 ? taken : -taken;
+  }
+}
+
+std::optional<BodyId> ReducedSystem::wrong_rotor() const {
+  for (std::size_t b = 0; b < mechanism_.masses.size(); ++b) {
+    const std::optional<Vec3>& drawn = mechanism_.masses[b].polar_axis;
+    if (!drawn) {
+      continue;
+    }
+    const Vec3 axis = state_.poses[b].rotation * *drawn;
+    for (const MotionState& unit : units_) {
+      const Vec3& turns = unit.twists[b].angular;
+      if (turns.cross(axis).norm() > kOffRotorAxis * std::max(turns.norm(), 1.0)) {
+        return BodyId{static_cast<int>(b)};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+double ReducedSystem::potential() const {
+  double sum = 0.0;
+  for (const Load& load : which_.loads) {
+    if (is_weight(load) && load.point) {
+      const Vec3 now = state_.poses[at(load.acts.body.value)].point(*load.point);
+      sum -= load.acts.wrench.force.dot(now - *load.point);
+    }
+  }
+  for (std::size_t i = 0; i < springs_.size(); ++i) {
+    sum += stored_energy(mechanism_.springs[i], springs_[i].position);
+  }
+  return sum;
+}
+
+VecX ReducedSystem::direction_of(int freedom) const {
+  VecX result(static_cast<Eigen::Index>(units_.size()));
+  for (std::size_t j = 0; j < units_.size(); ++j) {
+    result[static_cast<Eigen::Index>(j)] = unit_rate(j, freedom);
+  }
+  return result;
+}
+
+std::optional<ReducedSystem::Impulse> ReducedSystem::impulse_at(int freedom) const {
+  const auto free = static_cast<Eigen::Index>(free_count_);
+  if (free == 0) {
+    return std::nullopt;
+  }
+  const VecX along = direction_of(freedom).head(free);
+  const std::optional<VecX> answer = solve_dense(inertia_.topLeftCorner(free, free), along);
+  const double mobility = answer ? along.dot(*answer) : 0.0;
+  if (!(mobility > 0.0)) {
+    return std::nullopt;
+  }
+  return Impulse{.speeds = *answer / mobility, .inertia = 1.0 / mobility};
+}
+
+ReducedState ReducedSystem::tell(const Configuration& configuration,
+                                 std::span<const double> speeds,
+                                 std::span<const double> accelerations) {
+  ReducedState result;
+  const std::size_t count = speeds_.drives.size();
+  for (std::size_t d = 0; d < count; ++d) {
+    speeds_.drives[d] = {.speed = speeds[d],
+                         .acceleration = d < free_count_ ? accelerations[d] : 0.0};
+  }
+  result.state = states_.solve_bounded(configuration, speeds_, StateDetail::acceleration);
+  result.positions = freedom_positions(network_, mechanism_, configuration);
+  result.held = held_;
+  result.actions = actions_;
+  for (std::size_t b = 0; b < mechanism_.masses.size(); ++b) {
+    if (mechanism_.masses[b].counts()) {
+      result.kinetic +=
+          kinetic_energy(inertia_at(mechanism_.masses[b], state_.poses[b]), state_.twists[b]);
+    }
+  }
+  result.potential = potential();
+  return result;
+}
+
+}  // namespace kinestat

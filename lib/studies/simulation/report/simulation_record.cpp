@@ -1,0 +1,294 @@
+#include "studies/simulation/report/simulation_record.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "core/diagnostic.hpp"
+#include "core/index.hpp"
+#include "mechanism/label_kind.hpp"
+#include "report/report_keys.hpp"
+
+namespace kinestat {
+
+namespace {
+
+constexpr std::array<std::string_view, 3> kEndWords = {"complete", "goal", "stuck"};
+constexpr std::array<std::string_view, 4> kEventWords = {"goal", "impact", "rest", "release"};
+
+// A column or an event with the units of the file.
+template <class Item>
+struct ShownItem {
+  const SimulationReportView& of;
+  const Item& item;
+
+  const FileUnits& units() const { return of.description.units; }
+};
+
+std::optional<double> held_action(const SimulationReportView& v,
+                                  const SimulationRow& row,
+                                  const ActuatorTopology& actuator) {
+  const Case& which = v.mechanism.cases.front();
+  for (std::size_t a = 0; a < which.actions.size(); ++a) {
+    if (which.actions[a].index == actuator.action) {
+      return row.state.actions[a];
+    }
+  }
+  for (std::size_t k = 0; k < v.plan.held.size(); ++k) {
+    if (v.plan.held[k].of.freedom == actuator.freedom) {
+      return row.held[k];
+    }
+  }
+  return std::nullopt;
+}
+
+class ColumnMaker {
+ public:
+  explicit ColumnMaker(const SimulationReportView& view)
+      : v_(view), topology_(view.mechanism.topology) {}
+
+  std::vector<SimulationColumn> run() {
+    if (v_.solution.rows.empty()) {
+      return {};
+    }
+    add("", "time", QuantityKind::time, [](const SimulationRow& row) { return row.time; });
+    for (int f = 0; f < topology_.freedom_count(); ++f) {
+      if (v_.solution.rows.front().state.positions[at(f)]) {
+        add_freedom(f);
+      }
+    }
+    for (const ActuatorTopology& actuator : topology_.actuators) {
+      const bool is_couple = topology_.actions[at(actuator.action)].is_couple;
+      add(actuator.name, "action", action_kind(is_couple), [&](const SimulationRow& row) {
+        return held_action(v_, row, actuator);
+      });
+    }
+    using enum QuantityKind;
+    add("", "energy/kinetic", energy, [](const SimulationRow& row) { return row.state.kinetic; });
+    add("", "energy/potential", energy, [](const SimulationRow& row) {
+      return row.state.potential;
+    });
+    add("", "energy/supplied", energy, [](const SimulationRow& row) { return row.supplied; });
+    add("", "energy/lost", energy, [](const SimulationRow& row) { return row.lost; });
+    const double first = v_.solution.rows.front().balance();
+    add("", "energy/error", energy, [first](const SimulationRow& row) {
+      return row.balance() - first;
+    });
+    return std::move(columns_);
+  }
+
+ private:
+  template <class Read>
+  SimulationColumn& add(std::string element, std::string quantity, QuantityKind kind, Read read) {
+    SimulationColumn column{
+        .element = std::move(element), .quantity = std::move(quantity), .kind = kind, .values = {}};
+    for (const SimulationRow& row : v_.solution.rows) {
+      column.values.emplace_back(read(row));
+    }
+    columns_.push_back(std::move(column));
+    return columns_.back();
+  }
+
+  void add_freedom(int freedom) {
+    const std::size_t f = at(freedom);
+    const bool turns = topology_.freedoms[f].is_rotation;
+    const std::string name = topology_.freedom_name(freedom);
+    const bool is_coordinate = std::ranges::count(v_.solution.coordinates, freedom) > 0;
+    const auto bounded = [f](const std::vector<std::optional<double>>& list,
+                             const std::vector<double>& bounds) -> std::optional<double> {
+      return f < list.size() && list[f] && is_reported(*list[f], bounds[f]) ? list[f]
+                                                                            : std::nullopt;
+    };
+    add(name, "position", position_kind(turns), [f](const SimulationRow& row) {
+      return row.state.positions[f];
+    }).is_coordinate = is_coordinate;
+    add(name, "velocity", rate_kind(turns), [bounded](const SimulationRow& row) {
+      return bounded(row.state.state.rates, row.state.state.bounds.rates);
+    }).is_coordinate = is_coordinate;
+    add(name,
+        "acceleration",
+        turns ? QuantityKind::angular_acceleration : QuantityKind::acceleration,
+        [bounded](const SimulationRow& row) {
+          return bounded(row.state.state.rate_rates, row.state.state.bounds.rate_rates);
+        })
+        .is_coordinate = is_coordinate;
+  }
+
+  const SimulationReportView& v_;
+  const Topology& topology_;
+  std::vector<SimulationColumn> columns_;
+};
+
+const Record<ShownItem<SimulationColumn>>& column_record() {
+  using View = ShownItem<SimulationColumn>;
+  static const Record<View> record("One column.", [](Record<View>& keys) {
+    keys.text("name", "Element and quantity, as in a.wz/position.", [](const View& v) {
+      return v.item.name();
+    });
+    keys.text("element",
+              "coupling.freedom or actuator; empty of what concerns the whole.",
+              [](const View& v) { return v.item.element; });
+    keys.text("quantity", "position, velocity, energy/kinetic and so on.", [](const View& v) {
+      return v.item.quantity;
+    });
+    keys.text(
+            "unit", "That of the file.", [](const View& v) { return v.units().text(v.item.kind); })
+        .not_compared();
+  });
+  return record;
+}
+
+Shape rows_shape() {
+  Shape cell = number_shape(ByContext::column, true);
+  cell.form = Shape::Form::cell;
+  return list_shape(list_shape(std::move(cell)));
+}
+
+void write_rows(const SimulationReportView& v, Archive& to) {
+  const std::vector<SimulationColumn> columns = simulation_columns(v);
+  to.begin_list();
+  for (std::size_t r = 0; r < v.solution.rows.size(); ++r) {
+    to.begin_list();
+    for (const SimulationColumn& column : columns) {
+      const std::optional<double>& value = column.values[r];
+      to.number(
+          value ? std::optional(v.description.units.from_si(column.kind, *value)) : std::nullopt,
+          {});
+    }
+    to.end_list();
+  }
+  to.end_list();
+}
+
+const Record<ShownItem<SimulationEvent>>& event_record() {
+  using View = ShownItem<SimulationEvent>;
+  static const Record<View> record("One event.", [](Record<View>& keys) {
+    keys.word(
+        "kind",
+        {kEventWords.begin(), kEventWords.end()},
+        "goal: a freedom comes to where the simulation ends; impact: it strikes a stop; rest: "
+        "it stays there; release: it leaves it again.",
+        [](const View& v) { return word_of(v.item.kind); });
+    keys.text("element", "The freedom, as the file names it.", [](const View& v) {
+      return v.item.element;
+    });
+    keys.quantity("time",
+                  QuantityKind::time,
+                  "When; of a rest behind the impacts that would follow each other ever faster.",
+                  [](const View& v) { return v.item.time; });
+    keys.converted(
+        "position", ByContext::drive, "Where, from the drawn position.", [](const View& v) {
+          const QuantityKind kind = position_kind(v.item.is_rotation);
+          return std::pair(std::optional(v.units().from_si(kind, v.item.position)),
+                           v.units().text(kind));
+        });
+    const auto speed = [](const View& v, const std::optional<double>& value) {
+      const QuantityKind kind = rate_kind(v.item.is_rotation);
+      return std::pair(value ? std::optional(v.units().from_si(kind, *value)) : std::nullopt,
+                       v.units().text(kind));
+    };
+    keys.converted("speed", ByContext::drive, "How fast, before.", [speed](const View& v) {
+      return speed(v, v.item.speed);
+    });
+    keys.converted("speed_after",
+                   ByContext::drive,
+                   "How fast behind an impact; null of other events.",
+                   [speed](const View& v) { return speed(v, v.item.speed_after); });
+  });
+  return record;
+}
+
+const Record<SimulationReportView>& simulation_record() {
+  using View = SimulationReportView;
+  static const Record<View> record("A mechanism left to what acts on it.", [](Record<View>& keys) {
+    keys.word("status",
+              {kEndWords.begin(), kEndWords.end()},
+              "complete: to the end of its time; goal: to where the file has it end before; "
+              "stuck: it could not go on, and the rows go as far as it did.",
+              [](const View& v) { return word_of(v.solution.end); });
+    keys.quantity("time", QuantityKind::time, "When it ended.", [](const View& v) {
+      return v.solution.rows.empty() ? std::nullopt : std::optional(v.solution.rows.back().time);
+    });
+    keys.names("coordinates",
+               "The freedoms whose places and speeds tell the state at the begin; at dead "
+               "points of these others take their place.",
+               [](const View& v, const EachName& each) {
+                 for (const int freedom : v.solution.coordinates) {
+                   each(v.mechanism.topology.freedom_name(freedom));
+                 }
+               });
+    keys.list("columns",
+              column_record(),
+              "What the cells of a row are.",
+              [](const View& v, const Each<ShownItem<SimulationColumn>>& each) {
+                for (const SimulationColumn& one : simulation_columns(v)) {
+                  each({.of = v, .item = one});
+                }
+              });
+    keys.custom("rows",
+                rows_shape(),
+                "One a step, and one where the simulation ends: one cell a column; null where "
+                "there is no value.",
+                write_rows);
+    keys.list("events",
+              event_record(),
+              "What happens on the way, in its order.",
+              [](const View& v, const Each<ShownItem<SimulationEvent>>& each) {
+                for (const SimulationEvent& one : v.solution.events) {
+                  each({.of = v, .item = one});
+                }
+              });
+    keys.quantity("energy_drift",
+                  QuantityKind::energy,
+                  "The largest energy of a row that neither what is supplied nor what is lost "
+                  "explains: the error of the integration.",
+                  [](const View& v) { return v.solution.energy_drift; })
+        .not_compared();
+    keys.quantity("energy_scale",
+                  QuantityKind::energy,
+                  "The largest of the energies beside it.",
+                  [](const View& v) { return v.solution.energy_scale; });
+    keys.number("closure_error",
+                Bare::number,
+                "The largest of a row, relative to the size of the mechanism.",
+                [](const View& v) { return v.solution.closure_error; })
+        .not_compared();
+    keys.count("evaluations",
+               "How often accelerations were worked out.",
+               [](const View& v) { return v.solution.evaluations; })
+        .not_compared();
+    keys.count("integration_steps",
+               "Steps of the integration.",
+               [](const View& v) { return v.solution.integrated; })
+        .not_compared();
+  });
+  return record;
+}
+
+}  // namespace
+
+std::string_view word_of(SimulationEnd end) {
+  return kEndWords[static_cast<std::size_t>(end)];
+}
+
+std::string_view word_of(SimulationEvent::Kind kind) {
+  return kEventWords[static_cast<std::size_t>(kind)];
+}
+
+std::vector<SimulationColumn> simulation_columns(const SimulationReportView& view) {
+  return ColumnMaker(view).run();
+}
+
+const Record<SimulationReportView>& simulation_report_record() {
+  using View = SimulationReportView;
+  static const Record<View> record(
+      "What 'kinestat simulate --format json' writes: a mechanism left to what acts on it.",
+      [](Record<View>& keys) {
+        add_head(keys);
+        keys.part(
+            "simulation", simulation_record(), [](const View& v) -> const View& { return v; });
+        add_diagnostics(keys);
+      });
+  return record;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,46 @@
+// What a report of a simulation says, whole.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "description/mechanism_description.hpp"
+#include "record/record.hpp"
+#include "studies/simulation/simulation.hpp"
+
+namespace kinestat {
+
+class Diagnostics;
+
+struct SimulationReportView {
+  const std::string& file;  ///< path as the user gave it
+  const MechanismDescription& description;
+  const Mechanism& mechanism;
+  const SimulationPlan& plan;
+  const SimulationSolution& solution;
+  const Diagnostics* found;
+};
+
+/// What is told of each row. The name is "a.wz/position": element, then quantity.
+struct SimulationColumn {
+  std::string element;  ///< coupling.freedom or actuator; empty of the whole
+  std::string quantity;
+  QuantityKind kind = QuantityKind::dimensionless;
+  std::vector<std::optional<double>> values;  ///< one a row [SI]
+  bool is_coordinate = false;                 ///< of a freedom that the simulation began with
+
+  std::string name() const { return element.empty() ? quantity : element + "/" + quantity; }
+};
+
+std::vector<SimulationColumn> simulation_columns(const SimulationReportView& view);
+
+std::string_view word_of(SimulationEnd end);
+std::string_view word_of(SimulationEvent::Kind kind);
+
+/// The freedom or actuator that a coordinate is shown as.
+std::string coordinate_name(const SimulationReportView& view, int freedom);
+
+const Record<SimulationReportView>& simulation_report_record();
+
+}  // namespace kinestat

@@ -1,0 +1,191 @@
+#include "studies/simulation/report/simulation_report.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "core/index.hpp"
+#include "mechanism/label_kind.hpp"
+#include "report/csv.hpp"
+#include "report/number_format.hpp"
+#include "report/report_parts.hpp"
+#include "report/table.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// The text shows so many rows.
+constexpr std::size_t kMostRows = 21;
+
+class SimulationText {
+ public:
+  explicit SimulationText(const SimulationReportView& view)
+      : v_(view), units_(view.description.units), columns_(simulation_columns(view)) {}
+
+  TextBlocks run() const {
+    TextBlocks blocks;
+    blocks += head();
+    if (!v_.solution.events.empty()) {
+      blocks += TextBlocks(events());
+    }
+    if (!v_.solution.rows.empty()) {
+      blocks += TextBlocks(rows());
+    }
+    return blocks;
+  }
+
+ private:
+  std::string number(QuantityKind kind, double si) const {
+    return format_short(units_.from_si(kind, si));
+  }
+
+  std::string with_unit(QuantityKind kind, double si) const {
+    return number(kind, si) + " " + units_.text(kind);
+  }
+
+  std::string head() const {
+    const SimulationSolution& one = v_.solution;
+    const double time = one.rows.empty() ? 0.0 : one.rows.back().time;
+    std::string text = fmt::format(
+        "Simulation: {} to {}\n", word_of(one.end), with_unit(QuantityKind::time, time));
+    std::string names;
+    for (const int freedom : one.coordinates) {
+      names += (names.empty() ? "" : ", ") + v_.mechanism.topology.freedom_name(freedom);
+    }
+    text += fmt::format("  state by {}; {} steps of the integration, {} evaluations\n",
+                        names,
+                        one.integrated,
+                        one.evaluations);
+    text += fmt::format("  energy explained but for {} of {}; circuits closed to {} of the size\n",
+                        with_unit(QuantityKind::energy, one.energy_drift),
+                        with_unit(QuantityKind::energy, one.energy_scale),
+                        format_short(one.closure_error));
+    return text + "\n";
+  }
+
+  Table events() const {
+    Table table({"Event",
+                 "of",
+                 fmt::format("time [{}]", units_.text(QuantityKind::time)),
+                 "position",
+                 "speed",
+                 "after"});
+    for (const SimulationEvent& one : v_.solution.events) {
+      const QuantityKind rate = rate_kind(one.is_rotation);
+      table.add({std::string(word_of(one.kind)),
+                 one.element,
+                 number(QuantityKind::time, one.time),
+                 with_unit(position_kind(one.is_rotation), one.position),
+                 with_unit(rate, one.speed),
+                 one.speed_after ? with_unit(rate, *one.speed_after) : "-"});
+    }
+    return table;
+  }
+
+  bool is_shown(const SimulationColumn& column) const {
+    const bool is_state = column.is_coordinate && column.quantity != "acceleration";
+    return column.quantity == "time" || is_state || column.quantity.starts_with("energy/");
+  }
+
+  Table rows() const {
+    std::vector<std::string> head;
+    std::vector<const SimulationColumn*> shown;
+    for (const SimulationColumn& column : columns_) {
+      if (is_shown(column)) {
+        shown.push_back(&column);
+        head.push_back(fmt::format("{} [{}]", column.name(), units_.text(column.kind)));
+      }
+    }
+    Table table(head);
+    const std::size_t count = v_.solution.rows.size();
+    const std::size_t stride = (count + kMostRows - 2) / (kMostRows - 1);
+    for (std::size_t r = 0; r < count; ++r) {
+      if (r % std::max<std::size_t>(stride, 1) != 0 && r + 1 != count) {
+        continue;
+      }
+      std::vector<std::string> cells;
+      for (const SimulationColumn* column : shown) {
+        const std::optional<double>& value = column->values[r];
+        cells.push_back(value ? number(column->kind, *value) : "-");
+      }
+      table.add(cells);
+    }
+    return table;
+  }
+
+  const SimulationReportView& v_;
+  const FileUnits& units_;
+  std::vector<SimulationColumn> columns_;
+};
+
+std::string simulation_csv(const SimulationReportView& v) {
+  const FileUnits& units = v.description.units;
+  const std::string name = name_in_tables(v.file, v.description);
+  const std::string status(word_of(v.solution.end));
+  std::string text(kSimulationCsvHeader);
+  const auto line = [&](const std::string& element,
+                        const std::string& quantity,
+                        QuantityKind kind,
+                        const std::optional<double>& value,
+                        const std::string& state,
+                        const std::string& step) {
+    text +=
+        csv_line(std::array<std::string, 10>{name,
+                                             "",
+                                             "simulation",
+                                             element,
+                                             quantity,
+                                             value ? format_exact(units.from_si(kind, *value)) : "",
+                                             units.text(kind),
+                                             state,
+                                             step,
+                                             ""});
+  };
+  const std::vector<SimulationColumn> columns = simulation_columns(v);
+  for (std::size_t r = 0; r < v.solution.rows.size(); ++r) {
+    for (const SimulationColumn& column : columns) {
+      line(column.element,
+           column.quantity,
+           column.kind,
+           column.values[r],
+           status,
+           std::to_string(r));
+    }
+  }
+  for (std::size_t e = 0; e < v.solution.events.size(); ++e) {
+    const SimulationEvent& one = v.solution.events[e];
+    const std::string kind(word_of(one.kind));
+    const QuantityKind rate = rate_kind(one.is_rotation);
+    const std::string event = fmt::format("event/{}/", e + 1);
+    line(one.element, event + "time", QuantityKind::time, one.time, kind, "");
+    line(one.element, event + "position", position_kind(one.is_rotation), one.position, kind, "");
+    line(one.element, event + "speed", rate, one.speed, kind, "");
+    if (one.speed_after) {
+      line(one.element, event + "speed_after", rate, one.speed_after, kind, "");
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+TextBlocks simulation_blocks(const SimulationReportView& view) {
+  return SimulationText(view).run();
+}
+
+FileReport make_simulation_report(const SimulationReportView& view, const ReportForms& forms) {
+  FileReport report;
+  add_json(simulation_report_record, view, view.description.units, forms, report);
+  if (forms.csv) {
+    report.csv.push_back({.pass = "simulation", .text = simulation_csv(view)});
+  }
+  if (forms.text) {
+    report.text += title_text(view.file, view.description) + "\n";
+    report.text += simulation_blocks(view);
+  }
+  return report;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,71 @@
+// A mechanism left to what acts on it: forward dynamics in time.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mechanism/mechanism.hpp"
+#include "studies/simulation/reduced_system.hpp"
+#include "studies/simulation/simulation_plan.hpp"
+
+namespace kinestat {
+
+enum class SimulationEnd {
+  complete,  ///< at the end of its time
+  goal,      ///< where the file has it end
+  stuck      ///< it cannot go on: SimulationSolution::obstacle
+};
+
+struct SimulationRow {
+  double time = 0.0;  ///< [s]
+  ReducedState state;
+  std::vector<double> held = {};  ///< of the plan's held freedoms: what that takes [N·m or N]
+  double supplied = 0.0;          ///< by actions, loads and what is held, since the begin [J]
+  double lost = 0.0;              ///< in dampers, friction and impacts, likewise
+
+  /// What of the energy nothing explains.
+  double balance() const { return state.kinetic + state.potential - supplied + lost; }
+};
+
+struct SimulationEvent {
+  enum class Kind {
+    goal,    ///< a freedom comes to where the simulation ends
+    impact,  ///< a freedom strikes its stop
+    rest,    ///< it stays there
+    release  ///< it leaves it again
+  };
+
+  Kind kind = Kind::goal;
+  double time = 0.0;
+  std::string element;  ///< the freedom as the file names it
+  bool is_rotation = true;
+  double position = 0.0;                   ///< [rad or m]
+  double speed = 0.0;                      ///< before [rad/s or m/s]
+  std::optional<double> speed_after = {};  ///< of an impact
+};
+
+struct SimulationSolution {
+  SimulationEnd end = SimulationEnd::complete;
+  SimulationObstacle obstacle;
+  std::vector<int> coordinates;  ///< freedoms that it begins with
+  std::vector<SimulationRow> rows;
+  std::vector<SimulationEvent> events;
+  int evaluations = 0;         ///< of the accelerations
+  int integrated = 0;          ///< steps of the integration
+  int changes = 0;             ///< of the coordinates, at dead points of those before
+  double energy_drift = 0.0;   ///< largest of what nothing explains, since the begin [J]
+  double energy_scale = 0.0;   ///< the largest kinetic energy, change of potential, work [J]
+  double closure_error = 0.0;  ///< the largest of a row, as share of the size
+};
+
+/// From `start`, a closed configuration of the network, with these rates of its joints. Held
+/// freedoms and stops must be joints of its tree. `which` is the only case of the mechanism.
+SimulationSolution solve_simulation(const Mechanism& mechanism,
+                                    const MotionNetwork& network,
+                                    const SimulationPlan& plan,
+                                    const Configuration& start,
+                                    const std::vector<int>& coordinates,
+                                    const VecX& rates);
+
+}  // namespace kinestat

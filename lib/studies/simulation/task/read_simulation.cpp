@@ -1,0 +1,313 @@
+#include "studies/simulation/task/read_simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "core/index.hpp"
+#include "core/simulation_tolerance.hpp"
+#include "core/text.hpp"
+#include "mechanism/bind/evaluator.hpp"
+#include "mechanism/couplings/one_sided_actions.hpp"
+#include "mechanism/label_kind.hpp"
+
+namespace kinestat {
+
+namespace {
+
+class SimulationReader {
+ public:
+  SimulationReader(const MechanismDescription& description,
+                   const Mechanism& mechanism,
+                   Diagnostics& found)
+      : section_(*description.simulation),
+        couplings_(description.couplings),
+        mechanism_(mechanism),
+        topology_(mechanism.topology),
+        evaluator_(make_evaluator(description, found)),
+        found_(found) {}
+
+  std::optional<SimulationPlan> read() {
+    const int before = found_.error_count();
+    plan_.where = section_.where;
+    plan_.duration = number(section_.time, QuantityKind::time);
+    plan_.steps =
+        section_.steps
+            ? static_cast<int>(std::lround(number(*section_.steps, QuantityKind::dimensionless)))
+            : kUsualSteps;
+    plan_.tolerance = section_.tolerance ? number(*section_.tolerance, QuantityKind::dimensionless)
+                                         : kUsualIntegration;
+    read_held();
+    read_start();
+    read_goals();
+    read_stops();
+    check_actions();
+    check_inertia();
+    check_known();
+    return found_.error_count() == before ? std::optional(std::move(plan_)) : std::nullopt;
+  }
+
+ private:
+  double number(const Value& value, QuantityKind kind) {
+    return evaluator_.number(value, kind).value_or(0.0);
+  }
+
+  bool turns(int freedom) const { return topology_.freedoms[at(freedom)].is_rotation; }
+
+  // An actuator, or coupling.freedom.
+  std::optional<NamedFreedom> freedom(const Name& name) {
+    for (const ActuatorTopology& actuator : topology_.actuators) {
+      if (actuator.name == name.text) {
+        return NamedFreedom{.freedom = actuator.freedom, .name = name.text, .where = name.where};
+      }
+    }
+    std::vector<std::string> names;
+    const std::string owner = name.text.substr(0, name.text.find('.') + 1);
+    for (int f = 0; f < topology_.freedom_count(); ++f) {
+      if (topology_.freedom_name(f) == name.text) {
+        return NamedFreedom{.freedom = f, .name = name.text, .where = name.where};
+      }
+      if (topology_.freedom_name(f).starts_with(owner)) {
+        names.push_back(topology_.freedom_name(f));
+      }
+    }
+    found_.error("E0313",
+                 name.where,
+                 fmt::format("'{}' is not the motion of a coupling", name.text),
+                 names.empty() ? "name an actuator, or a freedom as COUPLING.FREEDOM"
+                               : fmt::format("write {}", fmt::join(names, " or ")));
+    return std::nullopt;
+  }
+
+  void read_held() {
+    for (const Primary& known : mechanism_.cases.front().motions) {
+      plan_.held.push_back(
+          {.of = {.freedom = known.index, .name = known.given, .where = known.where},
+           .speed = known.value});
+    }
+  }
+
+  bool is_held(int freedom) const {
+    return std::ranges::any_of(plan_.held,
+                               [&](const HeldFreedom& one) { return one.of.freedom == freedom; });
+  }
+
+  void read_start() {
+    for (const FreedomState& one : section_.start) {
+      const std::optional<NamedFreedom> of = freedom(one.target);
+      if (!of) {
+        continue;
+      }
+      const bool is_twice = std::ranges::any_of(plan_.starts, [&](const SimulationStart& other) {
+        return other.of.freedom == of->freedom;
+      });
+      if (is_twice) {
+        found_.error("E0517",
+                     one.target.where,
+                     fmt::format("'{}' of 'start' is given twice", one.target.text),
+                     "keep one of the two");
+      }
+      if (one.speed && is_held(of->freedom)) {
+        found_.error(
+            "E0517",
+            one.target.where,
+            fmt::format("'{}' has a speed in 'start', and another in 'motion'", one.target.text),
+            "remove one of the two: 'motion' holds the speed all the time");
+      }
+      plan_.starts.push_back(
+          {.of = *of,
+           .position =
+               one.position ? number(*one.position, position_kind(turns(of->freedom))) : 0.0,
+           .speed = one.speed ? number(*one.speed, rate_kind(turns(of->freedom))) : 0.0});
+    }
+  }
+
+  void read_goals() {
+    for (const FreedomState& one : section_.until) {
+      const std::optional<NamedFreedom> of = freedom(one.target);
+      if (!of) {
+        continue;
+      }
+      if (one.position) {
+        plan_.goals.push_back({.of = *of,
+                               .is_speed = false,
+                               .value = number(*one.position, position_kind(turns(of->freedom)))});
+      }
+      if (one.speed) {
+        plan_.goals.push_back({.of = *of,
+                               .is_speed = true,
+                               .value = number(*one.speed, rate_kind(turns(of->freedom)))});
+      }
+    }
+  }
+
+  void read_stops() {
+    for (const StopDescription& one : section_.stops) {
+      const std::optional<NamedFreedom> of = freedom(one.target);
+      if (!of) {
+        continue;
+      }
+      const double restitution =
+          one.restitution ? number(*one.restitution, QuantityKind::dimensionless) : 0.0;
+      const QuantityKind kind = position_kind(turns(of->freedom));
+      const double begin = start_of(of->freedom);
+      const auto add = [&](const std::optional<Value>& value, double side) {
+        if (!value) {
+          return;
+        }
+        const double place = number(*value, kind);
+        if (side * (place - begin) < 0.0) {
+          found_.error("E0517",
+                       one.target.where,
+                       fmt::format("'{}' begins beyond its stop", one.target.text),
+                       "'from' is its least and 'to' its greatest position, both from the drawn "
+                       "one");
+        }
+        plan_.stops.push_back(
+            {.of = *of, .place = place, .side = side, .restitution = restitution});
+      };
+      add(one.from, -1.0);
+      add(one.to, 1.0);
+    }
+  }
+
+  double start_of(int freedom) const {
+    for (const SimulationStart& one : plan_.starts) {
+      if (one.of.freedom == freedom) {
+        return one.position;
+      }
+    }
+    return 0.0;
+  }
+
+  // Each actuator has an action, unless something holds it.
+  void check_actions() {
+    const Case& which = mechanism_.cases.front();
+    for (const Primary& known : which.actions) {
+      const int actuator = topology_.actions[at(known.index)].actuator;
+      if (actuator < 0) {
+        found_.error(
+            "E0518",
+            known.where,
+            fmt::format("'{}' is borne by a coupling, and follows from the motion", known.given),
+            "remove it; what acts from outside is an actuator, a load or a spring");
+      } else if (is_held(topology_.actuators[at(actuator)].freedom)) {
+        found_.error("E0518",
+                     known.where,
+                     fmt::format("'{}' has an action, and 'motion' holds it", known.given),
+                     "remove one of the two: what holds a motion takes whatever that asks for");
+      }
+    }
+    for (const ActuatorTopology& actuator : topology_.actuators) {
+      const bool is_known =
+          std::ranges::find(which.actions, actuator.action, &Primary::index) != which.actions.end();
+      if (!is_known && !is_held(actuator.freedom)) {
+        found_.error(
+            "E0518",
+            plan_.where,
+            fmt::format("'simulation' does not say what actuator '{}' does", actuator.name),
+            fmt::format("add action: {{{0}: 0}} if nothing drives it, or what does; "
+                        "motion: {{{0}: …}} keeps it at a speed",
+                        actuator.name));
+      }
+    }
+  }
+
+  void check_inertia() {
+    if (!std::ranges::any_of(mechanism_.masses, &BodyMass::counts)) {
+      found_.error("E0518",
+                   plan_.where,
+                   "no body has mass or inertia, so that nothing says how fast it speeds up",
+                   "add 'mass', 'centre_of_mass' and 'inertia' to the bodies that move");
+    }
+  }
+
+  void refuse(SourceRange where, const std::string& what, const std::string& hint) {
+    found_.error("E0516", where, what, hint);
+  }
+
+  // What acts otherwise than a simulation knows.
+  void check_known() {
+    for (const CouplingFriction& friction : mechanism_.frictions) {
+      const bool is_viscous = friction.mu == 0.0 && friction.tau == 0.0 && !friction.tau_of_speed &&
+                              !friction.converter && friction.cables.empty() &&
+                              topology_.coupling(friction.coupling).freedom_count == 1;
+      if (!is_viscous) {
+        refuse(friction.where,
+               fmt::format("a simulation does not know how '{}' rubs: it would stick and slip",
+                           topology_.coupling(friction.coupling).name),
+               "leave viscous friction alone there, friction: {c: …}; or ask 'kinestat motion' for "
+               "the forces along a given motion, which has friction");
+      }
+    }
+    for (const LossyMesh& mesh : mechanism_.lossy_meshes) {
+      const CouplingTopology& coupling = topology_.coupling(mesh.coupling);
+      refuse(coupling.where,
+             fmt::format("a simulation does not know what mesh '{}' loses", coupling.name),
+             "remove 'losses' for it: its teeth lose nothing then");
+      break;
+    }
+    for (const CouplingDescription& coupling : couplings_) {
+      if (coupling.one_way) {
+        refuse(
+            coupling.name.where,
+            fmt::format("a simulation does not know when freewheel '{}' holds", coupling.name.text),
+            "remove 'one_way' and give the action of the clutch, 0 while it is open");
+      }
+    }
+    const std::vector<int> tensions = find_tensions(topology_);
+    const std::vector<int> contacts = find_contact_forces(topology_);
+    for (const int action : tensions.empty() ? contacts : tensions) {
+      const CouplingTopology& coupling = topology_.coupling(topology_.actions[at(action)].coupling);
+      refuse(
+          coupling.where,
+          fmt::format("a simulation does not know whether '{}' keeps its {}",
+                      coupling.name,
+                      tensions.empty() ? "contact" : "tension"),
+          "ask 'kinestat motion' for the forces along a given motion; a spring with 'acts: pull' "
+          "or 'acts: push' acts in one direction alone, and 'stops' of 'simulation' are contacts");
+      break;
+    }
+    for (const ActuatorTopology& actuator : topology_.actuators) {
+      if (std::ranges::count(contacts, actuator.action) > 0) {
+        refuse(actuator.where,
+               fmt::format("a simulation does not know actuator '{}'", actuator.name),
+               "put it on a coupling whose freedom has a position");
+      }
+    }
+  }
+
+  const SimulationDescription& section_;
+  const std::vector<CouplingDescription>& couplings_;
+  const Mechanism& mechanism_;
+  const Topology& topology_;
+  Evaluator evaluator_;
+  Diagnostics& found_;
+  SimulationPlan plan_;
+};
+
+}  // namespace
+
+MechanismDescription simulated_description(const MechanismDescription& description) {
+  MechanismDescription result = description;
+  result.cases = {case_of(*description.simulation)};
+  result.simulation.reset();
+  result.shift.reset();
+  result.duty.reset();
+  result.motion.reset();
+  result.dynamics.reset();
+  result.sweep.reset();
+  result.synthesis.reset();
+  result.published.clear();
+  return result;
+}
+
+std::optional<SimulationPlan> read_simulation(const MechanismDescription& description,
+                                              const Mechanism& mechanism,
+                                              Diagnostics& found) {
+  return SimulationReader(description, mechanism, found).read();
+}
+
+}  // namespace kinestat
