@@ -57,9 +57,8 @@ const Mapping<SlipDescription>& slip_mapping() {
         m.key("from",
               "The gear before, all of whose elements but one stay engaged. Without it the "
               "transmission is open, and 'output_speed' says how the output turns.")
-            .may(&SlipDescription::from, name_of("a gear"), "M1");
-        m.key("to", "The gear to which it leads.")
-            .needed(&SlipDescription::to, name_of("a gear"), "M2");
+            .may(&SlipDescription::from, label(), "M1");
+        m.key("to", "The gear to which it leads.").needed(&SlipDescription::to, label(), "M2");
         m.key("input_speed", "Speed of the input where the slip begins; default unit rad/s.")
             .needed(&SlipDescription::input_speed, any_number(), "400 rad/s");
         m.key("output_speed", "Speed of the output there, instead of 'from'; default unit rad/s.")
