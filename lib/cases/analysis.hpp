@@ -20,6 +20,7 @@
 #include "statics/static_solution.hpp"
 #include "studies/mobility/mobility_counts.hpp"
 #include "studies/sensitivity/affine.hpp"
+#include "studies/shift/shift_slip.hpp"
 #include "studies/shift/shift_solution.hpp"
 
 namespace kinestat {
@@ -89,6 +90,7 @@ struct AffineDependence {
 struct ShiftAnalysis {
   ShiftPlan plan;
   ShiftSolution solution;
+  std::vector<ShiftSlip> slips = {};  ///< in the order of the plan
 };
 
 /// One mechanism with its counts and its cases, in file order, then its gears.

@@ -20,6 +20,7 @@ struct BalanceDescription {
 };
 
 struct DynamicsDescription {
+  std::vector<Name> actuators;  ///< whose powers and energies are told
   std::optional<FlywheelDescription> flywheel;
   std::optional<Value> harmonics;  ///< the highest order by the turn of the drive
   std::optional<BalanceDescription> balance;

@@ -35,6 +35,18 @@ struct ShiftLimitsDescription {
   std::vector<InputValue> planet_speed;  ///< of planets, seen from their carriers
 };
 
+/// A change between two gears, or into one, in which one element slips at a steady torque.
+struct SlipDescription {
+  Name name;
+  std::optional<Name> from;  ///< the gear before; without it `output_speed`
+  Name to;
+  std::optional<Value> input_speed;
+  std::optional<Value> output_speed;
+  std::optional<Value> input_action;
+  std::optional<Value> output_action;
+  std::vector<InputValue> capacity;  ///< of the element that slips
+};
+
 struct ShiftDescription {
   std::vector<Name> inputs;    ///< actuators
   std::vector<Name> outputs;   ///< actuators
@@ -44,10 +56,14 @@ struct ShiftDescription {
   std::vector<InputValue> input_action;
   std::vector<InputValue> input_acceleration = {};  ///< then the gears have inertia
   std::vector<GearLabel> names;
+  std::vector<SlipDescription> slips = {};
   ShiftCombinations combinations = ShiftCombinations::all;
   std::optional<ShiftLimitsDescription> limits;
   std::optional<ForwardRatios> forward;  ///< default: the sign that most gears have
   SourceRange where;
+
+  /// Whether anything that it asks for follows from the inertia of the bodies.
+  bool has_inertia() const { return !input_acceleration.empty() || !slips.empty(); }
 };
 
 }  // namespace kinestat

@@ -30,6 +30,10 @@ std::optional<DynamicsPlan> bind_dynamics(const MechanismDescription& descriptio
   Evaluator evaluator = make_evaluator(description, ignored);
   DynamicsPlan plan;
   plan.where = dynamics.where;
+  for (const Name& actuator : dynamics.actuators) {
+    plan.actuators.push_back(
+        {.actuator = index_of(topology.actuators, actuator), .where = actuator.where});
+  }
   if (dynamics.flywheel) {
     const FlywheelDescription& one = *dynamics.flywheel;
     plan.flywheel = {

@@ -26,7 +26,14 @@ struct LimitedCoupling {
   SourceRange where;
 };
 
+/// An actuator whose powers and energies are told.
+struct WatchedActuator {
+  int actuator = 0;  ///< index into Topology::actuators
+  SourceRange where;
+};
+
 struct DynamicsPlan {
+  std::vector<WatchedActuator> actuators;
   std::optional<FlywheelPlan> flywheel;
   int harmonics = 0;  ///< the highest order; 0: none
   std::vector<CounterweightPlan> counterweights;

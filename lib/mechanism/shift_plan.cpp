@@ -79,6 +79,9 @@ class ShiftBinder {
       add_limits(LimitKind::speed, shift_.limits->speed);
       add_limits(LimitKind::planet_speed, shift_.limits->planet_speed);
     }
+    for (const SlipDescription& slip : shift_.slips) {
+      add_slip(slip);
+    }
     for (int a = 0; a < static_cast<int>(topology_.actuators.size()); ++a) {
       if (!has_part(a)) {
         const bool reacts = std::ranges::find(shift_.reacts,
@@ -147,6 +150,26 @@ class ShiftBinder {
       limit.most = evaluator_.number(one.value, quantity_of(kind)).value_or(limit.most);
       plan_.limits.push_back(limit);
     }
+  }
+
+  void add_slip(const SlipDescription& slip) {
+    const auto number = [&](const std::optional<Value>& value, QuantityKind kind) {
+      return value ? evaluator_.number(*value, kind) : std::nullopt;
+    };
+    const InputValue& capacity = slip.capacity.front();
+    plan_.slips.push_back(
+        {.name = slip.name,
+         .from = slip.from,
+         .to = slip.to,
+         .input_speed = number(slip.input_speed, QuantityKind::angular_velocity).value_or(0.0),
+         .output_speed = number(slip.output_speed, QuantityKind::angular_velocity),
+         .input_action = number(slip.input_action, QuantityKind::moment).value_or(0.0),
+         .output_action = number(slip.output_action, QuantityKind::moment).value_or(0.0),
+         .element = capacity.target ? std::optional(index_of(
+                                          shift_.elements, capacity.target->text, &Name::text))
+                                    : std::nullopt,
+         .capacity = evaluator_.number(capacity.value, QuantityKind::moment).value_or(0.0),
+         .where_capacity = capacity.target ? capacity.target->where : capacity.value.where});
   }
 
   template <class List, class Projection>
@@ -269,6 +292,12 @@ std::vector<CaseDescription> describe_gears(const MechanismDescription& descript
     cases.push_back(describer.describe(gear));
   }
   return cases;
+}
+
+Case bind_slip_loads(const MechanismDescription& description, const Mechanism& mechanism) {
+  MechanismDescription alone = description;
+  alone.cases = {CaseDescription{}};
+  return bind_described_cases(alone, mechanism).front();
 }
 
 std::vector<Case> bind_described_cases(const MechanismDescription& description,

@@ -62,6 +62,20 @@ struct ShiftLimit {
   SourceRange where;
 };
 
+/// A change in which one element slips. Gears are named: which there are, only their states tell.
+struct SlipPlan {
+  Name name;
+  std::optional<Name> from;
+  Name to;
+  double input_speed = 0.0;                 ///< [rad/s]
+  std::optional<double> output_speed = {};  ///< [rad/s]; without `from`
+  double input_action = 0.0;                ///< [N·m]
+  double output_action = 0.0;               ///< [N·m]
+  std::optional<int> element = {};          ///< of ShiftPlan::elements: the one that is named
+  double capacity = 0.0;                    ///< [N·m], a size
+  SourceRange where_capacity = {};
+};
+
 struct ShiftPlan {
   std::vector<ShiftInput> inputs;
   std::vector<int> outputs;  ///< actuators
@@ -70,6 +84,7 @@ struct ShiftPlan {
   std::vector<int> reacting;  ///< of `others` those that bear what equilibrium asks of them
   std::vector<ShiftLabel> labels;
   std::vector<ShiftLimit> limits;
+  std::vector<SlipPlan> slips = {};
   ShiftCombinations combinations = ShiftCombinations::all;
   std::optional<double> forward;  ///< the sign of the ratios of forward gears, where it is given
   bool asks_actions = false;      ///< an action of an input is given
@@ -89,6 +104,10 @@ struct ShiftPlan {
 /// section `shift`.
 std::optional<ShiftPlan> bind_shift(const MechanismDescription& description,
                                     const Topology& topology);
+
+/// What acts on the bodies all along in every slip: the loads of the top level and the weights, as
+/// a case has them.
+Case bind_slip_loads(const MechanismDescription& description, const Mechanism& mechanism);
 
 /// A case for a gear: names and values as the file would give them in a case written by hand.
 struct GearCase {

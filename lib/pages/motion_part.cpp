@@ -4,6 +4,7 @@
 #include "pages/motion_tables.hpp"
 #include "pages/page_parts.hpp"
 #include "pages/tables.hpp"
+#include "studies/motion/picture/actuator_curves.hpp"
 #include "studies/motion/picture/dynamics_curves.hpp"
 #include "studies/motion/picture/motion_curves.hpp"
 #include "studies/motion/report/motion_dynamics_text.hpp"
@@ -40,6 +41,8 @@ void add_motion_part(SectionWriter& section) {
   section.add_charts(motion_figure(page.motion->table, ""), "Motion", ChartRows::of_motion);
   section.add_charts(path_figure(page.motion->table, ""), "Paths of points", ChartRows::of_motion);
   if (page.motion->table.dynamics) {
+    section.add_charts(actuator_figure(page.motion->table, ""), "Actions of actuators");
+    section.add_charts(speed_torque_figure(page.motion->table, ""), "Action over speed");
     section.add_charts(shaking_figure(page.motion->table, ""), "Shaking force");
     section.add_charts(harmonic_figure(page.motion->table, ""), "Harmonics");
   }

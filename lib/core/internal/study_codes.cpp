@@ -185,6 +185,13 @@ constexpr auto kStudyCodes = std::to_array<Code>({
      "of freedom less the inputs. With many elements that are more than a table can show. Name "
      "fewer elements, those between which you choose; what is always engaged or always open needs "
      "no element."},
+    {"E0712",
+     wrong_input,
+     "slip of a change has no answer",
+     "'slip' of 'shift' follows a change in which one element opens and another one slips at a "
+     "steady torque, while all others stay engaged or open: so two freedoms are left, and their "
+     "inertia must not change while the train turns. The message says which of this does not hold. "
+     "Give a change of several elements as several changes, one after the other."},
     {"E0801",
      wrong_input,
      "position contradicts itself",

@@ -283,6 +283,12 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "has what each gear takes of its limits, and a sweep drops such states with 'limit_use <= 1' "
      "in "
      "'keep'."},
+    {"W0713",
+     done,
+     "a change of gear does not end as asked",
+     "The element that slips at 'capacity' does not bring the train into the gear: the torques of "
+     "input and output outweigh it, it could not hold the gear once it is there, or a freewheel "
+     "stands on the wrong side. The message has the torque that it takes."},
     {"W0801",
      done,
      "positions leave too few digits",

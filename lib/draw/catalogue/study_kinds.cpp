@@ -6,6 +6,7 @@
 #include "draw/catalogue/catalogue_parts.hpp"
 #include "draw/gnuplot.hpp"
 #include "studies/benchmark/picture/pareto.hpp"
+#include "studies/motion/picture/actuator_curves.hpp"
 #include "studies/motion/picture/dynamics_curves.hpp"
 #include "studies/motion/picture/motion_curves.hpp"
 #include "studies/sweep/picture/sweep_curves.hpp"
@@ -106,6 +107,36 @@ std::string harmonics_text(const PictureSource& source) {
   return gnuplot_text(harmonics_of(source));
 }
 
+Figure actuators_of(const PictureSource& source) {
+  return actuator_figure(*source.motion, titled("Actions of actuators", source));
+}
+
+std::string why_no_actuators(const PictureSource& source) {
+  return actuators_of(source).charts.empty()
+             ? "nothing asks what its actuators have to do: 'actuators: [NAME]' in 'dynamics' does"
+             : "";
+}
+
+Picture draw_actuators(const PictureSource& source) {
+  return draw_figure(actuators_of(source));
+}
+
+std::string actuators_text(const PictureSource& source) {
+  return gnuplot_text(actuators_of(source));
+}
+
+Figure speed_torque_of(const PictureSource& source) {
+  return speed_torque_figure(*source.motion, titled("Action over speed", source));
+}
+
+Picture draw_speed_torque(const PictureSource& source) {
+  return draw_figure(speed_torque_of(source));
+}
+
+std::string speed_torque_text(const PictureSource& source) {
+  return gnuplot_text(speed_torque_of(source));
+}
+
 Figure sweep_of(const PictureSource& source) {
   return sweep_figure(*source.sweep, titled("Sweep", source));
 }
@@ -180,6 +211,18 @@ constexpr auto kStudyKinds = std::to_array<PictureKind>({
      .why_not = why_no_harmonics,
      .draw = draw_harmonics,
      .gnuplot = harmonics_text},
+    {.name = "drive-torque",
+     .sentence = "what each actuator has to give in a motion, with mean and RMS",
+     .need = PictureNeed::motion,
+     .why_not = why_no_actuators,
+     .draw = draw_actuators,
+     .gnuplot = actuators_text},
+    {.name = "speed-torque",
+     .sentence = "what each actuator has to give over its own speed",
+     .need = PictureNeed::motion,
+     .why_not = why_no_actuators,
+     .draw = draw_speed_torque,
+     .gnuplot = speed_torque_text},
     {.name = "sweep-curves",
      .sentence = "quantities of a sweep over a parameter",
      .need = PictureNeed::sweep,

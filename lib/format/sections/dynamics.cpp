@@ -48,6 +48,11 @@ const Mapping<BalanceDescription>& balance() {
 const Mapping<DynamicsDescription>& dynamics_section() {
   static const Mapping<DynamicsDescription> mapping(
       "", "", "{flywheel: {at: motor, fluctuation: 0.02}, harmonics: 6}", [](auto& m) {
+        m.key("actuators",
+              "Actuators whose peak and RMS action, powers and energies over the whole motion are "
+              "told, beside its balance of energy.")
+            .may(
+                &DynamicsDescription::actuators, one_or_more(name_of("an actuator"), 1), "[motor]");
         m.key("flywheel", "The moment of inertia that keeps the speed of a cycle nearly steady.")
             .may(&DynamicsDescription::flywheel, flywheel);
         m.key("harmonics",
@@ -61,7 +66,7 @@ const Mapping<DynamicsDescription>& dynamics_section() {
               "of them would lose its force.")
             .may(&DynamicsDescription::limit_speed, one_or_more(coupling_name(), 1), "[cam]");
         m.rule({.kind = FormRule::Kind::any_of,
-                .others = {"flywheel", "harmonics", "balance", "limit_speed"},
+                .others = {"actuators", "flywheel", "harmonics", "balance", "limit_speed"},
                 .message = "{} asks for nothing",
                 .hint = "add for example harmonics: 6, or flywheel: {at: ACTUATOR, fluctuation: "
                         "0.02}"});

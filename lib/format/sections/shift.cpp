@@ -1,5 +1,6 @@
 // The section `shift`.
 #include "format/alternatives.hpp"
+#include "format/collections.hpp"
 #include "format/number_forms.hpp"
 #include "format/sections/input_values.hpp"
 #include "format/sections/sections.hpp"
@@ -42,6 +43,43 @@ const Mapping<ShiftLimitsDescription>& limits_mapping() {
                  values_for("planets to values", speed_limit()),
                  "{planet: 8000 rpm}")
             .example("8000 rpm");
+      });
+  return mapping;
+}
+
+const Mapping<SlipDescription>& slip_mapping() {
+  static const Mapping<SlipDescription> mapping(
+      "shift_slip",
+      "A change in which one element slips at a steady torque, with the inertia of the bodies.",
+      "{from: M1, to: M2, input_speed: 400 rad/s, input_action: 150 N*m, output_action: -250 N*m, "
+      "capacity: {B1: 120 N*m}}",
+      [](auto& m) {
+        m.key("from",
+              "The gear before, all of whose elements but one stay engaged. Without it the "
+              "transmission is open, and 'output_speed' says how the output turns.")
+            .may(&SlipDescription::from, label(), "M1");
+        m.key("to", "The gear to which it leads.").needed(&SlipDescription::to, label(), "M2");
+        m.key("input_speed", "Speed of the input where the slip begins; default unit rad/s.")
+            .needed(&SlipDescription::input_speed, any_number(), "400 rad/s");
+        m.key("output_speed", "Speed of the output there, instead of 'from'; default unit rad/s.")
+            .may(&SlipDescription::output_speed, any_number(), "0 rad/s");
+        m.key("input_action", "Torque of the input all along, 0 of a shaft that runs free.")
+            .needed(&SlipDescription::input_action, action(), "150 N*m");
+        m.key("output_action",
+              "Torque of the output all along: against its speed, what resists the vehicle.")
+            .needed(&SlipDescription::output_action, action(), "-250 N*m");
+        m.key("capacity",
+              "Torque of the element that slips, a size, which may be named: {B1: 120 N*m}; "
+              "default unit N*m.")
+            .needed(&SlipDescription::capacity,
+                    values_for("elements to values", torque_limit()),
+                    "{B1: 120 N*m}")
+            .example("120 N*m");
+        m.rule({.kind = FormRule::Kind::one_of,
+                .others = {"from", "output_speed"},
+                .message = "{} needs one of 'from' and 'output_speed'",
+                .hint = "write from: GEAR for a change between two gears, or output_speed: 0 rad/s "
+                        "where a clutch closes while the transmission is open"});
       });
   return mapping;
 }
@@ -93,6 +131,14 @@ const Mapping<ShiftDescription>& shift_section() {
               "Labels of gears: which elements are engaged. Combinations without a label are named "
               "by their elements, C1+B2.")
             .may(&ShiftDescription::names, gear_labels(), "{M1: [C1, B2]}");
+        m.key("slip", "Changes whose slip is followed in time, by names of yours.")
+            .may(&ShiftDescription::slips,
+                 named(&SlipDescription::name,
+                       slip_mapping().form(),
+                       {.item = "a slip", .elements = "names to slips"},
+                       "slip '{0}'"),
+                 "{up: {from: M1, to: M2, input_speed: 400 rad/s, input_action: 150 N*m, "
+                 "output_action: -250 N*m, capacity: {B1: 120 N*m}}}");
         m.key("limits", "Torques and speeds that the gears may not exceed.")
             .may(&ShiftDescription::limits,
                  limits_mapping().form(),

@@ -204,7 +204,7 @@ void bind_sections(const SectionContext& context, bool has_structure, Mechanism&
   check_order_of_loads(context.description, result.cases, context.found);
   const auto& shift = context.description.shift;
   if (std::ranges::any_of(result.cases, &Case::has_inertia) ||
-      (shift && !shift->input_acceleration.empty())) {
+      (shift && shift->has_inertia())) {
     bind_inertia(context, result);
   }
   ask_for_actions(result, result.cases);

@@ -33,6 +33,10 @@ void check_dynamics(const SectionContext& context) {
                         "'dynamics' is of a motion, and the file has no section 'motion'",
                         "add for example motion: {drive: NAME, to: 360 deg, case: LABEL}");
   }
+  for (const Name& actuator : dynamics.actuators) {
+    context.names.check_actuator(actuator, "'actuators' of 'dynamics' names", context.found);
+  }
+  context.repeats(dynamics.actuators, "'actuators' of 'dynamics'");
   if (dynamics.flywheel) {
     check_flywheel(*dynamics.flywheel, context);
   }

@@ -54,6 +54,9 @@ class ShiftCheck {
     check_values(shift_.input_action, kAction, "'input_action'");
     check_values(shift_.input_acceleration, kAcceleration, "'input_acceleration'");
     check_limits();
+    for (const SlipDescription& slip : shift_.slips) {
+      check_slip(slip);
+    }
     for (const GearLabel& gear : shift_.names) {
       check_label(gear);
     }
@@ -209,6 +212,37 @@ class ShiftCheck {
         .range = kNotZero,
         .allowed = "a value other than zero: gears are seen only when the input works"};
     return context_.number(value, may_rest ? any : rule, what);
+  }
+
+  // Which gears there are, only their states tell.
+  void check_slip(const SlipDescription& slip) {
+    const std::string what = fmt::format("slip '{}'", slip.name.text);
+    const auto number =
+        [&](const std::optional<Value>& value, const NumberRule& rule, std::string_view key) {
+          return context_.number(value, rule, fmt::format("'{}' of {}", key, what));
+        };
+    constexpr NumberRule kSpeed = {
+        .kind = QuantityKind::angular_velocity, .range = kAnyNumber, .allowed = "a value"};
+    constexpr NumberRule kTurning = {.kind = QuantityKind::angular_velocity,
+                                     .range = kNotZero,
+                                     .allowed =
+                                         "a value other than zero: a gear at rest does not "
+                                         "slip"};
+    constexpr NumberRule kTorque = {
+        .kind = QuantityKind::moment, .range = kAnyNumber, .allowed = "a value"};
+    number(slip.input_speed, slip.from ? kTurning : kSpeed, "input_speed");
+    number(slip.output_speed, kSpeed, "output_speed");
+    number(slip.input_action, kTorque, "input_action");
+    number(slip.output_action, kTorque, "output_action");
+    check_limits(slip.capacity, QuantityKind::moment, fmt::format("'capacity' of {}", what), true);
+    if (slip.capacity.size() > 1) {
+      const Name& second = *slip.capacity[1].target;
+      context_.found.error("E0712",
+                           second.where,
+                           fmt::format("'capacity' of {} names several elements", what),
+                           "one element slips and the others are engaged or open: name the one "
+                           "that engages, and give changes of several elements one by one");
+    }
   }
 
   void check_limits() {

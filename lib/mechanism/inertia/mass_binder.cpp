@@ -23,7 +23,7 @@ constexpr NumberRule kMomentOfInertia = {.kind = QuantityKind::inertia,
                                          .allowed = "a moment of inertia that is not negative"};
 
 bool has_inertia(const MechanismDescription& description) {
-  const bool has_gears = description.shift && !description.shift->input_acceleration.empty();
+  const bool has_gears = description.shift && description.shift->has_inertia();
   return has_gears || std::ranges::any_of(description.cases, &CaseDescription::has_inertia);
 }
 

@@ -83,7 +83,51 @@ struct LimitSpeed {
   std::optional<double> at;     ///< where: position of the first drive [rad or m]
 };
 
+/// A value and where it is: position of the first drive [rad or m].
+struct PlacedValue {
+  double value = 0.0;
+  double at = 0.0;
+};
+
+/// An actuator at one time.
+struct ActuatorPoint {
+  double time = 0.0;    ///< [s]
+  double drive = 0.0;   ///< position of the first drive [rad or m]
+  double speed = 0.0;   ///< of its own freedom [rad/s or m/s]
+  double action = 0.0;  ///< [N·m or N]
+};
+
+/// What an actuator has to do in the whole motion.
+struct ActuatorFigures {
+  std::string name;
+  bool turns = true;                ///< or it slides
+  PlacedValue peak;                 ///< action of the largest size
+  double mean = 0.0;                ///< of the action, in time
+  double rms = 0.0;                 ///< likewise
+  PlacedValue peak_speed;           ///< of the largest size
+  PlacedValue peak_power;           ///< of the largest size; positive where it drives [W]
+  double mean_power = 0.0;          ///< [W]
+  double energy_in = 0.0;           ///< that it gives while it drives [J]
+  double energy_out = 0.0;          ///< that it takes while it brakes [J]
+  std::vector<ActuatorPoint> path;  ///< along the motion, for pictures
+};
+
+/// Where the energy of the whole motion comes from and goes [J].
+struct EnergyFigures {
+  double actuators = 0.0;       ///< of all actuators
+  double loads = 0.0;           ///< of loads, weights and springs
+  double lost = 0.0;            ///< in friction
+  double kinetic_change = 0.0;  ///< end less begin
+  double greatest_kinetic = 0.0;
+  std::optional<double> audit;  ///< by how much these differ, as share of the greatest kinetic
+                                ///< energy; empty where nothing moves
+};
+
 struct MotionDynamics {
+  std::vector<ActuatorFigures> actuators;
+  std::optional<EnergyFigures> energy;  ///< beside these
+  double duration = 0.0;                ///< [s]
+  bool is_steady = true;                ///< one drive that runs at one speed
   std::optional<FlywheelFigures> flywheel;
   std::vector<HarmonicSeries> harmonics;
   std::optional<BalanceFigures> balance;
@@ -96,7 +140,7 @@ struct MotionDynamics {
   QuantityKind place_kind() const { return position_kind(drive_turns); }
 
   bool is_empty() const {
-    return !flywheel && harmonics.empty() && !balance && limit_speeds.empty();
+    return actuators.empty() && !flywheel && harmonics.empty() && !balance && limit_speeds.empty();
   }
 };
 

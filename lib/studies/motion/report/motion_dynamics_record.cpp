@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "studies/motion/report/actuator_record.hpp"
+
 namespace kinestat {
 
 namespace {
@@ -263,6 +265,18 @@ const Record<MotionDynamics>& motion_dynamics_record() {
   using View = MotionDynamics;
   static const Record<View> record(
       "What the section 'dynamics' asks of the motion.", [](Record<View>& keys) {
+        keys.map("actuators",
+                 actuator_record(),
+                 "What each of 'actuators' has to do in the whole motion.",
+                 [](const View& v, const Each<ActuatorView>& each) {
+                   for (const ActuatorFigures& one : v.actuators) {
+                     each(one.name, {.of = v, .actuator = one});
+                   }
+                 })
+            .in_tables_as("actuator")
+            .only_if([](const View& v) { return !v.actuators.empty(); });
+        keys.part("energy", energy_record(), [](const View& v) { return *v.energy; })
+            .only_if([](const View& v) { return v.energy.has_value(); });
         keys.part("flywheel", flywheel_record(), [](const View& v) { return *v.flywheel; })
             .only_if([](const View& v) { return v.flywheel.has_value(); });
         keys.map("harmonics",

@@ -18,6 +18,12 @@ class DynamicsWriter {
 
   TextBlocks run() const {
     TextBlocks text;
+    if (!dynamics_.actuators.empty()) {
+      text += actuators();
+    }
+    if (dynamics_.energy) {
+      text += energy(*dynamics_.energy);
+    }
     if (dynamics_.flywheel) {
       text += flywheel(*dynamics_.flywheel);
     }
@@ -46,6 +52,52 @@ class DynamicsWriter {
   std::string place(double at) const {
     const DriveTravel& drive = motion_.drives.front();
     return fmt::format(" at {} = {}", drive.name, amount(dynamics_.place_kind(), at));
+  }
+
+  TextBlocks actuators() const {
+    using enum QuantityKind;
+    const std::string& drive = motion_.drives.front().name;
+    const auto with_unit = [&](std::string_view what, QuantityKind kind) {
+      return fmt::format("{} [{}]", what, dynamics_.units.text(kind));
+    };
+    std::vector<TextColumn> table = {{"Actuator", {}},
+                                     {"peak", {}},
+                                     {"at " + drive, {}},
+                                     {"mean", {}},
+                                     {"RMS", {}},
+                                     {with_unit("peak power", power), {}},
+                                     {"at " + drive, {}},
+                                     {with_unit("energy in", QuantityKind::energy), {}},
+                                     {with_unit("energy out", QuantityKind::energy), {}}};
+    for (const ActuatorFigures& one : dynamics_.actuators) {
+      const QuantityKind kind = one.turns ? moment : force;
+      const std::vector<std::string> cells = {with_unit(one.name, kind),
+                                              short_of(kind, one.peak.value),
+                                              short_of(dynamics_.place_kind(), one.peak.at),
+                                              short_of(kind, one.mean),
+                                              short_of(kind, one.rms),
+                                              short_of(power, one.peak_power.value),
+                                              short_of(dynamics_.place_kind(), one.peak_power.at),
+                                              short_of(QuantityKind::energy, one.energy_in),
+                                              short_of(QuantityKind::energy, one.energy_out)};
+      for (std::size_t i = 0; i < cells.size(); ++i) {
+        table[i].cells.push_back(cells[i]);
+      }
+    }
+    return TextBlocks(std::move(table));
+  }
+
+  TextBlocks energy(const EnergyFigures& figures) const {
+    using enum QuantityKind;
+    return TextBlocks(fmt::format(
+        "Energy\n  actuators give {}, loads, weights and springs {}, friction takes {}\n  kinetic "
+        "energy changes by {}, at most {}{}\n\n",
+        amount(QuantityKind::energy, figures.actuators),
+        amount(QuantityKind::energy, figures.loads),
+        amount(QuantityKind::energy, figures.lost),
+        amount(QuantityKind::energy, figures.kinetic_change),
+        amount(QuantityKind::energy, figures.greatest_kinetic),
+        figures.audit ? fmt::format("; audit {:.1g} of that", *figures.audit) : ""));
   }
 
   TextBlocks flywheel(const FlywheelFigures& wheel) const {

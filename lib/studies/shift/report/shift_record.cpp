@@ -8,6 +8,7 @@
 #include "studies/shift/report/gear_report.hpp"
 #include "studies/shift/report/reaction_record.hpp"
 #include "studies/shift/report/shift_parts.hpp"
+#include "studies/shift/report/slip_record.hpp"
 
 namespace kinestat {
 
@@ -460,6 +461,15 @@ const Record<Analysis>& shift_record() {
                  emit_states)
             .in_tables_is(TableRole::cases);
         add_table(keys);
+        keys.map("slip",
+                 slip_record(),
+                 "The changes of 'slip' by their names; no key without any.",
+                 [](const Analysis& v, const Each<SlipView>& each) {
+                   for (const ShiftSlip& slip : v.shift->slips) {
+                     each(slip.name, {.analysis = v, .slip = slip}, word_of(slip.end));
+                   }
+                 })
+            .only_if([](const Analysis& v) { return !v.shift->slips.empty(); });
       });
   return record;
 }

@@ -11,6 +11,7 @@
 #include "core/utf8.hpp"
 #include "report/in_units.hpp"
 #include "report/number_format.hpp"
+#include "studies/shift/report/change_text.hpp"
 #include "studies/shift/report/gear_report.hpp"
 #include "studies/shift/report/shift_others.hpp"
 #include "studies/shift/report/shift_sums.hpp"
@@ -59,7 +60,8 @@ class ShiftTables {
     gears += remarks_text();
     gears += reactions_blocks();
     TextBlocks elements = elements_blocks();
-    elements += changes_blocks();
+    elements += change_blocks(analysis_);
+    elements += slip_blocks(analysis_);
     return {.gears = std::move(gears),
             .others = others_blocks(shown),
             .other_count = solution_.states.size() - gears_.size(),
@@ -431,48 +433,6 @@ class ShiftTables {
     }
     columns.push_back(std::move(largest));
     return TextBlocks(std::move(columns));
-  }
-
-  std::string elements_text(const std::vector<int>& elements) const {
-    std::vector<std::string> names;
-    for (const int element : elements) {
-      names.push_back(element_name(element));
-    }
-    return names.empty() ? "-" : fmt::format("{}", fmt::join(names, ", "));
-  }
-
-  // What a change asks of the elements, there and back.
-  TextBlocks changes_blocks() const {
-    if (solution_.table.changes.empty()) {
-      return {};
-    }
-    const std::string unit = in_.units().text(QuantityKind::angular_velocity);
-    TextColumn change{.head = "Change", .cells = {}};
-    TextColumn opens{.head = "opens", .cells = {}};
-    TextColumn engages{.head = "engages", .cells = {}};
-    TextColumn elements{.head = "elements", .cells = {}};
-    TextColumn step{.head = "step", .cells = {}};
-    TextColumn slip{.head = fmt::format("slip taken up [{}]", unit), .cells = {}};
-    TextColumn slip_back{.head = "and back", .cells = {}};
-    const auto in_unit = [&](const std::optional<double>& sum) {
-      return number_or_dash(sum ? std::optional(in_.angular(*sum)) : std::nullopt);
-    };
-    for (const GearChange& one : solution_.table.changes) {
-      change.cells.push_back(fmt::format("{} - {}", name_of(one.from), name_of(one.to)));
-      opens.cells.push_back(elements_text(one.opens));
-      engages.cells.push_back(elements_text(one.engages));
-      elements.cells.push_back(fmt::format("{}", one.elements()));
-      step.cells.push_back(one.step ? format_short(*one.step) : "");
-      slip.cells.push_back(in_unit(one.slip));
-      slip_back.cells.push_back(in_unit(one.slip_back));
-    }
-    return TextBlocks(std::vector<TextColumn>{std::move(change),
-                                              std::move(opens),
-                                              std::move(engages),
-                                              std::move(elements),
-                                              std::move(step),
-                                              std::move(slip),
-                                              std::move(slip_back)});
   }
 
   const Analysis& analysis_;

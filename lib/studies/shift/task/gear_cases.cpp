@@ -8,6 +8,7 @@
 
 #include "network/bases.hpp"
 #include "studies/shift/gear_limits.hpp"
+#include "studies/shift/task/slip_findings.hpp"
 
 namespace kinestat {
 
@@ -129,6 +130,7 @@ std::optional<ShiftAnalysis> add_gears(MechanismDescription& description,
   if (shift.solution.needed > static_cast<int>(shift.plan.elements.size())) {
     warn_of_missing_elements(shift, found);
   }
+  add_slips(description, mechanism, shift, found);
   std::vector<GearCase> gears;
   for (const NamedShiftState& one : shift.solution.states) {
     if (one.state.kind == ShiftClass::gear) {

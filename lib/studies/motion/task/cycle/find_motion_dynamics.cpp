@@ -8,6 +8,7 @@
 
 #include "mechanism/dynamics_plan.hpp"
 #include "studies/motion/task/cycle/cycle_sampler.hpp"
+#include "studies/motion/task/cycle/find_actuators.hpp"
 #include "studies/motion/task/cycle/find_balance.hpp"
 #include "studies/motion/task/cycle/find_flywheel.hpp"
 #include "studies/motion/task/cycle/find_harmonics.hpp"
@@ -36,6 +37,19 @@ class DynamicsFinder {
     if (auto problem = why_no_inertia(mechanism, sampler_.motion())) {
       refuse("'dynamics' has no answer", plan_.where, *std::move(problem));
       return result;
+    }
+    result.duration = sampler_.motion().plan.schedule->duration();
+    result.is_steady = !why_not_steady(mechanism, sampler_.motion());
+    if (!plan_.actuators.empty()) {
+      std::optional<WatchedMotion> watched;
+      take("energies",
+           plan_.actuators.front().where,
+           find_actuators(sampler_, plan_.actuators),
+           watched);
+      if (watched) {
+        result.actuators = std::move(watched->actuators);
+        result.energy = watched->energy;
+      }
     }
     if (plan_.flywheel || plan_.harmonics > 0) {
       add_cycle(result);

@@ -1,0 +1,264 @@
+#include "studies/motion/task/cycle/find_actuators.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/index.hpp"
+#include "core/motion_tolerance.hpp"
+#include "core/tolerance.hpp"
+#include "math/numbers/settled.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// For pictures.
+constexpr int kActuatorPoints = 360;
+
+// Between the points of Gauss a polynomial may cross zero.
+constexpr int kLooksAPiece = 32;
+
+// Functions along the motion: first those of the whole, then three an actuator.
+constexpr std::size_t kKinetic = 0;
+constexpr std::size_t kSupplied = 1;
+constexpr std::size_t kLoads = 2;
+constexpr std::size_t kLost = 3;
+constexpr std::size_t kBalance = 4;
+constexpr std::size_t kFirstActuator = 5;
+constexpr std::size_t kAction = 0;
+constexpr std::size_t kPower = 1;
+constexpr std::size_t kSpeed = 2;
+constexpr std::size_t kOfActuator = 3;
+
+class ActuatorFinder {
+ public:
+  ActuatorFinder(CycleSampler& sampler, std::span<const WatchedActuator> plan)
+      : sampler_(sampler),
+        topology_(sampler.mechanism().topology),
+        plan_(plan),
+        duration_(sampler.motion().plan.schedule->duration()) {}
+
+  std::variant<WatchedMotion, CycleProblem> run() {
+    auto found = sampler_.find([this](const MotionPosition& at) { return read(at); });
+    if (!found) {
+      return CycleProblem{
+          "in some position of the motion an action or a power has no value, or it jumps too often",
+          "the rows of the motion say where"};
+    }
+    found_ = std::move(found);
+    points_ = gauss_points(static_cast<int>(found_->pieces().front().values.rows()));
+    WatchedMotion result;
+    for (std::size_t i = 0; i < plan_.size(); ++i) {
+      result.actuators.push_back(figures_of(i));
+    }
+    result.energy = energy();
+    return result;
+  }
+
+ private:
+  static std::size_t function_of(std::size_t actuator, std::size_t which) {
+    return kFirstActuator + kOfActuator * actuator + which;
+  }
+
+  std::optional<std::vector<CycleValue>> read(const MotionPosition& at) const {
+    const CaseAnalysis* const solved = at.solved ? &*at.solved : nullptr;
+    if (solved == nullptr || !solved->dynamics || !solved->power || !solved->action ||
+        solved->action->magnitudes.empty() || at.state.rates.empty()) {
+      return std::nullopt;
+    }
+    const PowerFlow& power = *solved->power;
+    std::vector<CycleValue> values = whole_of(*solved);
+    for (const WatchedActuator& one : plan_) {
+      const ActuatorTopology& actuator = topology_.actuators[kinestat::at(one.actuator)];
+      const auto& action = solved->action->magnitudes[kinestat::at(actuator.action)];
+      const auto& rate = at.state.rates[kinestat::at(actuator.freedom)];
+      if (!action || !rate) {
+        return std::nullopt;
+      }
+      const auto& bias = solved->dynamics->reduced.bias;
+      const double inertial = bias.size() > 0 ? bias.lpNorm<Eigen::Infinity>() : 0.0;
+      values.push_back({.value = *action, .size = std::max(std::abs(*action), inertial)});
+      values.push_back(
+          {.value = power.actuators[kinestat::at(one.actuator)], .size = largest_of(*solved)});
+      values.push_back({.value = *rate, .size = std::abs(*rate)});
+    }
+    return values;
+  }
+
+  // Of what acts in the position; a coupling with friction and a drive may have none in sum.
+  static double largest_of(const CaseAnalysis& solved) {
+    const PowerFlow& power = *solved.power;
+    double largest = std::max(power.largest, std::abs(solved.dynamics->kinetic_energy_rate));
+    for (const auto* const list : {&power.actuators, &power.friction}) {
+      for (const double one : *list) {
+        largest = std::max(largest, std::abs(one));
+      }
+    }
+    return largest;
+  }
+
+  static std::vector<CycleValue> whole_of(const CaseAnalysis& solved) {
+    const PowerFlow& power = *solved.power;
+    double supplied = 0.0;
+    double loads = 0.0;
+    double lost = 0.0;
+    double balance = 0.0;
+    for (const double one : power.actuators) {
+      supplied += one;
+    }
+    for (const double one : power.friction) {
+      lost -= one;
+    }
+    for (const double one : power.supplied) {
+      balance += one;
+    }
+    for (std::size_t l = 0; l < power.loads.size(); ++l) {
+      const bool is_inertia = solved.which.loads[l].name.starts_with(kInertiaPrefix);
+      loads += is_inertia ? 0.0 : power.loads[l];
+    }
+    const double kinetic = solved.dynamics->kinetic_energy;
+    const double largest = largest_of(solved);
+    return {{.value = kinetic, .size = kinetic},
+            {.value = supplied, .size = largest},
+            {.value = loads, .size = largest},
+            {.value = lost, .size = largest},
+            {.value = balance + loads, .size = largest}};
+  }
+
+  // Where a function jumps, the polynomial of its narrow piece is none: its next value counts.
+  double value_of(std::size_t function, double time) const {
+    const auto& pieces = found_->pieces();
+    const auto behind = std::ranges::upper_bound(pieces, time, {}, &LegendrePieces::Piece::from);
+    const LegendrePieces::Piece& piece = behind == pieces.begin() ? *behind : *(behind - 1);
+    if (piece.tail <= kCycleNoise) {
+      return found_->value(function, time);
+    }
+    const double x = (2.0 * time - piece.from - piece.to) / (piece.to - piece.from);
+    Eigen::Index nearest = 0;
+    (points_.points.array() - x).abs().minCoeff(&nearest);
+    return piece.values(nearest, static_cast<Eigen::Index>(function));
+  }
+
+  PlacedValue peak_of(std::size_t function) const {
+    const GreatestValue greatest =
+        found_->greatest([&](double time) { return std::abs(value_of(function, time)); });
+    const double value = value_of(function, greatest.argument);
+    return {.value =
+                settled(std::copysign(greatest.value, value), kNoHarmonic * found_->size(function)),
+            .at = sampler_.drive_at(greatest.argument)};
+  }
+
+  double integral_of(std::size_t function) const {
+    return duration_ * settled(found_->integral(function), kNoHarmonic * found_->size(function));
+  }
+
+  // Where a function passes zero, in order, with both ends.
+  std::vector<double> zeros_of(std::size_t function) const {
+    std::vector<double> zeros = {found_->from()};
+    double before = value_of(function, found_->from());
+    double from = found_->from();
+    for (const LegendrePieces::Piece& piece : found_->pieces()) {
+      for (int i = 1; i <= kLooksAPiece; ++i) {
+        const double to = piece.from + (piece.to - piece.from) * i / kLooksAPiece;
+        const double behind = found_->value(function, to);
+        if (before * behind < 0.0) {
+          zeros.push_back(zero_between(function, from, to, before));
+        }
+        before = behind;
+        from = to;
+      }
+    }
+    zeros.push_back(found_->to());
+    return zeros;
+  }
+
+  double zero_between(std::size_t function, double low, double high, double at_low) const {
+    while (high - low > kEpsilon * (found_->to() - found_->from())) {
+      const double middle = 0.5 * (low + high);
+      if (middle <= low || middle >= high) {
+        break;
+      }
+      (found_->value(function, middle) * at_low > 0.0 ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+  }
+
+  // What it gives and takes: between zeros the integrals have one sign.
+  void add_energies(std::size_t power, ActuatorFigures& to) const {
+    const std::vector<double> zeros = zeros_of(power);
+    const double least = kNoHarmonic * found_->size(power);
+    double given = 0.0;
+    double taken = 0.0;
+    for (std::size_t i = 1; i < zeros.size(); ++i) {
+      const double part = found_->integral(power, zeros[i]) - found_->integral(power, zeros[i - 1]);
+      (part > 0.0 ? given : taken) += std::abs(part);
+    }
+    to.energy_in = duration_ * settled(given, least);
+    to.energy_out = duration_ * settled(taken, least);
+  }
+
+  ActuatorFigures figures_of(std::size_t i) {
+    const ActuatorTopology& actuator = topology_.actuators[at(plan_[i].actuator)];
+    const std::size_t action = function_of(i, kAction);
+    const std::size_t power = function_of(i, kPower);
+    const std::size_t speed = function_of(i, kSpeed);
+    ActuatorFigures figures;
+    figures.name = actuator.name;
+    figures.turns = topology_.freedoms[at(actuator.freedom)].is_rotation;
+    figures.peak = peak_of(action);
+    figures.mean = integral_of(action) / duration_;
+    double square = 0.0;
+    found_->for_each_point(1.0, [&](double, double weight, const VecX& values) {
+      square += weight * std::pow(values[static_cast<Eigen::Index>(action)], 2);
+    });
+    figures.rms = settled(std::sqrt(square), kNoHarmonic * found_->size(action));
+    figures.peak_speed = peak_of(speed);
+    figures.peak_power = peak_of(power);
+    figures.mean_power = integral_of(power) / duration_;
+    add_energies(power, figures);
+    for (int p = 0; p <= kActuatorPoints; ++p) {
+      const double time = static_cast<double>(p) / kActuatorPoints;
+      figures.path.push_back({.time = time * duration_,
+                              .drive = sampler_.drive_at(time),
+                              .speed = value_of(speed, time),
+                              .action = value_of(action, time)});
+    }
+    return figures;
+  }
+
+  EnergyFigures energy() {
+    EnergyFigures figures{.actuators = integral_of(kSupplied),
+                          .loads = integral_of(kLoads),
+                          .lost = integral_of(kLost),
+                          .kinetic_change = 0.0,
+                          .greatest_kinetic = peak_of(kKinetic).value,
+                          .audit = {}};
+    const double change =
+        found_->value(kKinetic, found_->to()) - found_->value(kKinetic, found_->from());
+    figures.kinetic_change = settled(change, kNoHarmonic * found_->size(kKinetic));
+    if (figures.greatest_kinetic > 0.0) {
+      figures.audit =
+          std::abs(change - duration_ * found_->integral(kBalance)) / figures.greatest_kinetic;
+    }
+    return figures;
+  }
+
+  CycleSampler& sampler_;
+  const Topology& topology_;
+  std::span<const WatchedActuator> plan_;
+  double duration_ = 0.0;
+  GaussPoints points_;
+  std::optional<LegendrePieces> found_;
+};
+
+}  // namespace
+
+std::variant<WatchedMotion, CycleProblem> find_actuators(CycleSampler& sampler,
+                                                         std::span<const WatchedActuator> plan) {
+  return ActuatorFinder(sampler, plan).run();
+}
+
+}  // namespace kinestat

@@ -1,0 +1,91 @@
+#!/usr/bin/env python3
+"""Powers and energies of actuators over a whole motion, against closed forms.
+
+Usage: energy_test.py PROGRAM [unittest arguments]
+"""
+
+from __future__ import annotations
+
+import math
+import sys
+import unittest
+
+import program
+from dynamics_case import DynamicsCase
+
+
+def rotor(motion: str, case: str, extra: str = "", coupling: str = "") -> dict:
+    """A rotor of 0.5 kg*m^2 about its bearing, with 2 kg at 0.3 m where gravity acts."""
+    mass = "mass: 2, centre_of_mass: [0.3, 0], inertia: 0.32" if "gravity" in extra \
+        else "inertia: 0.5"
+    text = f"""kinestat: 1
+space: planar
+ground: frame
+bodies: {{rotor: {{{mass}}}}}
+{extra}couplings: {{a: {{type: revolute, bodies: [frame, rotor], at: [0, 0]{coupling}}}}}
+actuators: {{motor: {{coupling: a}}}}
+cases: {{running: {case}}}
+motion: {{drive: motor, case: running, steps: 8, {motion}}}
+dynamics: {{actuators: motor}}
+"""
+    return program.run("motion", "-", text=text)["motion"]["dynamics"]
+
+
+class EnergyTest(DynamicsCase):
+    def test_weight_lifted_and_lowered(self) -> None:
+        """Once a turn at 4 rad/s: 2 m g r are given and taken, RMS is the peak over root 2."""
+        found = rotor("to: 360 deg", "{motion: {motor: 4}, acceleration: {}}",
+                      extra="gravity: [0, -9.81]\n")
+        motor = found["actuators"]["motor"]
+        peak = 2 * 9.81 * 0.3
+        self.near(abs(motor["peak_moment"]), peak, peak, "peak")
+        self.near(motor["mean_moment"], 0.0, peak, "mean")
+        self.near(motor["rms_moment"], peak / math.sqrt(2), peak, "RMS")
+        self.near(abs(motor["peak_power"]), 4 * peak, 4 * peak, "power")
+        self.near(motor["energy_in"], 2 * peak, peak, "in")
+        self.near(motor["energy_out"], 2 * peak, peak, "out")
+        self.assertLess(found["energy"]["audit"], 1e-9)
+
+    def test_cycloidal_law(self) -> None:
+        """J = 0.5, 3 rad in 0.2 s: sin x (1 - cos x) is greatest at 3 sqrt(3)/4."""
+        found = rotor("to: 3 rad, time: 0.2 s, law: cycloidal", "{motion: {}, acceleration: {}}")
+        motor = found["actuators"]["motor"]
+        peak = 0.5 * 2 * math.pi * 3 / 0.2 ** 2
+        self.near(abs(motor["peak_moment"]), peak, peak, "peak")
+        self.near(motor["rms_moment"], peak / math.sqrt(2), peak, "RMS")
+        self.near(motor["peak_angular_velocity"], 30.0, 30.0, "speed")
+        power = 0.5 * 2 * math.pi * 9 / 0.2 ** 3 * 0.75 * math.sqrt(3)
+        self.near(abs(motor["peak_power"]), power, power, "power")
+        self.near(motor["energy_in"], 0.25 * 30 ** 2, 225.0, "in")
+        self.near(motor["energy_out"], 0.25 * 30 ** 2, 225.0, "out")
+        self.near(motor["mean_power"], 0.0, power, "mean power")
+        self.near(found["energy"]["greatest_kinetic_energy"], 225.0, 225.0, "kinetic energy")
+        self.assertLess(found["energy"]["audit"], 1e-9)
+
+    def test_torque_that_jumps(self) -> None:
+        """Half of the time up, half down: the torque is 4 J range/T^2 all along, and no more."""
+        found = rotor("to: 3 rad, time: 0.2 s, law: constant_acceleration",
+                      "{motion: {}, acceleration: {}}")
+        motor = found["actuators"]["motor"]
+        torque = 0.5 * 4 * 3 / 0.2 ** 2
+        self.near(abs(motor["peak_moment"]), torque, torque, "peak")
+        self.near(motor["rms_moment"], torque, torque, "RMS")
+        self.near(abs(motor["peak_power"]), 30 * torque, 30 * torque, "power")
+        self.near(motor["energy_in"], 225.0, 225.0, "in")
+        self.near(motor["energy_out"], 225.0, 225.0, "out")
+
+    def test_friction(self) -> None:
+        """2 N*m over 4 turns are lost."""
+        found = rotor("to: 1440 deg", "{motion: {motor: 5}, acceleration: {}}",
+                      coupling=", friction: {tau: 2 N*m}")
+        lost = 2 * 8 * math.pi
+        self.near(found["energy"]["lost"], lost, lost, "lost")
+        self.near(found["energy"]["actuators"], lost, lost, "given")
+        self.near(found["actuators"]["motor"]["energy_in"], lost, lost, "in")
+        self.assertEqual(found["actuators"]["motor"]["energy_out"], 0.0)
+        self.assertLess(found["energy"]["audit"], 1e-9)
+
+
+if __name__ == "__main__":
+    program.use(sys.argv[1])
+    unittest.main(argv=[sys.argv[0], *sys.argv[2:]])
