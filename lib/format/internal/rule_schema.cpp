@@ -193,10 +193,17 @@ void add_dependencies(std::string_view key,
 }  // namespace
 
 void add_any_of(const SharedList<std::string_view>& keys, Json& schema) {
+  Json alternatives = Json::array();
   for (const std::string_view key : keys) {
     Json alternative = has(key);
     alternative["errorMessage"] = fmt::format("One of these is needed: {}.", fmt::join(keys, ", "));
-    schema["anyOf"].push_back(alternative);
+    alternatives.push_back(alternative);
+  }
+  // Beside those of another rule: one of each is needed.
+  if (schema.contains("anyOf")) {
+    schema["allOf"].push_back({{"anyOf", alternatives}});
+  } else {
+    schema["anyOf"] = alternatives;
   }
 }
 
