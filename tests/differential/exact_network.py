@@ -26,6 +26,7 @@ class Side:
     status: str
     values: dict[str, Fraction | None] = field(default_factory=dict)
     wholes: dict[str, Vector | None] = field(default_factory=dict)  # twists or wrenches
+    determined: dict[str, Fraction | None] = field(default_factory=dict)  # where not all are
 
 
 @dataclass
@@ -125,11 +126,11 @@ class ExactNetwork:
         without, with_known = rank(rows, len(names)), rank(rows + given, len(names))
         if with_known < without + len(known):
             return Side("dependent")
-        if with_known < len(names):
-            return Side("indeterminate")
         solution = Solution(rows + given, [ZERO] * len(rows) + list(known.values()),
                             len(names))
         values = dict(zip(names, solution.values))
+        if with_known < len(names):
+            return Side("indeterminate", determined=values)
         return Side("solved", values, {b: self._twist(b, values) for b in self.sketch.bodies})
 
     def _twist(self, body: str, rates: dict[str, Fraction | None]) -> Vector:

@@ -57,6 +57,9 @@ def bound_of(side: dict) -> float:
 
 def compare_side(what: str, side: Side, actual: dict, values: str, wholes: str,
                  vector: str) -> list[str]:
+    if actual["status"] == "solved" and side.determined:
+        # What no other body feels is left open, and the rest is solved.
+        return compare_values(what, actual[values], side.determined, bound_of(actual))
     if actual["status"] != side.status:
         return [f"{what} are {actual['status']}, exactly {side.status}"]
     if side.status not in ("solved", "indeterminate") or not side.values:
