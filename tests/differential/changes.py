@@ -95,6 +95,10 @@ def reversed_couplings(file: MechanismFile) -> Factors | None:
         if factors.action(drive["drive"]) < 0:
             for key in {"from", "to"} & drive.keys():
                 drive[key] = _negated(drive[key])
+    for spring in (file.tree.get("springs") or {}).values():
+        if spring.get("coupling") in factors.reversed:
+            for key in {"free", "drawn", "force"} & spring.keys():
+                spring[key] = _negated(spring[key])
     return factors if factors.reversed else None
 
 
@@ -132,6 +136,8 @@ def _points(file: MechanismFile) -> Iterator[list]:
     cases = (file.tree.get("cases") or {}).values()
     for loads in [file.tree.get("loads") or {}, *(case.get("loads") or {} for case in cases)]:
         yield from (load["at"] for load in loads.values() if "at" in load)
+    for spring in (file.tree.get("springs") or {}).values():
+        yield from (spring.get("at") or {}).values()
     for trace in (file.tree.get("motion") or {}).get("trace") or []:
         yield trace["at"]
 

@@ -62,6 +62,17 @@ class EnergyTest(DynamicsCase):
         self.near(found["energy"]["greatest_kinetic_energy"], 225.0, 225.0, "kinetic energy")
         self.assertLess(found["energy"]["audit"], 1e-9)
 
+    def test_a_dwell_between_giving_and_taking(self) -> None:
+        """What speeds it up comes back behind the dwell, in which the power is zero."""
+        for law, size in (("trapezoid", 1.5), ("cycloidal", 2.0), ("harmonic", math.pi / 2)):
+            profile = (f"profile: [{{to: 3 rad, time: 1 s, law: {law}}}, {{dwell: 2 s}}, "
+                       f"{{to: 0 rad, time: 1 s, law: {law}}}]")
+            found = rotor(profile, "{motion: {}, acceleration: {}}")
+            motor = found["actuators"]["motor"]
+            energy = 2 * 0.25 * (3 * size) ** 2  # there and back
+            self.assertLess(abs(motor["energy_in"] - energy), 1e-9 * energy, law)
+            self.assertLess(abs(motor["energy_out"] - energy), 1e-9 * energy, law)
+
     def test_torque_that_jumps(self) -> None:
         """Half of the time up, half down: the torque is 4 J range/T^2 all along, and no more."""
         found = rotor("to: 3 rad, time: 0.2 s, law: constant_acceleration",

@@ -273,6 +273,18 @@ class Quotients(FiguresTest):
                     self.assertIsNone(advantage[key], key)
                 self.assertGreater(advantage["least"], 0.0)
 
+    def test_rest_of_all_is_no_infinity(self) -> None:
+        text = FOUR_BAR.replace("motor: 1 rad/s", "motor: 0").replace("  to: 360\n", (
+            "  profile: [{to: 20 deg, time: 1 s, law: cycloidal}, "
+            "{to: 0 deg, time: 1 s, law: cycloidal}]\n"))
+        motion = run(text, "--report", "ratio", "--report", "mechanical_advantage")
+        steady = run(FOUR_BAR.replace("to: 360", "to: 20"), "--report", "mechanical_advantage")
+        expected = self.figures(steady, "load/mechanical_advantage")
+        advantage = self.figures(motion, "load/mechanical_advantage")
+        for key in ("least", "greatest"):
+            self.assertLess(abs(advantage[key] - expected[key]), 1e-9 * expected[key])
+            self.assertIsNotNone(self.figures(motion, "load/ratio")[key])
+
     def test_what_does_not_has_them(self) -> None:
         text = FOUR_BAR.replace("to: 360", "to: 20")
         figures = self.figures(run(text, "--report", "ratio"), "load/ratio")

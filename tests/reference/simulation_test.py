@@ -345,6 +345,75 @@ simulation: {action: {hand: pull}, start: {hand: {position: -0.8}},
         self.near(found.last()["g.vy/position"], -0.8 + 9.81 / 6, 1e-9)
 
 
+
+CART = """
+kinestat: 1
+space: planar
+ground: frame
+bodies: {cart: {mass: 2, centre_of_mass: [0, 0], inertia: 0.1},
+         pendulum: {mass: 1, centre_of_mass: [0.3, -0.4], inertia: 0.01}}
+couplings: {a: {type: prismatic, bodies: [frame, cart], at: [0, 0], axis: x},
+            b: {type: revolute, bodies: [cart, pendulum], at: [0, 0]}}
+actuators: {push: {coupling: a}, swing: {coupling: b}}
+simulation: {SECTION, time: 2 s, steps: 4}
+"""
+ALONE = """
+kinestat: 1
+space: planar
+ground: frame
+bodies: {cart: {mass: 2, centre_of_mass: [0, 0], inertia: 0.1}}
+couplings: {a: {type: prismatic, bodies: [frame, cart], at: [0, 0], axis: x}}
+actuators: {push: {coupling: a}}
+curves: {saw: {over: time, points: [[0, 0 N], [HALF, 1 N], [PERIOD, 0 N]], period: PERIOD}}
+simulation: {SECTION}
+"""
+
+
+class Edges(unittest.TestCase):
+    """What hung or was called singular."""
+
+    def last(self, text: str) -> dict:
+        done = program.call("simulate", "-", text=text)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return program.report(done)["simulation"]
+
+    def refused(self, text: str, code: str) -> str:
+        done = program.call("simulate", "-", text=text)
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn(code, done.stderr)
+        return done.stderr
+
+    def test_what_coasts_against_a_stop_without_restitution_stays_there(self) -> None:
+        text = ALONE.replace("SECTION", "action: {push: 0}, start: {push: {speed: 1}}, "
+                             "stops: {push: {to: 0.53}}, time: 2 s, steps: 4")
+        found = self.last(text.replace("HALF", "1").replace("PERIOD", "2"))
+        self.assertEqual([one["kind"] for one in found["events"]], ["impact", "rest"])
+        self.assertLess(abs(found["events"][0]["time"] - 0.53), 1e-12)
+        self.assertLess(found["energy_drift"], 1e-12)
+
+    def test_a_curve_may_repeat_as_often_as_it_likes(self) -> None:
+        """Triangles of 1 N on 2 kg speed up by 0.25 m/s^2 in the mean."""
+        for period, time in ((0.1, 1.0), (0.05, 0.5), (0.2, 2.0), (0.3, 3.0), (0.1, 10.0)):
+            text = ALONE.replace("SECTION", "action: {push: saw}, start: {push: {speed: 1}}, "
+                                 f"time: {time} s, steps: 3")
+            found = self.last(text.replace("HALF", str(period / 2)).replace("PERIOD", str(period)))
+            with self.subTest(period=period, time=time):
+                rows = found["rows"]
+                self.assertEqual(len(rows), 4)
+                names = [one["name"] for one in found["columns"]]
+                speed = rows[-1][names.index("a.vx/velocity")]
+                self.assertLess(abs(speed - 1.0 - 0.25 * time), 1e-9 * (1 + time))
+
+    def test_a_stop_of_what_is_held_is_refused(self) -> None:
+        section = "action: {swing: 0}, motion: {push: 1}, stops: {push: {to: 0.53}}"
+        self.refused(CART.replace("SECTION", section), "E0517")
+
+    def test_stops_that_press_through_each_other_are_refused_and_end(self) -> None:
+        section = "action: {swing: 0.05, push: 5}, stops: {swing: {to: 0}, push: {to: 0}}"
+        said = self.refused(CART.replace("SECTION", section), "E0515")
+        self.assertIn("again and again", said)
+
+
 if __name__ == "__main__":
     program.use(sys.argv.pop(1))
     unittest.main()

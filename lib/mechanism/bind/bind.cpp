@@ -203,8 +203,7 @@ void bind_sections(const SectionContext& context, bool has_structure, Mechanism&
   bind_load_ends(context, result.cases);
   check_order_of_loads(context.description, result.cases, context.found);
   const auto& shift = context.description.shift;
-  if (std::ranges::any_of(result.cases, &Case::has_inertia) ||
-      (shift && shift->has_inertia())) {
+  if (std::ranges::any_of(result.cases, &Case::has_inertia) || (shift && shift->has_inertia())) {
     bind_inertia(context, result);
   }
   ask_for_actions(result, result.cases);

@@ -17,12 +17,16 @@ namespace kinestat {
 /// Why a state has no accelerations.
 struct SimulationObstacle {
   enum class Kind {
-    no_branch,   ///< the closure cannot be followed there
-    singular,    ///< the coordinates do not determine the velocities
-    no_inertia,  ///< a freedom moves nothing that has mass or inertia
-    rotor,       ///< a body of which only the inertia about one axis is known turns about another
-    spring,      ///< nothing can be said of a spring
-    curve        ///< nor of what follows a curve
+    no_branch,    ///< the closure cannot be followed there
+    singular,     ///< the coordinates do not determine the velocities
+    no_inertia,   ///< a freedom moves nothing that has mass or inertia
+    rotor,        ///< a body of which only the inertia about one axis is known turns about another
+    spring,       ///< nothing can be said of a spring
+    curve,        ///< nor of what follows a curve
+    beyond_stop,  ///< a freedom begins beyond its stop
+    no_progress,  ///< stops are struck again and again at one time
+    no_step,      ///< the steps of the integration vanish
+    too_many_steps  ///< of the integration
   };
 
   Kind kind = Kind::no_branch;

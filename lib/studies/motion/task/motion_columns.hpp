@@ -13,6 +13,12 @@ namespace kinestat {
 
 /// A column and how its value is read [SI]: at each position the components of a vector one after
 /// the other, the first of a list first.
+/// What a quotient is made of at a position, with signs.
+struct QuotientParts {
+  double dividend = 0.0;
+  double divisor = 0.0;
+};
+
 struct MotionReading {
   MotionColumn column;
   QuantityKind kind = QuantityKind::dimensionless;
@@ -20,7 +26,7 @@ struct MotionReading {
   std::optional<double> fold = {};  ///< at which values are folded: none is above it
   bool is_idle = false;             ///< without values, as nothing determines it
   bool is_size = false;             ///< without its sign
-  std::function<std::optional<double>(const MotionPosition&)> divisor = {};  ///< of a quotient
+  std::function<std::optional<QuotientParts>(const MotionPosition&)> parts = {};  ///< of a quotient
   std::function<std::optional<double>(const MotionPosition&)> alone =
       {};  ///< of a component: reads
            ///< it before the others

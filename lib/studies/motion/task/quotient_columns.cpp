@@ -20,17 +20,21 @@ std::optional<double> mechanical_advantage(const CaseAnalysis& one) {
   return ratio ? std::optional(std::abs(*ratio)) : std::nullopt;
 }
 
-std::optional<double> output_rate(const CaseAnalysis& one, int freedom) {
-  const bool is_known = one.motion && !one.motion->rates.empty();
-  return is_known ? std::optional(one.motion->rates[static_cast<std::size_t>(freedom)])
-                  : std::nullopt;
+std::optional<QuotientParts> rates_of(const CaseAnalysis& one, int input, int output) {
+  if (!one.motion || one.motion->rates.empty()) {
+    return std::nullopt;
+  }
+  const std::vector<double>& rates = one.motion->rates;
+  return QuotientParts{.dividend = rates[static_cast<std::size_t>(input)],
+                       .divisor = rates[static_cast<std::size_t>(output)]};
 }
 
-// Of all inputs together, by its share of that of the output.
-std::optional<double> input_action(const CaseAnalysis& one, int output) {
+// That of all inputs together by its share of that of the output.
+std::optional<QuotientParts> actions_of(const CaseAnalysis& one, int output) {
   const std::optional<double>& share = one.ratios->torque_ratio;
-  const auto a = static_cast<std::size_t>(output);
-  return share ? std::optional(*share * one.action->magnitudes[a].value_or(0.0)) : std::nullopt;
+  const double action = one.action->magnitudes[static_cast<std::size_t>(output)].value_or(0.0);
+  return share ? std::optional(QuotientParts{.dividend = action, .divisor = *share * action})
+               : std::nullopt;
 }
 
 class QuotientList {
@@ -42,13 +46,13 @@ class QuotientList {
         output_(actuator(which.outputs.front())) {}
 
   MotionReading ratio() const {
-    const int freedom = output_.freedom;
     MotionReading reading =
         quotient("ratio", rate_kind(input_), rate_kind(output_), [](const CaseAnalysis& one) {
           return one.ratios->ratio;
         });
-    reading.divisor =
-        solved([freedom](const CaseAnalysis& one) { return output_rate(one, freedom); });
+    reading.parts =
+        solved<QuotientParts>([in = input_.freedom, out = output_.freedom](
+                                  const CaseAnalysis& one) { return rates_of(one, in, out); });
     return reading;
   }
 
@@ -56,8 +60,8 @@ class QuotientList {
     MotionReading reading = quotient(
         "mechanical_advantage", action_kind(output_), action_kind(input_), mechanical_advantage);
     reading.is_size = true;
-    reading.divisor = solved([end = output_](const CaseAnalysis& one) {
-      return one.action ? input_action(one, end.action) : output_rate(one, end.freedom);
+    reading.parts = solved<QuotientParts>([in = input_, out = output_](const CaseAnalysis& one) {
+      return one.action ? actions_of(one, out.action) : rates_of(one, in.freedom, out.freedom);
     });
     return reading;
   }
@@ -79,7 +83,9 @@ class QuotientList {
     return turns(one) ? QuantityKind::moment : QuantityKind::force;
   }
 
-  static std::function<std::optional<double>(const MotionPosition&)> solved(OfCase of_case) {
+  template <class Value>
+  static std::function<std::optional<Value>(const MotionPosition&)> solved(
+      std::function<std::optional<Value>(const CaseAnalysis&)> of_case) {
     return [of_case = std::move(of_case)](const MotionPosition& at) {
       return at.solved && at.solved->ratios ? of_case(*at.solved) : std::nullopt;
     };

@@ -21,6 +21,10 @@ constexpr double kBetterCoordinates = 10.0;
 // Where something may happen between steps, there are so many of them at least.
 constexpr int kLeastWatched = 100;
 
+// So many events at one time, and steps of the integration, are too many.
+constexpr int kMostAtOnce = 1000;
+constexpr int kMostSteps = 20'000'000;
+
 // No more points of curves are sought.
 constexpr std::size_t kMostTurns = 100'000;
 
@@ -44,18 +48,16 @@ void Simulator::find_turns() {
     if (curve.over != Curve::Over::time) {
       continue;
     }
-    const double period = curve.period.value_or(0.0);
     for (const double place : curve.at) {
+      double round = curve.period ? std::ceil(-place / *curve.period) : 0.0;
       double time = place;
-      while (time < plan_.duration && turns_.size() < kMostTurns) {
-        if (time > 0.0) {
+      do {
+        time = curve.period ? place + round * *curve.period : place;
+        if (time > 0.0 && time < plan_.duration) {
           turns_.push_back(time);
         }
-        if (!(period > 0.0)) {
-          break;
-        }
-        time += period;
-      }
+        ++round;
+      } while (curve.period && time < plan_.duration && turns_.size() < kMostTurns);
     }
   }
   std::ranges::sort(turns_);
@@ -73,8 +75,13 @@ SimulationSolution Simulator::run(const Configuration& start,
   if (!begin_contacts()) {
     return stuck();
   }
-  while (time_ < plan_.duration) {
+  while (plan_.duration - time_ > least_step()) {
+    const double before = time_;
+    const std::size_t told = result_.events.size();
     if (!advance()) {
+      return stuck();
+    }
+    if (!makes_progress(before, told)) {
       return stuck();
     }
     if (result_.end == SimulationEnd::goal) {
@@ -82,6 +89,29 @@ SimulationSolution Simulator::run(const Configuration& start,
     }
   }
   return finish();
+}
+
+double Simulator::least_step() const {
+  constexpr double kLeast = 64.0 * kEpsilon;
+  return kLeast * plan_.duration;
+}
+
+bool Simulator::makes_progress(double before, std::size_t told) {
+  if (time_ - before > least_step()) {
+    standstill_ = 0;
+  } else if (standstill_++ == 0) {
+    told_before_ = told;
+  }
+  if (standstill_ > kMostAtOnce) {
+    result_.events.resize(std::min(result_.events.size(), told_before_ + 1));
+    obstacle_ = {.kind = SimulationObstacle::Kind::no_progress};
+    return false;
+  }
+  if (result_.integrated > kMostSteps) {
+    obstacle_ = {.kind = SimulationObstacle::Kind::too_many_steps};
+    return false;
+  }
+  return true;
 }
 
 double Simulator::unit_of(std::size_t drive) const {
@@ -240,15 +270,14 @@ void Simulator::allow(std::span<const double> y,
 double Simulator::next_end() const {
   const bool is_watched =
       !plan_.stops.empty() || !plan_.goals.empty() || !mechanism_.curves.empty();
-  double end = plan_.duration;
-  if (is_watched) {
-    end = std::min(end, time_ + plan_.duration / std::max(plan_.steps, kLeastWatched));
-  }
-  const auto turn = std::ranges::upper_bound(turns_, time_);
-  return turn == turns_.end() ? end : std::min(end, *turn);
+  const auto turn = std::ranges::upper_bound(turns_, time_ + least_step());
+  const double end = turn == turns_.end() ? plan_.duration : std::min(plan_.duration, *turn);
+  const double watched = time_ + plan_.duration / std::max(plan_.steps, kLeastWatched);
+  return is_watched && watched < end - least_step() ? watched : end;
 }
 
 bool Simulator::advance() {
+  obstacle_ = {.kind = SimulationObstacle::Kind::no_step};
   if (!integration_->step(next_end())) {
     return false;
   }
@@ -312,7 +341,8 @@ bool Simulator::keep_coordinates() {
 bool Simulator::add_rows(double until) {
   const double share = until / plan_.duration;
   while (next_row_ <= plan_.steps && static_cast<double>(next_row_) / plan_.steps <= share) {
-    const double time = plan_.duration * next_row_ / plan_.steps;
+    const double time =
+        next_row_ == plan_.steps ? plan_.duration : plan_.duration * next_row_ / plan_.steps;
     std::vector<double> y(state_.size());
     if (time <= integration_->time_before()) {
       std::ranges::copy(integration_->state_before(), y.begin());

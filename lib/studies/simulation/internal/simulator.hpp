@@ -21,6 +21,13 @@ class Simulator {
  private:
   std::size_t free_count() const { return system_->free_count(); }
 
+  // What is shorter is no step.
+  double least_step() const;
+
+  // False where something happens again and again at one time, or the steps are too many; `told`
+  // events were there before the step that began then.
+  bool makes_progress(double before, std::size_t told);
+
   double unit_of(std::size_t drive) const;
   std::vector<int> held_rates() const;
 
@@ -37,7 +44,6 @@ class Simulator {
   // Begins the integration anew with the coordinates that there are; `rates` are of all joints.
   void begin_at(double time, const VecX& rates);
 
-  // From the state that there is.
   void restart();
   double first_step() const;
   std::vector<double> drives_at(double time, std::span<const double> y) const;
@@ -109,10 +115,7 @@ class Simulator {
   // what leaves it takes its first steps within the flight.
   bool settle(const std::vector<bool>& touched);
 
-  // Stops that are touched at the begin.
   bool begin_contacts();
-
-  // Those up to there.
   bool add_rows(double until);
   bool add_row(double time, std::span<const double> y);
   SimulationSolution stuck();
@@ -138,6 +141,8 @@ class Simulator {
   double fastest_ = 0.0;  // [rad/s or sizes/s]
   std::optional<double> step_;
   int next_row_ = 0;
+  int standstill_ = 0;           // events at one time
+  std::size_t told_before_ = 0;  // events before these
   SimulationObstacle obstacle_;
   SimulationSolution result_;
 };

@@ -279,14 +279,15 @@ bool Simulator::settle(const std::vector<bool>& touched) {
     }
     const double leaves = -stop.side * speed_along(freedom);
     const double presses = stop.side * *found;
-    if (!(presses > 0.0)) {
+    const bool stays = std::abs(leaves) <= kEpsilon * fastest_ * unit(stop);
+    if (presses < 0.0 || (presses == 0.0 && !stays)) {
       continue;
     }
-    const double height = 0.5 * leaves * leaves / presses;
+    const double height = stays ? 0.0 : 0.5 * leaves * leaves / presses;
     if (height <= kNoRebound * plan_.tolerance * unit(stop)) {
       // Without a rebound, or what all that would follow take together.
       const double series =
-          leaves > 0.0 ? 2.0 * leaves / (presses * (1.0 - stop.restitution)) : 0.0;
+          leaves > 0.0 && !stays ? 2.0 * leaves / (presses * (1.0 - stop.restitution)) : 0.0;
       note(SimulationEvent::Kind::rest, stop.of).time += series;
       result_.events.back().speed = 0.0;
       rests_[s] = true;
@@ -314,6 +315,10 @@ bool Simulator::begin_contacts() {
     const SimulationStop& stop = plan_.stops[s];
     const std::optional<double> now = position_at(stop.of.freedom, time_, state_);
     touched[s] = now && std::abs(*now - stop.place) <= kAtStop * unit(stop);
+    if (now && !touched[s] && stop.side * (stop.place - *now) < 0.0) {
+      obstacle_ = {.kind = SimulationObstacle::Kind::beyond_stop};
+      return false;
+    }
   }
   if (std::ranges::count(touched, true) == 0) {
     return true;

@@ -258,8 +258,7 @@ std::string name_of(const SimulationObstacle& obstacle, const Mechanism& mechani
     case no_branch:
     case singular:
       return "the mechanism stands in a singular position there, from which nothing says how it "
-             "goes "
-             "on";
+             "goes on";
     case no_inertia:
       return "something moves there that has neither mass nor inertia";
     case rotor:
@@ -275,6 +274,14 @@ std::string name_of(const SimulationObstacle& obstacle, const Mechanism& mechani
                  ? fmt::format("'{}' has no value there", obstacle.of_curve->number)
                  : fmt::format("curve '{}' has no value there",
                                mechanism.curves[obstacle.of_curve->curve].name);
+    case beyond_stop:
+      return "a freedom begins beyond its stop";
+    case no_progress:
+      return "stops are struck again and again there, and nothing moves on";
+    case no_step:
+      return "the steps of the integration vanish there";
+    case too_many_steps:
+      return "its steps are too many; so fast is something against 'time'";
   }
   return "";
 }
@@ -293,6 +300,16 @@ std::string_view hint_of(const SimulationObstacle& obstacle) {
       return "'kinestat explain E0324' says when; 'stops' keep a freedom from going so far";
     case curve:
       return "give the curve points as far, or a 'period'; 'kinestat explain E0326' says more";
+    case beyond_stop:
+      return "give it a place within, or a stop further out: both are from the drawn position";
+    case no_progress:
+      return "stops that press on each other through what they stop are not told apart: leave one "
+             "of them";
+    case no_step:
+      return "something becomes infinitely fast there; end it before with 'until'";
+    case too_many_steps:
+      return "make the time shorter, what is stiff softer or what moves there heavier, or raise "
+             "'tolerance'";
   }
   return "";
 }
@@ -345,7 +362,7 @@ std::optional<FoundSimulation> find_simulation(const MechanismDescription& descr
     const FileUnits& units = description.units;
     found.error("E0515",
                 result.plan.where,
-                fmt::format("the simulation cannot go on behind {} {}: {}",
+                fmt::format("the simulation cannot go on after {} {}: {}",
                             format_short(units.from_si(QuantityKind::time, time)),
                             units.text(QuantityKind::time),
                             name_of(result.solution.obstacle, result.mechanism)),

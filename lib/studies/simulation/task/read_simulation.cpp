@@ -149,6 +149,13 @@ class SimulationReader {
       if (!of) {
         continue;
       }
+      if (is_held(of->freedom)) {
+        found_.error("E0517",
+                     one.target.where,
+                     fmt::format("'{}' has a stop, and 'motion' holds it", one.target.text),
+                     "remove one of the two: what is held goes on whatever it meets");
+        continue;
+      }
       const double restitution =
           one.restitution ? number(*one.restitution, QuantityKind::dimensionless) : 0.0;
       const QuantityKind kind = position_kind(turns(of->freedom));

@@ -167,8 +167,10 @@ class ActuatorFinder {
         if (before * behind < 0.0) {
           zeros.push_back(zero_between(function, from, to, before));
         }
-        before = behind;
-        from = to;
+        if (behind != 0.0) {  // it may rest at zero for a while
+          before = behind;
+          from = to;
+        }
       }
     }
     zeros.push_back(found_->to());

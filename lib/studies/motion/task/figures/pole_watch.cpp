@@ -3,16 +3,18 @@
 namespace kinestat {
 
 void PoleWatch::look(const std::vector<MotionReading>& readings, const MotionPosition& position) {
-  last_.resize(readings.size(), 0.0);
+  last_.resize(readings.size());
   is_unbounded_.resize(readings.size(), false);
   for (std::size_t r = 0; r < readings.size(); ++r) {
-    if (!readings[r].divisor) {
+    const std::optional<QuotientParts> parts =
+        readings[r].parts ? readings[r].parts(position) : std::nullopt;
+    if (!parts || (parts->divisor == 0.0 && parts->dividend == 0.0)) {
       continue;
     }
-    if (const std::optional<double> divisor = readings[r].divisor(position)) {
-      is_unbounded_[r] = is_unbounded_[r] || *divisor == 0.0 || *divisor * last_[r] < 0.0;
-      last_[r] = *divisor;
-    }
+    const bool turns = parts->divisor * last_[r].divisor < 0.0;
+    const bool turns_alone = turns && parts->dividend * last_[r].dividend > 0.0;
+    is_unbounded_[r] = is_unbounded_[r] || parts->divisor == 0.0 || turns_alone;
+    last_[r] = *parts;
   }
 }
 

@@ -9,8 +9,9 @@
 
 namespace kinestat {
 
-/// Sees by the signs of their divisors between which steps quotients go through infinity: a ratio
-/// where the output turns back, a mechanical advantage where the input needs nothing.
+/// Sees by the signs of what is divided between which steps quotients go through infinity: a ratio
+/// where the output turns back and the input does not, a mechanical advantage where the input needs
+/// nothing. Where both come to zero together, as at rest, the quotient stays what it is.
 class PoleWatch {
  public:
   /// Looks at the positions of a motion one after the other, always with the same readings.
@@ -22,8 +23,8 @@ class PoleWatch {
                            MotionTable& table) const;
 
  private:
-  std::vector<double> last_;        // of each reading the last divisor; 0: none yet
-  std::vector<bool> is_unbounded_;  // likewise
+  std::vector<QuotientParts> last_;  // of each reading; 0: none yet
+  std::vector<bool> is_unbounded_;   // likewise
 };
 
 }  // namespace kinestat
