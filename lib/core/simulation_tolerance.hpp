@@ -19,6 +19,9 @@ inline constexpr double kOffRotorAxis = 1e-6;
 /// A freedom that begins so near a stop touches it [rad, or sizes of the mechanism].
 inline constexpr double kAtStop = 1e-12;
 
+/// What stands so near a point of a curve, as share of the curve's range, has come to it.
+inline constexpr double kAtPoint = 1e-12;
+
 /// A chord comes no nearer to an end of what it divides than by this share.
 inline constexpr double kLeastChord = 1e-3;
 

@@ -404,6 +404,29 @@ class Edges(unittest.TestCase):
                 speed = rows[-1][names.index("a.vx/velocity")]
                 self.assertLess(abs(speed - 1.0 - 0.25 * time), 1e-9 * (1 + time))
 
+    def test_no_point_of_a_curve_over_position_is_stepped_over(self) -> None:
+        """A pulse of 1 N within 20 mm does 0.01 J, whatever the steps."""
+        text = ALONE.replace("SECTION", "action: {push: saw}, start: {push: {speed: 1}}, time: 3 s, "
+                             "steps: STEPS").replace("over: time, points: [[0, 0 N], [HALF, 1 N], "
+                             "[PERIOD, 0 N]], period: PERIOD", "over: push, points: [[-1, 0 N], "
+                             "[1, 0 N], [1.01, 1 N], [1.02, 0 N], [99, 0 N]]")
+        for steps in (1, 7, 100):
+            found = self.last(text.replace("STEPS", str(steps)))
+            names = [one["name"] for one in found["columns"]]
+            supplied = found["rows"][-1][names.index("energy/supplied")]
+            self.assertLess(abs(supplied - 0.01), 1e-9, steps)
+            speed = found["rows"][-1][names.index("a.vx/velocity")]
+            self.assertLess(abs(speed - math.sqrt(1.01)), 1e-9, steps)
+
+    def test_a_speed_that_an_impact_turns_round_does_not_pass_zero(self) -> None:
+        """Dropped from 1 m it comes up again with half its speed, and is at rest at 1/4 m."""
+        text = ALONE.replace("SECTION", "action: {push: -20}, start: {push: {position: 1}}, "
+                             "stops: {push: {from: 0, restitution: 0.5}}, until: {push: {speed: 0}}, "
+                             "time: 3 s, steps: 6").replace("HALF", "1").replace("PERIOD", "2")
+        found = self.last(text)
+        self.assertEqual([one["kind"] for one in found["events"]], ["impact", "goal"])
+        self.assertLess(abs(found["events"][1]["position"] - 0.25), 1e-9)
+
     def test_a_stop_of_what_is_held_is_refused(self) -> None:
         section = "action: {swing: 0}, motion: {push: 1}, stops: {push: {to: 0.53}}"
         self.refused(CART.replace("SECTION", section), "E0517")

@@ -24,6 +24,7 @@ constexpr int kLeastWatched = 100;
 // So many events at one time, and steps of the integration, are too many.
 constexpr int kMostAtOnce = 1000;
 constexpr int kMostSteps = 20'000'000;
+constexpr std::size_t kMostEvents = 100'000;
 
 // No more points of curves are sought.
 constexpr std::size_t kMostTurns = 100'000;
@@ -107,7 +108,7 @@ bool Simulator::makes_progress(double before, std::size_t told) {
     obstacle_ = {.kind = SimulationObstacle::Kind::no_progress};
     return false;
   }
-  if (result_.integrated > kMostSteps) {
+  if (result_.integrated > kMostSteps || result_.events.size() > kMostEvents) {
     obstacle_ = {.kind = SimulationObstacle::Kind::too_many_steps};
     return false;
   }
@@ -271,7 +272,8 @@ double Simulator::next_end() const {
   const bool is_watched =
       !plan_.stops.empty() || !plan_.goals.empty() || !mechanism_.curves.empty();
   const auto turn = std::ranges::upper_bound(turns_, time_ + least_step());
-  const double end = turn == turns_.end() ? plan_.duration : std::min(plan_.duration, *turn);
+  double end = turn == turns_.end() ? plan_.duration : std::min(plan_.duration, *turn);
+  end = std::min(end, turn_.value_or(end));
   const double watched = time_ + plan_.duration / std::max(plan_.steps, kLeastWatched);
   return is_watched && watched < end - least_step() ? watched : end;
 }
@@ -282,6 +284,14 @@ bool Simulator::advance() {
     return false;
   }
   ++result_.integrated;
+  // A step over a point of a curve is taken again up to there.
+  turn_ = find_turn();
+  if (turn_ && *turn_ < integration_->time() - least_step()) {
+    step_ = *turn_ - time_;
+    restart();
+    return true;
+  }
+  turn_.reset();
   const std::optional<Happening> first = find_first();
   const double end = first ? first->time : integration_->time();
   if (!add_rows(end)) {

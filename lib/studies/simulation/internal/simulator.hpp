@@ -49,7 +49,6 @@ class Simulator {
   std::vector<double> drives_at(double time, std::span<const double> y) const;
   std::vector<double> speeds_of(std::span<const double> y) const;
 
-  // From where the step began.
   bool place(double time, std::span<const double> y, Configuration& configuration);
   bool accelerate(double time,
                   const Configuration& configuration,
@@ -87,17 +86,18 @@ class Simulator {
   std::optional<double> distance(const Happening& what, double time);
   std::optional<double> distance(const Happening& what, double time, std::span<const double> y);
 
-  // Where the stop is among what is held.
   std::size_t held_place(std::size_t stop) const;
   std::vector<Happening> possible() const;
 
   // In the last step.
   std::optional<Happening> find_first();
 
+  // The first time in it at which a curve over a position or a speed is at a point.
+  std::optional<double> find_turn();
+
   // Between a place where it has not happened and one where it has.
   double root(const Happening& what, double low, double high);
 
-  // On which side of its goals the simulation is, once it is on one.
   void note_signs();
   bool meet(const Happening& what);
   SimulationEvent& note(SimulationEvent::Kind kind, const NamedFreedom& of);
@@ -108,7 +108,6 @@ class Simulator {
   bool strike(std::size_t index);
   double unit(const SimulationStop& stop) const;
 
-  // Of the state that was accelerated last.
   double speed_along(int freedom) const;
 
   // What is pressed against its stop, and would leave it by less than the tolerance, rests there;
@@ -133,7 +132,8 @@ class Simulator {
   Configuration anchor_;  // where the step begins
   std::vector<double> held_begin_;
   double held_time_ = 0.0;
-  std::vector<double> turns_;
+  std::vector<double> turns_;   // of curves over time
+  std::optional<double> turn_;  // the next one of another curve, once it is seen
   double time_ = 0.0;
   std::vector<double> state_;  // free coordinates, their speeds, work supplied and lost
   double supplied_ = 0.0;

@@ -25,6 +25,27 @@ constexpr int kMostImpacts = 1000;
 
 constexpr int kMostHalvings = 200;
 
+// The first point of a curve on the way from one argument to another; one at which the way begins
+// is left behind.
+std::optional<double> next_point(const Curve& curve, double from, double to) {
+  const double period = curve.period.value_or(0.0);
+  const double near = kAtPoint * (curve.at.back() - curve.at.front());
+  std::optional<double> next;
+  for (const double at : curve.at) {
+    double point = at;
+    if (period > 0.0) {
+      point += period * (to > from ? std::ceil((from + near - at) / period)
+                                   : std::floor((from - near - at) / period));
+    }
+    const bool is_ahead =
+        to > from ? point > from + near && point < to : point < from - near && point > to;
+    if (is_ahead && (!next || std::abs(point - from) < std::abs(*next - from))) {
+      next = point;
+    }
+  }
+  return next;
+}
+
 }  // namespace
 
 std::optional<double> Simulator::position_at(int freedom, double time, std::span<const double> y) {
@@ -133,6 +154,46 @@ std::optional<Simulator::Happening> Simulator::find_first() {
   return first;
 }
 
+std::optional<double> Simulator::find_turn() {
+  const double from = integration_->time_before() + 2.0 * least_step();  // not the last one again
+  const double to = integration_->time();
+  std::optional<double> first;
+  if (from >= to) {
+    return first;
+  }
+  for (const Curve& curve : mechanism_.curves) {
+    if (curve.over == Curve::Over::time) {
+      continue;
+    }
+    const auto argument = [&](double time) {
+      std::vector<double> y(state_.size());
+      time == to ? void(std::ranges::copy(integration_->state(), y.begin()))
+                 : integration_->state_at(time, y);
+      return curve.over == Curve::Over::position ? position_at(curve.freedom, time, y)
+                                                 : speed_at(curve.freedom, time, y);
+    };
+    const std::optional<double> before = argument(from);
+    const std::optional<double> behind = argument(first.value_or(to));
+    const std::optional<double> point =
+        before && behind ? next_point(curve, *before, *behind) : std::nullopt;
+    if (!point) {
+      continue;
+    }
+    double low = from;
+    double high = first.value_or(to);
+    const double side = *before < *point ? 1.0 : -1.0;
+    while (high - low > 2.0 * kEpsilon * std::abs(high)) {
+      const double middle = 0.5 * (low + high);
+      if (middle <= low || middle >= high) {
+        break;
+      }
+      (side * (*point - argument(middle).value_or(*point)) > 0.0 ? low : high) = middle;
+    }
+    first = high;
+  }
+  return first;
+}
+
 double Simulator::root(const Happening& what, double low, double high) {
   double above = std::max(distance(what, low).value_or(0.0), 0.0);
   double below = distance(what, high).value_or(-1.0);
@@ -178,7 +239,13 @@ bool Simulator::meet(const Happening& what) {
     rests_[what.index] = false;
     return rates && go_on_with(*rates);
   }
-  return strike(what.index);
+  // An impact passes over speeds.
+  for (std::size_t g = 0; g < signs_.size(); ++g) {
+    signs_[g] = plan_.goals[g].is_speed ? 0.0 : signs_[g];
+  }
+  const bool goes_on = strike(what.index);
+  note_signs();
+  return goes_on;
 }
 
 SimulationEvent& Simulator::note(SimulationEvent::Kind kind, const NamedFreedom& of) {

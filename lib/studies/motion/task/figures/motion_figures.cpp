@@ -52,9 +52,8 @@ class FigureMaker {
       table_.figures.push_back(
           {.least = extreme(c, -1.0),
            .greatest = extreme(c, 1.0),
-           .mean = mean(c, [](double value) { return value; }),
-           .rms = table_.duration ? root(mean(c, [](double value) { return value * value; }))
-                                  : std::nullopt});
+           .mean = mean(c, [](double low, double high) { return 0.5 * (low + high); }),
+           .rms = table_.duration ? root(mean(c, mean_square)) : std::nullopt});
     }
   }
 
@@ -127,6 +126,11 @@ class FigureMaker {
     return square ? std::optional(std::sqrt(*square)) : std::nullopt;
   }
 
+  // Of a straight line.
+  static double mean_square(double low, double high) {
+    return (low * low + low * high + high * high) / 3.0;
+  }
+
   // Over the way of the drives, or in time: the trapezoids between the samples of a motion that
   // reaches its end, or the middle where an end has no value.
   template <class Measure>
@@ -138,9 +142,9 @@ class FigureMaker {
     }
     double sum = 0.0;
     double size = 0.0;
-    const auto add = [&](double value, double weight) {
-      sum += weight * measure(value);
-      size += weight * std::abs(measure(value));
+    const auto add = [&](double from, double to, double width) {
+      sum += width * measure(from, to);
+      size += width * measure(std::abs(from), std::abs(to));
     };
     const std::vector<Sample> samples = samples_of(column);
     for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
@@ -148,8 +152,7 @@ class FigureMaker {
       const std::optional<double>& low = (*samples[i].values)[column];
       const std::optional<double>& high = (*samples[i + 1].values)[column];
       if (low && high) {
-        add(*low, 0.5 * width);
-        add(*high, 0.5 * width);
+        add(*low, *high, width);
         continue;
       }
       const double middle = 0.5 * (samples[i].step + samples[i + 1].step);
@@ -159,7 +162,7 @@ class FigureMaker {
       if (!value) {
         return std::nullopt;
       }
-      add(*value, width);
+      add(*value, *value, width);
     }
     return settled(sum, kCancellation * size) / static_cast<double>(table_.rows.size() - 1);
   }
