@@ -218,7 +218,10 @@ bool Simulator::place(double time, std::span<const double> y, Configuration& con
   if (system_->follower().follow(configuration, drives_at(time, y))) {
     return true;
   }
-  obstacle_ = {.kind = SimulationObstacle::Kind::no_branch};
+  // Where something failed before in the step, that is why.
+  if (obstacle_.kind == SimulationObstacle::Kind::no_step) {
+    obstacle_ = {.kind = SimulationObstacle::Kind::no_branch};
+  }
   return false;
 }
 
