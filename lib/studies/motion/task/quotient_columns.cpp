@@ -32,9 +32,11 @@ std::optional<QuotientParts> rates_of(const CaseAnalysis& one, int input, int ou
 // That of all inputs together by its share of that of the output.
 std::optional<QuotientParts> actions_of(const CaseAnalysis& one, int output) {
   const std::optional<double>& share = one.ratios->torque_ratio;
+  if (!share) {
+    return std::nullopt;
+  }
   const double action = one.action->magnitudes[static_cast<std::size_t>(output)].value_or(0.0);
-  return share ? std::optional(QuotientParts{.dividend = action, .divisor = *share * action})
-               : std::nullopt;
+  return QuotientParts{.dividend = action, .divisor = *share * action};
 }
 
 class QuotientList {
