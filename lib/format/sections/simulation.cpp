@@ -50,7 +50,7 @@ const Mapping<StopDescription>& stop() {
             .may(&StopDescription::from, drawn_position(), "-30 deg");
         m.key("to", "Its greatest position, from the drawn one.")
             .may(&StopDescription::to, drawn_position(), "90 deg");
-        m.key("restitution", "Speed behind an impact by that before it.")
+        m.key("restitution", "Speed after an impact divided by that before it.")
             .may(&StopDescription::restitution, restitution(), "0.7")
             .usual("0");
         m.rule({.kind = FormRule::Kind::any_of,

@@ -115,9 +115,12 @@ bool Simulator::makes_progress(double before, std::size_t told) {
   return true;
 }
 
-double Simulator::unit_of(std::size_t drive) const {
-  const int freedom = system_->network().driven_freedoms[drive];
+double Simulator::unit(int freedom) const {
   return topology_.freedoms[at(freedom)].is_rotation ? 1.0 : mechanism_.geometry.length;
+}
+
+double Simulator::unit_of(std::size_t drive) const {
+  return unit(system_->network().driven_freedoms[drive]);
 }
 
 std::vector<int> Simulator::held_rates() const {

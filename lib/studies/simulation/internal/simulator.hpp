@@ -28,6 +28,8 @@ class Simulator {
   // events were there before the step that began then.
   bool makes_progress(double before, std::size_t told);
 
+  // Of places and speeds of a freedom: 1 rad, or the size of the mechanism [m].
+  double unit(int freedom) const;
   double unit_of(std::size_t drive) const;
   std::vector<int> held_rates() const;
 
@@ -41,7 +43,7 @@ class Simulator {
   // Steadily, those of stops not at all.
   double held_speed(std::size_t k) const;
 
-  // Begins the integration anew with the coordinates that there are; `rates` are of all joints.
+  // With the coordinates that there are; `rates` are of all joints.
   void begin_at(double time, const VecX& rates);
 
   void restart();
@@ -68,7 +70,7 @@ class Simulator {
   // One step, cut short by what happens in it.
   bool advance();
 
-  // Others, where these tell the motions apart much worse.
+  // Or others, where these tell the motions apart much worse.
   bool keep_coordinates();
 
   // What may end a step: a goal, a stop that is struck, one that is left.
@@ -89,8 +91,7 @@ class Simulator {
   std::size_t held_place(std::size_t stop) const;
   std::vector<Happening> possible() const;
 
-  // In the last step.
-  std::optional<Happening> find_first();
+  std::optional<Happening> find_first();  // in the last step
 
   // The first time in it at which a curve over a position or a speed is at a point.
   std::optional<double> find_turn();
@@ -106,7 +107,6 @@ class Simulator {
   // Newton's impact, and those that it makes of other stops that are touched. What rests is let go
   // before and rests again behind, if it does.
   bool strike(std::size_t index);
-  double unit(const SimulationStop& stop) const;
 
   double speed_along(int freedom) const;
 

@@ -291,7 +291,7 @@ bool Simulator::strike(std::size_t index) {
         continue;
       }
       const double into = stop.side * speed_along(stop.of.freedom);
-      const double least = s == index && is_new ? 0.0 : kEpsilon * fastest_ * unit(stop);
+      const double least = s == index && is_new ? 0.0 : kEpsilon * fastest_ * unit(stop.of.freedom);
       const std::optional<ReducedSystem::Impulse> impulse = system_->impulse_at(stop.of.freedom);
       if (!(into > least) || !impulse) {
         continue;
@@ -313,10 +313,6 @@ bool Simulator::strike(std::size_t index) {
   event.speed = before;
   event.speed_after = speed_along(plan_.stops[index].of.freedom);
   return settle(touched);
-}
-
-double Simulator::unit(const SimulationStop& stop) const {
-  return topology_.freedoms[at(stop.of.freedom)].is_rotation ? 1.0 : mechanism_.geometry.length;
 }
 
 double Simulator::speed_along(int freedom) const {
@@ -346,12 +342,12 @@ bool Simulator::settle(const std::vector<bool>& touched) {
     }
     const double leaves = -stop.side * speed_along(freedom);
     const double presses = stop.side * *found;
-    const bool stays = std::abs(leaves) <= kEpsilon * fastest_ * unit(stop);
+    const bool stays = std::abs(leaves) <= kEpsilon * fastest_ * unit(stop.of.freedom);
     if (presses < 0.0 || (presses == 0.0 && !stays)) {
       continue;
     }
     const double height = stays ? 0.0 : 0.5 * leaves * leaves / presses;
-    if (height <= kNoRebound * plan_.tolerance * unit(stop)) {
+    if (height <= kNoRebound * plan_.tolerance * unit(stop.of.freedom)) {
       // Without a rebound, or what all that would follow take together.
       const double series =
           leaves > 0.0 && !stays ? 2.0 * leaves / (presses * (1.0 - stop.restitution)) : 0.0;
@@ -381,7 +377,7 @@ bool Simulator::begin_contacts() {
   for (std::size_t s = 0; s < touched.size(); ++s) {
     const SimulationStop& stop = plan_.stops[s];
     const std::optional<double> now = position_at(stop.of.freedom, time_, state_);
-    touched[s] = now && std::abs(*now - stop.place) <= kAtStop * unit(stop);
+    touched[s] = now && std::abs(*now - stop.place) <= kAtStop * unit(stop.of.freedom);
     if (now && !touched[s] && stop.side * (stop.place - *now) < 0.0) {
       obstacle_ = {.kind = SimulationObstacle::Kind::beyond_stop};
       return false;

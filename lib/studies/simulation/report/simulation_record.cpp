@@ -173,7 +173,7 @@ const Record<ShownItem<SimulationEvent>>& event_record() {
     });
     keys.quantity("time",
                   QuantityKind::time,
-                  "When; of a rest behind the impacts that would follow each other ever faster.",
+                  "When; of a rest: after the impacts that would follow each other ever faster.",
                   [](const View& v) { return v.item.time; });
     keys.converted(
         "position", ByContext::drive, "Where, from the drawn position.", [](const View& v) {
@@ -191,7 +191,7 @@ const Record<ShownItem<SimulationEvent>>& event_record() {
     });
     keys.converted("speed_after",
                    ByContext::drive,
-                   "How fast behind an impact; null of other events.",
+                   "How fast after an impact; null of other events.",
                    [speed](const View& v) { return speed(v, v.item.speed_after); });
   });
   return record;
@@ -209,7 +209,7 @@ const Record<SimulationReportView>& simulation_record() {
       return v.solution.rows.empty() ? std::nullopt : std::optional(v.solution.rows.back().time);
     });
     keys.names("coordinates",
-               "The freedoms whose places and speeds tell the state at the begin; at dead "
+               "The freedoms whose places and speeds tell the state at the start; at dead "
                "points of these others take their place.",
                [](const View& v, const EachName& each) {
                  for (const int freedom : v.solution.coordinates) {
