@@ -102,6 +102,23 @@ const Mapping<SpringDescription>& spring() {
                 .others = {"bodies"},
                 .message = "{} is a gas spring, which needs two points",
                 .hint = "write bodies: [TAIL, HEAD] and at: {TAIL: […], HEAD: […]}"});
+        for (const char* const key : {"free", "freedom"}) {
+          m.rule({.kind = FormRule::Kind::pointless,
+                  .key = key,
+                  .others = {"coupling"},
+                  .message = "{} joins two points, which have no freedom",
+                  .hint = "write 'free_length' for the distance at which it has no force, or "
+                          "coupling: NAME instead of bodies and at"});
+        }
+        for (const char* const key : {"free_length", "acts"}) {
+          m.rule({.kind = FormRule::Kind::pointless,
+                  .key = key,
+                  .others = {"bodies"},
+                  .message = "{} is of a freedom, which has no length",
+                  .hint =
+                      "write 'free' for the position at which it has no force, or bodies and at "
+                      "instead of the coupling"});
+        }
         m.rule({.kind = FormRule::Kind::any_of,
                 .others = {"stiffness", "damping", "gas", "force"},
                 .message = "{} has neither 'stiffness' nor 'damping' nor 'gas' nor 'force'",
