@@ -427,6 +427,16 @@ class Edges(unittest.TestCase):
         self.assertEqual([one["kind"] for one in found["events"]], ["impact", "goal"])
         self.assertLess(abs(found["events"][1]["position"] - 0.25), 1e-9)
 
+    def test_what_holds_a_speed_bears_impacts(self) -> None:
+        """A pendulum between stops on a cart that is held at 1 m/s: no energy without a source."""
+        section = ("action: {swing: 0}, motion: {push: 1}, start: {swing: {speed: 3}}, "
+                   "stops: {swing: {from: -1.2, to: 0.2, restitution: 0.5}}")
+        text = CART.replace("ground: frame", "ground: frame\ngravity: [0, -9.81]")
+        found = self.last(text.replace("SECTION", section))
+        self.assertGreater(len([1 for one in found["events"] if one["kind"] == "impact"]), 1)
+        self.assertGreater(found["rows"][-1][-2], 0.1)  # lost in impacts
+        self.assertLess(found["energy_drift"], 1e-7 * found["energy_scale"])
+
     def test_a_stop_of_what_is_held_is_refused(self) -> None:
         section = "action: {swing: 0}, motion: {push: 1}, stops: {push: {to: 0.53}}"
         self.refused(CART.replace("SECTION", section), "E0517")

@@ -261,13 +261,18 @@ std::optional<ReducedSystem::Impulse> ReducedSystem::impulse_at(int freedom) con
   if (free == 0) {
     return std::nullopt;
   }
-  const VecX along = direction_of(freedom).head(free);
+  const VecX all = direction_of(freedom);
+  const auto held = all.size() - free;
+  const VecX along = all.head(free);
   const std::optional<VecX> answer = solve_dense(inertia_.topLeftCorner(free, free), along);
   const double mobility = answer ? along.dot(*answer) : 0.0;
   if (!(mobility > 0.0)) {
     return std::nullopt;
   }
-  return Impulse{.speeds = *answer / mobility, .inertia = 1.0 / mobility};
+  const VecX speeds = *answer / mobility;
+  return Impulse{.speeds = speeds,
+                 .held = inertia_.bottomLeftCorner(held, free) * speeds - all.tail(held) / mobility,
+                 .inertia = 1.0 / mobility};
 }
 
 ReducedState ReducedSystem::tell(const Configuration& configuration,

@@ -89,7 +89,8 @@ class ReducedSystem {
   /// What an impulse about or along a freedom changes of the speeds of the free coordinates, by
   /// unit speed that the freedom changes by; and the inertia that it meets [kg·m² or kg].
   struct Impulse {
-    VecX speeds;
+    VecX speeds;  ///< of the free coordinates
+    VecX held;    ///< impulses that hold the held ones [N·s or N·m·s]
     double inertia = 0.0;
   };
 

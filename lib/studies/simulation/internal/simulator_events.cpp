@@ -303,11 +303,15 @@ bool Simulator::strike(std::size_t index) {
       for (std::size_t j = 0; j < free; ++j) {
         state_[free + j] += by * impulse->speeds[static_cast<Eigen::Index>(j)];
       }
+      for (Eigen::Index k = 0; k < impulse->held.size(); ++k) {
+        supplied_ += by * impulse->held[k] * held_speed(static_cast<std::size_t>(k));
+      }
     }
     if (is_quiet) {
       break;
     }
   }
+  state_[2 * free] = supplied_;
   state_[2 * free + 1] = lost_;
   SimulationEvent& event = note(SimulationEvent::Kind::impact, plan_.stops[index].of);
   event.speed = before;
