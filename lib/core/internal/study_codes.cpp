@@ -113,10 +113,11 @@ constexpr auto kStudyCodes = std::to_array<Code>({
      no_answer,
      "simulation cannot go on",
      "The accelerations of a mechanism are not known everywhere: in a singular position nothing "
-     "says "
-     "which way it goes, a curve ends, a spring has no force, or something moves that has neither "
-     "mass nor inertia. The message has the time and the cause; the report goes as far as the "
-     "simulation did. Stops, or 'until', end it before."},
+     "says which way it goes, a curve ends, a spring has no force, or something moves that has "
+     "neither mass nor inertia. Stops may also be struck again and again without time going on, "
+     "and "
+     "what is very stiff may ask for too many steps. The message has the time and the cause; the "
+     "report goes as far as the simulation did. Stops, or 'until', end it before."},
     {"E0516",
      wrong_input,
      "simulation does not know this",
