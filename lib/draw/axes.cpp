@@ -106,8 +106,10 @@ AxisRange linear_axis(const AxisDemand& demand) {
   const AxisDemand wide = widened(demand);
   const double step = step_of(wide);
   AxisRange axis;
-  axis.low = std::floor(wide.low / step) * step;
-  axis.high = std::ceil(wide.high / step) * step;
+  // What is beyond a tick by rounding alone needs no other.
+  constexpr double kUnseen = 1e-6;
+  axis.low = std::floor(wide.low / step + kUnseen) * step;
+  axis.high = std::ceil(wide.high / step - kUnseen) * step;
   add_ticks(step, axis);
   return axis;
 }

@@ -28,6 +28,11 @@ TEST(Axes, StepBy1And2And5) {
             Labels({"−50", "0", "50", "100"}));
 }
 
+TEST(Axes, EndAtATickThatRoundingPasses) {
+  EXPECT_EQ(labels_of(linear_axis({.low = -1e-17, .high = 1.0 + 1e-15, .tick_count = 6})),
+            Labels({"0", "0.2", "0.4", "0.6", "0.8", "1.0"}));
+}
+
 TEST(Axes, StepNoFinerThanTheValues) {
   EXPECT_EQ(labels_of(tight_axis({.low = 0.0, .high = 4.0, .tick_count = 8, .least_step = 1.0})),
             Labels({"0", "1", "2", "3", "4"}));
