@@ -36,6 +36,9 @@ double step_in_degrees(double least) {
   return *std::ranges::lower_bound(kParts, least);
 }
 
+// Ends that are ticks may lie beside them by rounding: a share of a step that nobody sees.
+constexpr double kRounding = 0.001;
+
 // Values that agree in so many digits are drawn as one.
 constexpr int kTellsApart = 6;
 
@@ -78,8 +81,6 @@ void add_ticks(double step, AxisRange& axis) {
   axis.exponent = label_exponent(std::max(std::abs(axis.low), std::abs(axis.high)));
   const double unit = std::pow(10.0, axis.exponent);
   const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step / unit) + 0.01)));
-  // Ends that are ticks may lie beside them by rounding: a share of a step that nobody sees.
-  constexpr double kRounding = 0.001;
   const auto first = static_cast<long>(std::ceil(axis.low / step - kRounding));
   const auto last = static_cast<long>(std::floor(axis.high / step + kRounding));
   for (long i = first; i <= last; ++i) {
@@ -106,10 +107,8 @@ AxisRange linear_axis(const AxisDemand& demand) {
   const AxisDemand wide = widened(demand);
   const double step = step_of(wide);
   AxisRange axis;
-  // What is beyond a tick by rounding alone needs no other.
-  constexpr double kUnseen = 1e-6;
-  axis.low = std::floor(wide.low / step + kUnseen) * step;
-  axis.high = std::ceil(wide.high / step - kUnseen) * step;
+  axis.low = std::floor(wide.low / step + kRounding) * step;
+  axis.high = std::ceil(wide.high / step - kRounding) * step;
   add_ticks(step, axis);
   return axis;
 }

@@ -59,6 +59,7 @@ class MotionWriter {
   // Of every quantity but the positions of the drives, which the file gives.
   TextBlocks extremes() const {
     const std::string at = "at " + motion_.drives.front().name;
+    const std::string infinite = "infinite";
     std::vector<TextColumn> table = {{std::string(extremes_title()), {}},
                                      {"least", {}},
                                      {at, {}},
@@ -70,17 +71,19 @@ class MotionWriter {
     for (std::size_t c = motion_.drives.size(); c < column_count(); ++c) {
       const auto& [least, greatest, mean, rms] = motion_.figures[c];
       const bool is_time = motion_.duration && motion_.columns[c].quantity == kTimeColumn;
-      if (!least || is_time || is_same(least->value, greatest->value)) {
+      const bool is_bounded = least && greatest;
+      if (is_time || !has_values(c) || (is_bounded && is_same(least->value, greatest->value))) {
         continue;
       }
-      const std::array cells = {with_unit(motion_.columns[c].name(), motion_.columns[c].unit),
-                                format_short(least->value),
-                                format_short(least->drive),
-                                format_short(greatest->value),
-                                format_short(greatest->drive),
-                                format_short(greatest->value - least->value),
-                                shown(mean),
-                                shown(rms)};
+      const std::array cells = {
+          with_unit(motion_.columns[c].name(), motion_.columns[c].unit),
+          least ? format_short(least->value) : infinite,
+          shown(least ? std::optional(least->drive) : std::nullopt),
+          greatest ? format_short(greatest->value) : infinite,
+          shown(greatest ? std::optional(greatest->drive) : std::nullopt),
+          is_bounded ? format_short(greatest->value - least->value) : infinite,
+          shown(mean),
+          shown(rms)};
       for (std::size_t i = 0; i < cells.size(); ++i) {
         table[i].cells.push_back(cells[i]);
       }
@@ -92,6 +95,12 @@ class MotionWriter {
   }
 
  private:
+  // One without extremes has none because it becomes infinite on the way.
+  bool has_values(std::size_t column) const {
+    return std::ranges::any_of(
+        motion_.rows, [column](const MotionRow& row) { return row.values[column].has_value(); });
+  }
+
   std::string_view extremes_title() const {
     return motion_.looks_between_steps ? "Extremes" : "Extremes at steps and dead points";
   }
