@@ -143,20 +143,21 @@ bool has_gears(const TransmissionTrain& transmission, const RealBox& box) {
   });
 }
 
-// Whether a layout that was found is the box. Its best stationary ratios may be those of the box in
-// another order of the sets.
-bool is_box(FoundTransmission found, const RealBox& box, const GenericTrain& train) {
-  const auto end = found.stationary_ratios.begin() + static_cast<std::ptrdiff_t>(box.sets.size());
-  std::sort(found.stationary_ratios.begin(), end);
+// Whether a layout that was found is the box: its best stationary ratios may be others, so those of
+// the box are tried in every order of the sets.
+bool is_box(const FoundTransmission& found, const RealBox& box, const GenericTrain& train) {
+  StationaryPoint ratios = BoxTrain(box).transmission().stationary_ratios;
+  const auto end = ratios.begin() + static_cast<std::ptrdiff_t>(box.sets.size());
+  std::sort(ratios.begin(), end);
   do {
     if (has_gears({.train = &train,
                    .roles = found.roles,
-                   .stationary_ratios = found.stationary_ratios,
+                   .stationary_ratios = ratios,
                    .elements = found.elements},
                   box)) {
       return true;
     }
-  } while (std::next_permutation(found.stationary_ratios.begin(), end));
+  } while (std::next_permutation(ratios.begin(), end));
   return false;
 }
 
