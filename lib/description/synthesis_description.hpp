@@ -1,10 +1,12 @@
-// The section `synthesis`: linkages from multiply separated positions of a plane.
+// The section `synthesis`: linkages from multiply separated positions of a plane, or transmissions.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
 
+#include "description/transmission_description.hpp"
 #include "description/value.hpp"
 
 namespace kinestat {
@@ -116,6 +118,7 @@ struct SynthesisDescription {
   std::optional<Value> samples;      ///< of a selection, about; kUsualSamples
   std::optional<Value> curve_count;  ///< points of each curve; kUsualCurvePoints
   std::optional<Value> digits;       ///< decimal digits of the positions, more than a double has
+  std::shared_ptr<const TransmissionDescription> transmission;  ///< instead of all these
   SourceRange where;
 };
 

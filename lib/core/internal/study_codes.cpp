@@ -208,6 +208,21 @@ constexpr auto kStudyCodes = std::to_array<Code>({
      "The report has them all the same, the nearest first, with what speaks against each; the "
      "message counts the reasons. Move a position, give fewer and let 'vary' choose the rest, or "
      "widen the limits."},
+    {"E0803",
+     wrong_input,
+     "task of a transmission contradicts itself",
+     "No transmission can be what the task asks for, whatever its sets are: more elements are "
+     "engaged than there are, more gears are wanted than so many elements make, the shafts that "
+     "the sets and elements need are more than their terminals, steps are not above 1 or cannot "
+     "give the spread, a range is empty, or a direct gear lies outside of the ladder. The message "
+     "says which, and what to change."},
+    {"E0804",
+     no_answer,
+     "no transmission does what is asked",
+     "The search went through all structures, layouts and roles of the sets and found none that "
+     "does all that the task asks for. The report says how many were left at each stage, and the "
+     "message which requirement, left out alone, would give how many. Widen that one, allow other "
+     "stationary ratios, or take a set or an element more."},
     {"E0901",
      check_failed,
      "published value is missed",

@@ -1,4 +1,5 @@
-// The section `synthesis`. It is planar, whatever the space of the file is.
+// The section `synthesis`. It is planar, whatever the space of the file is; a transmission has a
+// mapping of its own.
 #include <algorithm>
 #include <memory>
 #include <string>
@@ -11,6 +12,7 @@
 #include "format/number_forms.hpp"
 #include "format/sections/sections.hpp"
 #include "format/sections/synthesis_limits.hpp"
+#include "format/sections/transmission.hpp"
 #include "format/value_forms.hpp"
 #include "io/field_values.hpp"
 
@@ -446,6 +448,14 @@ const Mapping<SynthesisDescription>& synthesis_section() {
               "Decimal digits that the positions have as typed, 17 to 100, where 16 leave too few "
               "of the dyads; also --digits. For tasks of five positions.")
             .may(&Task::digits, digit_count(), "40");
+        m.key("transmission", "A planetary transmission is to be found, instead of linkages.")
+            .may(&Task::transmission,
+                 transmission_mapping().form(),
+                 "{sets: 2, elements: 4, engaged: 2, gears: {forward: 3}, ratios: {step: [1.3, "
+                 "2]}}");
+        m.instead("transmission",
+                  {"linkage", "positions", "dyads", "limits", "vary", "curves", "digits"},
+                  "a file asks for linkages or for transmissions: keep one of the two");
       });
   return mapping;
 }

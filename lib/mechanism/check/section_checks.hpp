@@ -46,4 +46,7 @@ void check_sweep(const SectionContext& context);
 /// positions, too.
 void check_synthesis(const SectionContext& context);
 
+/// The numbers of `transmission` of `synthesis`.
+void check_transmission(const SectionContext& context, const TransmissionDescription& task);
+
 }  // namespace kinestat

@@ -339,7 +339,12 @@ class SynthesisCheck {
 }  // namespace
 
 void check_synthesis(const SectionContext& context) {
-  if (context.description.synthesis) {
+  if (!context.description.synthesis) {
+    return;
+  }
+  if (context.description.synthesis->transmission) {
+    check_transmission(context, *context.description.synthesis->transmission);
+  } else {
     SynthesisCheck(context, *context.description.synthesis).run();
   }
 }

@@ -1,0 +1,11 @@
+// The mapping `transmission` of the section `synthesis`.
+#pragma once
+
+#include "description/transmission_description.hpp"
+#include "format/mapping.hpp"
+
+namespace kinestat {
+
+const Mapping<TransmissionDescription>& transmission_mapping();
+
+}  // namespace kinestat
