@@ -10,6 +10,7 @@ namespace {
 struct SynthesizeCommand {
   FileOptions files;
   SynthesisOptions options;
+  TransmissionOptions transmissions;
 };
 
 void add_linkage_output(CLI::App& command, SynthesizeCommand& options) {
@@ -87,15 +88,24 @@ void add_synthesize(CLI::App& command, Job& job) {
   add_count(
       command,
       "--jobs",
-      [options](std::uint64_t count) { options->options.jobs = count; },
-      "threads of a selection; default as many as\n"
+      [options](std::uint64_t count) {
+        options->options.jobs = count;
+        options->transmissions.jobs = count;
+      },
+      "threads of a search; default as many as\n"
       "there are cores. The result does not depend\n"
       "on it");
+  add_count(
+      command,
+      "--top",
+      [options](std::uint64_t count) { options->transmissions.top = count; },
+      "ladders of transmissions that are listed, the\nbest first; default 20");
   add_strict(command, options->files);
   command.callback([options, &command, &job] {
     check_together(command, *options);
     job = [options] {
-      return synthesize_files(options->files.paths, options->files.analyse, options->options);
+      return synthesize_files(
+          options->files.paths, options->files.analyse, options->options, options->transmissions);
     };
   });
 }

@@ -15,6 +15,7 @@
 #include "studies/motion/task/find_motion.hpp"
 #include "studies/shift/task/gear_cases.hpp"
 #include "studies/synthesis/task/find_synthesis.hpp"
+#include "studies/transmissions/task/find_transmissions.hpp"
 
 namespace kinestat {
 
@@ -49,6 +50,12 @@ void analyse_file(const std::string& path,
     }
   }
   add_diagnostics(source, found, options.strictness, outcome);
+}
+
+bool check_task(const MechanismDescription& description, Diagnostics& found) {
+  return description.synthesis->transmission
+             ? read_transmission_task(description, found).has_value()
+             : check_synthesis_task(description, found);
 }
 
 }  // namespace
@@ -116,7 +123,7 @@ Outcome check_files(const std::vector<std::string>& paths, const AnalyseOptions&
     Diagnostics found;
     const auto description = load_description(path, options.load, source, found);
     const bool is_right = description && check(*description, found) &&
-                          (!description->synthesis || check_synthesis_task(*description, found));
+                          (!description->synthesis || check_task(*description, found));
     if (is_right && status_of(found, options.strictness) == ExitStatus::done) {
       outcome.out += fmt::format("{}: ok\n", path == "-" ? "<stdin>" : path);
     }

@@ -182,7 +182,7 @@ class PageBuilder {
   }
 
   void synthesize() {
-    if (!page_.description->synthesis) {
+    if (!page_.description->synthesis || page_.description->synthesis->transmission) {
       return;
     }
     Diagnostics found;

@@ -143,6 +143,9 @@ class PictureJob {
     if (is_of_synthesis && !description().synthesis) {
       return "the file has no section 'synthesis'";
     }
+    if (is_of_synthesis && description().synthesis->transmission) {
+      return "the task is one of transmissions; those that it finds have no picture of their own";
+    }
     if (!is_of_synthesis && !description().has_mechanism()) {
       return "the file holds no mechanism";
     }

@@ -1,4 +1,4 @@
-// Linkages for the synthesis tasks of files.
+// Linkages and transmissions for the synthesis tasks of files.
 #pragma once
 
 #include <string>
@@ -6,6 +6,7 @@
 
 #include "files/file_options.hpp"
 #include "studies/synthesis/task/synthesis_options.hpp"
+#include "studies/transmissions/task/find_transmissions.hpp"
 
 namespace kinestat {
 
@@ -13,6 +14,7 @@ namespace kinestat {
 /// the options name a folder, linkages are written into it as mechanism files.
 Outcome synthesize_files(const std::vector<std::string>& paths,
                          const AnalyseOptions& options,
-                         const SynthesisOptions& synthesis);
+                         const SynthesisOptions& synthesis,
+                         const TransmissionOptions& transmissions);
 
 }  // namespace kinestat

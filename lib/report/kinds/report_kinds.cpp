@@ -12,6 +12,7 @@
 #include "studies/simulation/report/simulation_record.hpp"
 #include "studies/synthesis/report/synthesis_record.hpp"
 #include "studies/tolerance/report/tolerance_record.hpp"
+#include "studies/transmissions/report/transmission_record.hpp"
 
 namespace kinestat {
 
@@ -33,15 +34,16 @@ bool has_keys_of(const RecordShape& record, const Json& report) {
 }  // namespace
 
 std::span<const ReportKind> report_kinds() {
-  static const std::array<ReportKind, 9> kinds = {{{"bench", &benchmark_report_record()},
-                                                   {"duty", &duty_report_record()},
-                                                   {"inputs", &inputs_report_record()},
-                                                   {"mobility", &mobility_report_record()},
-                                                   {"sensitivity", &sensitivity_report_record()},
-                                                   {"simulation", &simulation_report_record()},
-                                                   {"tolerance", &tolerance_report_record()},
-                                                   {"synthesis", &synthesis_report_record()},
-                                                   {"report", &report_record()}}};
+  static const std::array<ReportKind, 10> kinds = {{{"bench", &benchmark_report_record()},
+                                                    {"duty", &duty_report_record()},
+                                                    {"inputs", &inputs_report_record()},
+                                                    {"mobility", &mobility_report_record()},
+                                                    {"sensitivity", &sensitivity_report_record()},
+                                                    {"simulation", &simulation_report_record()},
+                                                    {"tolerance", &tolerance_report_record()},
+                                                    {"synthesis", &synthesis_report_record()},
+                                                    {"transmission", &transmission_report_record()},
+                                                    {"report", &report_record()}}};
   return kinds;
 }
 

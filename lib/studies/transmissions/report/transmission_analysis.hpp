@@ -1,0 +1,59 @@
+// Transmissions that were found, with what is told of them.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/diagnostic.hpp"
+#include "description/mechanism_description.hpp"
+#include "report/report_forms.hpp"
+#include "studies/transmissions/search.hpp"
+
+namespace kinestat {
+
+struct ListedGear {
+  std::string label;  ///< "1", "2", …, "R"
+  std::uint8_t engaged = 0;
+  double efficiency = 1.0;
+  GearFigures figures;
+};
+
+struct TransmissionVariant {
+  FoundTransmission found;
+  std::vector<SetShafts> sets;
+  int shafts = 0;
+  std::vector<ListedGear> gears = {};
+};
+
+/// Transmissions of one ladder, the best first.
+struct LadderGroup {
+  std::vector<TransmissionVariant> variants;
+};
+
+struct TransmissionAnalysis {
+  std::string file;  ///< as the user gave it
+  MechanismDescription description;
+  TransmissionTask task;
+  std::uint64_t structure_count = 0;
+  SearchStages stages;
+  std::uint64_t ladder_count = 0;   ///< also of groups that are not listed
+  std::vector<LadderGroup> groups;  ///< the best first
+};
+
+/// A, B, … by the place of the element.
+std::string element_letter(std::size_t element);
+
+/// The letters of what is engaged.
+std::string engaged_letters(std::uint8_t engaged);
+
+/// "housing", "in", "out", "x3", …
+std::string shaft_name(Shaft shaft);
+
+FileReport make_transmission_report(const TransmissionAnalysis& analysis,
+                                    const ReportForms& forms,
+                                    const Diagnostics& found);
+
+}  // namespace kinestat

@@ -1,0 +1,240 @@
+#include "studies/transmissions/report/transmission_record.hpp"
+
+#include <fmt/format.h>
+
+#include "report/report_keys.hpp"
+
+namespace kinestat {
+
+namespace {
+
+const Record<SearchStages>& stages_record() {
+  using View = SearchStages;
+  static const Record<View> record("What is left at each stage.", [](Record<View>& keys) {
+    keys.count("structures", "Structures of the sets that were looked at.", [](const View& v) {
+      return v.structures;
+    });
+    keys.count("layouts",
+               "Of these with elements, up to roles and kinds of the sets.",
+               [](const View& v) { return v.layouts; });
+    keys.count("labelled_layouts", "With sun, carrier and ring of every set.", [](const View& v) {
+      return v.labelled_layouts;
+    });
+    keys.count("not_refuted",
+               "Those of which the ranges of ratios may have a ladder.",
+               [](const View& v) { return v.not_refuted; });
+    keys.count("with_ladder", "Those that have one.", [](const View& v) { return v.with_ladder; });
+    keys.count("not_buildable",
+               "Of these, as no placement of the elements can be arranged.",
+               [](const View& v) { return v.not_buildable; });
+    keys.count("over_limits", "Of the rest, as every ladder exceeds a limit.", [](const View& v) {
+      return v.over_limits;
+    });
+    keys.count("undecided",
+               "Neither refuted nor solved when the ranges were cut small.",
+               [](const View& v) { return v.undecided; });
+    keys.count("found", "Those that do all that is asked.", [](const View& v) { return v.found; });
+    keys.count("layouts_found", "The same up to roles and kinds of the sets.", [](const View& v) {
+      return v.layouts_found;
+    });
+    keys.count("points",
+               "Their stationary ratios, where all are lists; else 0.",
+               [](const View& v) { return v.points; });
+  });
+  return record;
+}
+
+struct SetView {
+  const TransmissionVariant& variant;
+  std::size_t set;
+
+  Shaft shaft(std::uint8_t place) const { return variant.sets[set][place]; }
+
+  SetRoles roles() const { return set_roles(variant.found.roles.roles_of(static_cast<int>(set))); }
+};
+
+const Record<SetView>& set_record() {
+  using View = SetView;
+  static const Record<View> record("A planetary set.", [](Record<View>& keys) {
+    keys.word("kind", {"simple", "double_planet"}, "Its kind.", [](const View& v) {
+      return v.variant.found.roles.kind_of(static_cast<int>(v.set)) == SetKind::simple
+                 ? "simple"
+                 : "double_planet";
+    });
+    keys.text("sun", "The shaft of its sun.", [](const View& v) {
+      return shaft_name(v.shaft(v.roles().sun));
+    });
+    keys.text("carrier", "That of its carrier.", [](const View& v) {
+      return shaft_name(v.shaft(v.roles().carrier));
+    });
+    keys.text("ring", "That of its ring.", [](const View& v) {
+      return shaft_name(v.shaft(v.roles().ring));
+    });
+    keys.number("stationary_ratio",
+                Bare::ratio,
+                "Teeth of the ring by those of the sun.",
+                [](const View& v) { return v.variant.found.stationary_ratios[v.set]; });
+  });
+  return record;
+}
+
+const Record<ShaftPair>& element_record() {
+  using View = ShaftPair;
+  static const Record<View> record("A shift element.", [](Record<View>& keys) {
+    keys.word("type", {"brake", "clutch"}, "A brake holds to the housing.", [](const View& v) {
+      return v[0] == kHousing ? "brake" : "clutch";
+    });
+    keys.text("tail", "Its first shaft.", [](const View& v) { return shaft_name(v[0]); });
+    keys.text("head", "Its second shaft.", [](const View& v) { return shaft_name(v[1]); });
+  });
+  return record;
+}
+
+const Record<ListedGear>& listed_gear_record() {
+  using View = ListedGear;
+  static const Record<View> record("A gear.", [](Record<View>& keys) {
+    keys.text("engaged", "The letters of its elements.", [](const View& v) {
+      return engaged_letters(v.engaged);
+    });
+    keys.number("ratio", Bare::ratio, "Input speed by output speed.", [](const View& v) {
+      return v.figures.ratio;
+    });
+    keys.number("efficiency", Bare::ratio, "With the losses of the sets.", [](const View& v) {
+      return v.efficiency;
+    });
+    keys.numbers("torques",
+                 Bare::ratio,
+                 "Of engaged elements, tail on head, by the torque of the input.",
+                 [](const View& v, const EachNumber& each) {
+                   for (std::size_t j = 0; j < v.figures.torques.size(); ++j) {
+                     if ((v.engaged >> j & 1U) != 0) {
+                       each(element_letter(j), v.figures.torques[j], QuantityKind::dimensionless);
+                     }
+                   }
+                 });
+    keys.numbers("slips",
+                 Bare::ratio,
+                 "Of open elements, head against tail, by the speed of the input.",
+                 [](const View& v, const EachNumber& each) {
+                   for (std::size_t j = 0; j < v.figures.slips.size(); ++j) {
+                     if ((v.engaged >> j & 1U) == 0) {
+                       each(element_letter(j), v.figures.slips[j], QuantityKind::dimensionless);
+                     }
+                   }
+                 });
+    keys.numbers("speeds",
+                 Bare::ratio,
+                 "Of the shafts that turn, by the speed of the input.",
+                 [](const View& v, const EachNumber& each) {
+                   for (std::size_t s = 1; s < v.figures.speeds.size(); ++s) {
+                     each(shaft_name(static_cast<Shaft>(s)),
+                          v.figures.speeds[s],
+                          QuantityKind::dimensionless);
+                   }
+                 });
+  });
+  return record;
+}
+
+const Record<TransmissionVariant>& variant_record() {
+  using View = TransmissionVariant;
+  static const Record<View> record("A transmission.", [](Record<View>& keys) {
+    keys.count("structure", "The number of its structure.", [](const View& v) {
+      return v.found.structure;
+    });
+    keys.count("layout",
+               "The number of its layout among those of the structure for this task.",
+               [](const View& v) { return v.found.layout; });
+    keys.number("rank", Bare::number, "By what it is ranked; less is better.", [](const View& v) {
+      return v.found.rank;
+    });
+    keys.count("points",
+               "Stationary ratios of the lists that would do; 0 with ranges.",
+               [](const View& v) { return v.found.points; });
+    keys.count("placements",
+               "Placements of its elements that can be arranged as asked.",
+               [](const View& v) { return v.found.placements; });
+    keys.map("sets",
+             set_record(),
+             "Its sets by their number, from 1.",
+             [](const View& v, const Each<SetView>& each) {
+               for (std::size_t s = 0; s < v.sets.size(); ++s) {
+                 each(fmt::format("{}", s + 1), {.variant = v, .set = s});
+               }
+             });
+    keys.map("elements",
+             element_record(),
+             "Its elements by their letters.",
+             [](const View& v, const Each<ShaftPair>& each) {
+               for (std::size_t j = 0; j < v.found.elements.size(); ++j) {
+                 each(element_letter(j), v.found.elements[j]);
+               }
+             });
+    keys.map("gears",
+             listed_gear_record(),
+             "The gears of its ladder by their labels.",
+             [](const View& v, const Each<ListedGear>& each) {
+               for (const ListedGear& gear : v.gears) {
+                 each(gear.label, gear);
+               }
+             });
+  });
+  return record;
+}
+
+const Record<LadderGroup>& group_record() {
+  using View = LadderGroup;
+  static const Record<View> record(
+      "Transmissions with one ladder of ratios.", [](Record<View>& keys) {
+        keys.list("variants",
+                  variant_record(),
+                  "The best first.",
+                  [](const View& v, const Each<TransmissionVariant>& each) {
+                    for (const TransmissionVariant& one : v.variants) {
+                      each(one);
+                    }
+                  });
+      });
+  return record;
+}
+
+const Record<TransmissionAnalysis>& transmissions_record() {
+  using View = TransmissionAnalysis;
+  static const Record<View> record("What was found.", [](Record<View>& keys) {
+    keys.count("structure_count",
+               "Structures that there are, also outside of a slice.",
+               [](const View& v) { return v.structure_count; });
+    keys.part(
+        "stages", stages_record(), [](const View& v) -> const SearchStages& { return v.stages; });
+    keys.count("ladder_count",
+               "Different ladders of ratios; the best of them are listed.",
+               [](const View& v) { return v.ladder_count; });
+    keys.list("groups",
+              group_record(),
+              "By their ladder, the best first.",
+              [](const View& v, const Each<LadderGroup>& each) {
+                for (const LadderGroup& one : v.groups) {
+                  each(one);
+                }
+              });
+  });
+  return record;
+}
+
+}  // namespace
+
+const Record<TransmissionReportView>& transmission_report_record() {
+  using View = TransmissionReportView;
+  static const Record<View> record(
+      "What 'kinestat synthesize --format json' writes of a task with 'transmission'.",
+      [](Record<View>& keys) {
+        add_head(keys);
+        keys.part("transmissions",
+                  transmissions_record(),
+                  [](const View& v) -> const TransmissionAnalysis& { return v.analysis; });
+        add_diagnostics(keys);
+      });
+  return record;
+}
+
+}  // namespace kinestat

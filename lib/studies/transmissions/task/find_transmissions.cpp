@@ -1,0 +1,200 @@
+#include "studies/transmissions/task/find_transmissions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "mechanism/bind/bind.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// Ladders of which all ratios agree to this many parts are one.
+constexpr double kLadderParts = 1e6;
+
+std::vector<long long> ladder_key(const FoundTransmission& found) {
+  std::vector<long long> key;
+  for (const double ratio : found.ratios) {
+    key.push_back(std::llround(ratio * kLadderParts));
+  }
+  return key;
+}
+
+TransmissionVariant variant_of(const FoundTransmission& found,
+                               const TransmissionStructure& structure,
+                               const TransmissionTask& task) {
+  const GenericTrain train(structure, task.engaged);
+  const TransmissionTrain transmission{.train = &train,
+                                       .roles = found.roles,
+                                       .stationary_ratios = found.stationary_ratios,
+                                       .elements = found.elements};
+  TransmissionVariant variant{.found = found, .sets = structure.sets, .shafts = structure.shafts};
+  std::vector<double> losses;
+  for (int s = 0; s < task.sets(); ++s) {
+    losses.push_back(task.losses[static_cast<std::size_t>(found.roles.kind_of(s))]);
+  }
+  for (std::size_t i = 0; i < found.ladder.size(); ++i) {
+    ListedGear gear;
+    const bool is_reverse = static_cast<int>(i) >= task.ladder.forward;
+    gear.label = is_reverse ? "R" : fmt::format("{}", i + 1);
+    gear.engaged = found.ladder[i];
+    gear.figures = find_gear_figures(transmission, gear.engaged);
+    ClassMask engaged = 0;
+    for (std::size_t j = 0; j < found.elements.size(); ++j) {
+      if ((gear.engaged >> j & 1U) != 0) {
+        engaged |= ClassMask{1} << train.class_of(found.elements[j]);
+      }
+    }
+    const auto state = static_cast<std::uint32_t>(train.state_of(engaged));
+    gear.efficiency =
+        find_gear_losses(train, found.roles, found.stationary_ratios, losses, std::vector{state})[0]
+            .efficiency;
+    variant.gears.push_back(std::move(gear));
+  }
+  return variant;
+}
+
+void add_groups(const TransmissionSearch& search,
+                std::uint64_t top,
+                TransmissionAnalysis& analysis) {
+  const TransmissionTask& task = analysis.task;
+  const std::vector<TransmissionStructure> structures =
+      enumerate_structures(task.sets(), task.engaged, task.free_shafts);
+  std::vector<std::vector<long long>> keys;
+  for (const FoundTransmission& one : search.found) {
+    std::vector<long long> key = ladder_key(one);
+    const auto known = std::ranges::find(keys, key);
+    const auto group = static_cast<std::size_t>(known - keys.begin());
+    if (known == keys.end()) {
+      keys.push_back(std::move(key));
+      if (keys.size() <= top) {
+        analysis.groups.emplace_back();
+      }
+    }
+    if (group < analysis.groups.size()) {
+      analysis.groups[group].variants.push_back(variant_of(one, structures[one.structure], task));
+    }
+  }
+  analysis.ladder_count = keys.size();
+}
+
+// A requirement that may be left out, and what the task is without it.
+struct Relaxation {
+  std::string_view name;
+  bool is_asked;
+  std::function<void(TransmissionTask&)> relax;
+};
+
+bool is_asked(const ClosedRange& range) {
+  return range.from > 0.0 || std::isfinite(range.to);
+}
+
+std::vector<Relaxation> relaxations(const TransmissionTask& task) {
+  const LadderTask& ladder = task.ladder;
+  const TransmissionLimits& limits = task.limits;
+  const bool has_limits = limits.element_torque || limits.element_slip || limits.shaft_speed ||
+                          limits.efficiency || limits.rotating_clutches;
+  return {
+      {"first", is_asked(ladder.first), [](TransmissionTask& t) { t.ladder.first = {}; }},
+      {"last", is_asked(ladder.last), [](TransmissionTask& t) { t.ladder.last = {}; }},
+      {"spread", is_asked(ladder.spread), [](TransmissionTask& t) { t.ladder.spread = {}; }},
+      {"reverse",
+       ladder.reverse > 0 && is_asked(ladder.reverse_ratio),
+       [](TransmissionTask& t) { t.ladder.reverse_ratio = {}; }},
+      {"direct", ladder.needs_direct, [](TransmissionTask& t) { t.ladder.needs_direct = false; }},
+      {"one_change", ladder.one_change, [](TransmissionTask& t) { t.ladder.one_change = false; }},
+      {"reverse_change",
+       ladder.reverse_change,
+       [](TransmissionTask& t) { t.ladder.reverse_change = false; }},
+      {"layout",
+       task.layout != SectionLayout::any,
+       [](TransmissionTask& t) { t.layout = SectionLayout::any; }},
+      {"limits", has_limits, [](TransmissionTask& t) { t.limits = {}; }}};
+}
+
+// The single requirement without which most would be found; empty where none helps, or where the
+// searches would take long.
+std::string relaxation_text(const TransmissionAnalysis& analysis, const ForEach& for_each) {
+  constexpr std::uint64_t kMostLayouts = 1'000'000;
+  std::string_view best;
+  std::uint64_t most = 0;
+  if (analysis.stages.labelled_layouts > kMostLayouts) {
+    return "widen the ranges, or take a set or an element more";
+  }
+  for (const Relaxation& one : relaxations(analysis.task)) {
+    if (one.is_asked) {
+      TransmissionTask task = analysis.task;
+      one.relax(task);
+      const std::uint64_t count = search_transmissions(task, for_each).stages.found;
+      best = count > most ? one.name : best;
+      most = std::max(most, count);
+    }
+  }
+  return most == 0 ? "no single requirement left out helps: allow other stationary ratios or "
+                     "steps, or take a set or an element more"
+                   : fmt::format("without '{}' there would be {}", best, most);
+}
+
+std::string last_stage_text(const SearchStages& stages) {
+  if (stages.layouts == 0) {
+    return "no layout of so many elements has as many gears of different ratio";
+  }
+  if (stages.not_refuted == 0) {
+    return fmt::format("the ranges of ratios refute all {} layouts", stages.labelled_layouts);
+  }
+  if (stages.with_ladder == 0) {
+    return fmt::format("of {} layouts that the ranges of ratios leave, none has a ladder",
+                       stages.not_refuted);
+  }
+  return fmt::format("of {} with a ladder {} cannot be arranged and {} exceed limits",
+                     stages.with_ladder,
+                     stages.not_buildable,
+                     stages.over_limits);
+}
+
+}  // namespace
+
+std::optional<TransmissionAnalysis> find_transmissions(const std::string& path,
+                                                       MechanismDescription description,
+                                                       const TransmissionOptions& options,
+                                                       Diagnostics& found) {
+  if (!check(description, found)) {
+    return std::nullopt;
+  }
+  std::optional<TransmissionTask> task = read_transmission_task(description, found);
+  if (!task) {
+    return std::nullopt;
+  }
+  task->rank = options.rank.value_or(task->rank);
+  TransmissionAnalysis analysis;
+  analysis.file = path;
+  analysis.description = std::move(description);
+  analysis.task = *std::move(task);
+  const ForEach for_each = for_each_on_threads(options.jobs);
+  const TransmissionSearch search = search_transmissions(analysis.task, for_each);
+  analysis.structure_count = search.structure_count;
+  analysis.stages = search.stages;
+  add_groups(search, options.top, analysis);
+  const SourceRange where = analysis.description.synthesis->transmission->where;
+  if (analysis.stages.undecided > 0) {
+    found.warning(
+        "W0803",
+        where,
+        fmt::format("{} layouts are neither refuted nor solved", analysis.stages.undecided),
+        "narrow 'stationary_ratio', or give its values as a list");
+  }
+  if (analysis.stages.found == 0) {
+    found.error("E0804",
+                where,
+                "no transmission does what is asked: " + last_stage_text(analysis.stages),
+                relaxation_text(analysis, for_each));
+  }
+  return analysis;
+}
+
+}  // namespace kinestat
