@@ -311,12 +311,6 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "solved by a point; between both the ranges are cut in two, a number of times. The layouts "
      "counted here were neither when that ended: as a rule they meet a requirement on its edge "
      "alone. Narrow 'stationary_ratio', or give its values as a list, which has an exact answer."},
-    {"W0804",
-     done,
-     "written transmission differs from what was found",
-     "A mechanism file of a transmission was read again and its gears were solved as 'kinestat "
-     "shift' does. Its ratio, a torque or an efficiency differs from that of the search by more "
-     "than rounding. This program is wrong then: please report it with the file."},
     {"W0901",
      done,
      "tolerance meets no value",

@@ -186,14 +186,14 @@ const Record<LadderGroup>& group_record() {
   using View = LadderGroup;
   static const Record<View> record(
       "Transmissions with one ladder of ratios.", [](Record<View>& keys) {
-        keys.list("variants",
-                  variant_record(),
-                  "The best first.",
-                  [](const View& v, const Each<TransmissionVariant>& each) {
-                    for (const TransmissionVariant& one : v.variants) {
-                      each(one);
-                    }
-                  });
+        keys.map("variants",
+                 variant_record(),
+                 "By their number, the best first.",
+                 [](const View& v, const Each<TransmissionVariant>& each) {
+                   for (std::size_t i = 0; i < v.variants.size(); ++i) {
+                     each(fmt::format("{}", i), v.variants[i]);
+                   }
+                 });
       });
   return record;
 }
@@ -209,14 +209,15 @@ const Record<TransmissionAnalysis>& transmissions_record() {
     keys.count("ladder_count",
                "Different ladders of ratios; the best of them are listed.",
                [](const View& v) { return v.ladder_count; });
-    keys.list("groups",
-              group_record(),
-              "By their ladder, the best first.",
-              [](const View& v, const Each<LadderGroup>& each) {
-                for (const LadderGroup& one : v.groups) {
-                  each(one);
-                }
-              });
+    keys.map("groups",
+             group_record(),
+             "By the number of their ladder, the best first.",
+             [](const View& v, const Each<LadderGroup>& each) {
+               for (std::size_t i = 0; i < v.groups.size(); ++i) {
+                 each(fmt::format("{}", i), v.groups[i]);
+               }
+             })
+        .in_tables_is(TableRole::table_of_cases);
   });
   return record;
 }
