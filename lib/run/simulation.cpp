@@ -5,9 +5,20 @@
 #include "files/each_file.hpp"
 #include "files/load_file.hpp"
 #include "studies/simulation/report/simulation_report.hpp"
-#include "studies/simulation/task/find_simulation.hpp"
 
 namespace kinestat {
+
+SimulationReportView simulation_view(const std::string& path,
+                                     const MechanismDescription& description,
+                                     const FoundSimulation& answer,
+                                     const Diagnostics* found) {
+  return {.file = path,
+          .description = description,
+          .mechanism = answer.mechanism,
+          .plan = answer.plan,
+          .solution = answer.solution,
+          .found = found};
+}
 
 Outcome simulate_files(const std::vector<std::string>& paths, const AnalyseOptions& options) {
   return report_on_each_file(paths, options, [&](ReportedFile& file) -> std::optional<FileReport> {
@@ -20,12 +31,7 @@ Outcome simulate_files(const std::vector<std::string>& paths, const AnalyseOptio
     if (!answer) {
       return std::nullopt;
     }
-    return make_simulation_report({.file = file.path,
-                                   .description = *description,
-                                   .mechanism = answer->mechanism,
-                                   .plan = answer->plan,
-                                   .solution = answer->solution,
-                                   .found = &file.found},
+    return make_simulation_report(simulation_view(file.path, *description, *answer, &file.found),
                                   file.forms);
   });
 }

@@ -21,6 +21,8 @@ import program
 
 CASES = json.loads(Path(__file__).with_name("simulation.json").read_text(encoding="utf-8"))["cases"]
 
+SQUEEZER = Path(__file__).resolve().parents[2] / "mechanisms" / "planar" / "squeezer.yaml"
+
 PENDULUM = """
 kinestat: 1
 space: planar
@@ -230,6 +232,19 @@ class SimulationTest(unittest.TestCase):
         self.near(found.report["time"], expected["time"], 1e-10)
         self.near(-found.last()["energy/supplied"], expected["energy"], 1e-6)
         self.near(found.last()["a.wz/velocity"], expected["common_speed"], 1e-8)
+
+    def test_squeezer_of_the_library_at_its_published_end(self) -> None:
+        """Mazzia and Magherini, Test Set for IVP Solvers: angles at 0.03 s."""
+        last = Simulation(SQUEEZER.read_text(encoding="utf-8")).last()
+        for name, begin, end in (
+                ("o", -0.0617138900142764496, 15.81077119629904),
+                ("p", 0.0, -15.75637105984298),
+                ("b", 0.455279819163070380, 0.04082224013073101),
+                ("e", 0.222668390165885885, -0.5347301163226948),
+                ("a5", 0.487364979543842550, 0.5244099658805304),
+                ("h", -0.222668390165885885, 0.5347301163226948),
+                ("a7", 1.23054744454982119, 1.048080741042263)):
+            self.near(last[f"{name}.wz/position"], end - begin, 1e-8, name)
 
     def test_energy_and_closure_over_seventy_turns(self) -> None:
         found = Simulation(FOUR_BAR.replace("START", "{motor: {speed: 20 rad/s}}")

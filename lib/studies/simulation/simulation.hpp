@@ -17,15 +17,23 @@ enum class SimulationEnd {
   stuck      ///< it cannot go on: SimulationSolution::obstacle
 };
 
+/// Lists are parallel to the freedoms, where not said otherwise [rad or m, and by s]; empty of what
+/// has none, or would be rounding.
 struct SimulationRow {
   double time = 0.0;  ///< [s]
-  ReducedState state;
-  std::vector<double> held = {};  ///< of the plan's held freedoms: what that takes [N·m or N]
-  double supplied = 0.0;          ///< by actions, loads and what is held, since the begin [J]
-  double lost = 0.0;              ///< in dampers, friction and impacts, likewise
+  Configuration configuration;
+  std::vector<std::optional<double>> positions = {};
+  std::vector<std::optional<double>> rates = {};
+  std::vector<std::optional<double>> rate_rates = {};
+  std::vector<double> actions = {};  ///< that the case knows, in its order [N·m or N]
+  std::vector<double> held = {};     ///< of the plan's held freedoms: what that takes
+  double kinetic = 0.0;              ///< [J]
+  double potential = 0.0;            ///< of weights and springs, as drawn zero [J]
+  double supplied = 0.0;             ///< by actions, loads and what is held, since the begin [J]
+  double lost = 0.0;                 ///< in dampers, friction and impacts, likewise
 
   /// What of the energy nothing explains.
-  double balance() const { return state.kinetic + state.potential - supplied + lost; }
+  double balance() const { return kinetic + potential - supplied + lost; }
 };
 
 struct SimulationEvent {

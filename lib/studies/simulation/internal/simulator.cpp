@@ -29,6 +29,19 @@ constexpr std::size_t kMostEvents = 100'000;
 // No more points of curves are sought.
 constexpr std::size_t kMostTurns = 100'000;
 
+// Those that are more than rounding; a state near a singular one has no accelerations.
+std::vector<std::optional<double>> reported(std::vector<std::optional<double>> values,
+                                            const std::vector<double>& bounds,
+                                            std::size_t count) {
+  values.resize(count);
+  for (std::size_t f = 0; f < count; ++f) {
+    if (values[f] && !is_reported(*values[f], bounds[f])) {
+      values[f].reset();
+    }
+  }
+  return values;
+}
+
 }  // namespace
 
 Simulator::Simulator(const Mechanism& mechanism,
@@ -382,16 +395,24 @@ bool Simulator::add_row(double time, std::span<const double> y) {
     return false;
   }
   const std::size_t free = free_count();
-  SimulationRow row{.time = time,
-                    .state = system_->tell(configuration, speeds_of(y), accelerations),
-                    .supplied = y[2 * free],
-                    .lost = y[2 * free + 1]};
-  for (std::size_t k = 0; k < plan_.held.size(); ++k) {
-    row.held.push_back(row.state.held[k]);
-  }
+  ReducedState now = system_->tell(configuration, speeds_of(y), accelerations);
+  const StateBounds& bounds = now.state.bounds;
+  const std::size_t count = topology_.freedoms.size();
+  now.held.resize(plan_.held.size());
   result_.closure_error =
       std::max(result_.closure_error, closure_error(system_->network(), configuration));
-  result_.rows.push_back(std::move(row));
+  result_.rows.push_back(
+      {.time = time,
+       .configuration = std::move(configuration),
+       .positions = std::move(now.positions),
+       .rates = reported(std::move(now.state.rates), bounds.rates, count),
+       .rate_rates = reported(std::move(now.state.rate_rates), bounds.rate_rates, count),
+       .actions = std::move(now.actions),
+       .held = std::move(now.held),
+       .kinetic = now.kinetic,
+       .potential = now.potential,
+       .supplied = y[2 * free],
+       .lost = y[2 * free + 1]});
   return true;
 }
 
@@ -411,8 +432,8 @@ SimulationSolution Simulator::finish() {
     result_.energy_drift =
         std::max(result_.energy_drift, std::abs(row.balance() - first.balance()));
     result_.energy_scale = std::max({result_.energy_scale,
-                                     row.state.kinetic,
-                                     std::abs(row.state.potential - first.state.potential),
+                                     row.kinetic,
+                                     std::abs(row.potential - first.potential),
                                      std::abs(row.supplied),
                                      std::abs(row.lost)});
   }

@@ -30,7 +30,7 @@ std::optional<double> held_action(const SimulationReportView& v,
   const Case& which = v.mechanism.cases.front();
   for (std::size_t a = 0; a < which.actions.size(); ++a) {
     if (which.actions[a].index == actuator.action) {
-      return row.state.actions[a];
+      return row.actions[a];
     }
   }
   for (std::size_t k = 0; k < v.plan.held.size(); ++k) {
@@ -52,7 +52,7 @@ class ColumnMaker {
     }
     add("", "time", QuantityKind::time, [](const SimulationRow& row) { return row.time; });
     for (int f = 0; f < topology_.freedom_count(); ++f) {
-      if (v_.solution.rows.front().state.positions[at(f)]) {
+      if (v_.solution.rows.front().positions[at(f)]) {
         add_freedom(f);
       }
     }
@@ -63,10 +63,8 @@ class ColumnMaker {
       });
     }
     using enum QuantityKind;
-    add("", "energy/kinetic", energy, [](const SimulationRow& row) { return row.state.kinetic; });
-    add("", "energy/potential", energy, [](const SimulationRow& row) {
-      return row.state.potential;
-    });
+    add("", "energy/kinetic", energy, [](const SimulationRow& row) { return row.kinetic; });
+    add("", "energy/potential", energy, [](const SimulationRow& row) { return row.potential; });
     add("", "energy/supplied", energy, [](const SimulationRow& row) { return row.supplied; });
     add("", "energy/lost", energy, [](const SimulationRow& row) { return row.lost; });
     const double first = v_.solution.rows.front().balance();
@@ -93,23 +91,16 @@ class ColumnMaker {
     const bool turns = topology_.freedoms[f].is_rotation;
     const std::string name = topology_.freedom_name(freedom);
     const bool is_coordinate = std::ranges::count(v_.solution.coordinates, freedom) > 0;
-    const auto bounded = [f](const std::vector<std::optional<double>>& list,
-                             const std::vector<double>& bounds) -> std::optional<double> {
-      return f < list.size() && list[f] && is_reported(*list[f], bounds[f]) ? list[f]
-                                                                            : std::nullopt;
-    };
     add(name, "position", position_kind(turns), [f](const SimulationRow& row) {
-      return row.state.positions[f];
+      return row.positions[f];
     }).is_coordinate = is_coordinate;
-    add(name, "velocity", rate_kind(turns), [bounded](const SimulationRow& row) {
-      return bounded(row.state.state.rates, row.state.state.bounds.rates);
+    add(name, "velocity", rate_kind(turns), [f](const SimulationRow& row) {
+      return row.rates[f];
     }).is_coordinate = is_coordinate;
     add(name,
         "acceleration",
         turns ? QuantityKind::angular_acceleration : QuantityKind::acceleration,
-        [bounded](const SimulationRow& row) {
-          return bounded(row.state.state.rate_rates, row.state.state.bounds.rate_rates);
-        })
+        [f](const SimulationRow& row) { return row.rate_rates[f]; })
         .is_coordinate = is_coordinate;
   }
 

@@ -344,15 +344,18 @@ std::optional<FoundSimulation> find_simulation(const MechanismDescription& descr
   if (!plan) {
     return std::nullopt;
   }
-  const std::vector<DrawnCoupling> drawn = bind_drawn_couplings(simulated, *mechanism);
-  const std::optional<Beginning> begin = StartFinder(*mechanism, *plan, found).find(drawn);
+  std::vector<DrawnCoupling> drawn = bind_drawn_couplings(simulated, *mechanism);
+  std::optional<Beginning> begin = StartFinder(*mechanism, *plan, found).find(drawn);
   if (!begin) {
     return std::nullopt;
   }
-  FoundSimulation result{
-      .mechanism = *std::move(mechanism), .plan = *std::move(plan), .solution = {}};
+  FoundSimulation result{.mechanism = *std::move(mechanism),
+                         .plan = *std::move(plan),
+                         .network = std::move(begin->network),
+                         .drawn = std::move(drawn),
+                         .solution = {}};
   result.solution = solve_simulation(result.mechanism,
-                                     begin->network,
+                                     result.network,
                                      result.plan,
                                      begin->configuration,
                                      begin->coordinates,
