@@ -20,12 +20,21 @@ SimulationReportView simulation_view(const std::string& path,
           .found = found};
 }
 
-Outcome simulate_files(const std::vector<std::string>& paths, const AnalyseOptions& options) {
+Outcome simulate_files(const std::vector<std::string>& paths,
+                       const std::vector<std::string>& report,
+                       const AnalyseOptions& options) {
   return report_on_each_file(paths, options, [&](ReportedFile& file) -> std::optional<FileReport> {
-    const std::optional<MechanismDescription> description =
+    std::optional<MechanismDescription> description =
         load_description(file.path, options.load, file.source, file.found);
     if (!description) {
       return std::nullopt;
+    }
+    if (description->simulation && !report.empty()) {
+      std::vector<Name>& named = description->simulation->report;
+      named.clear();
+      for (const std::string& one : report) {
+        named.push_back({.text = one, .where = {}});
+      }
     }
     const std::optional<FoundSimulation> answer = find_simulation(*description, file.found);
     if (!answer) {

@@ -16,7 +16,10 @@ SimulationReportView simulation_view(const std::string& path,
                                      const FoundSimulation& answer,
                                      const Diagnostics* found);
 
-/// One report a file on standard output. A file without a section `simulation` is an error.
-Outcome simulate_files(const std::vector<std::string>& paths, const AnalyseOptions& options);
+/// One report a file on standard output, of what `report` names or, if that is empty, the file. A
+/// file without a section `simulation` is an error.
+Outcome simulate_files(const std::vector<std::string>& paths,
+                       const std::vector<std::string>& report,
+                       const AnalyseOptions& options);
 
 }  // namespace kinestat
