@@ -177,6 +177,9 @@ class MotionTest(PageCase):
             pin = (x0, y0 - scale * 0.04)
             self.assertLess(math.dist(placed(matrices["crank"][0], pin),
                                       placed(matrices["rod"][0], pin)), SHARP)
+        self.assertIn("in d", self.ask(
+            "return [...document.querySelectorAll('[data-force] option')].map((one) => "
+            "one.textContent);"))
         self.assertGreater(len(self.ask(
             "return [...document.querySelectorAll('figure.chart')]"
             ".filter((one) => one.dataset.follows === "

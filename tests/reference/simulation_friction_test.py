@@ -307,9 +307,84 @@ class FrictionTest(unittest.TestCase):
                   found.columns["energy/kinetic"][0] + found.columns["energy/potential"][0], 1e-6)
 
 
+    def test_disc_on_a_rough_collar(self) -> None:
+        # Couple mu m g (thrust radius) on 0.5 J w^2.
+        found = Simulation("""
+kinestat: 1
+space: spatial
+ground: frame
+bodies: {disc: {mass: 4, centre_of_mass: [0, 0, 0], inertia: [0.02, 0.02, 0.03]}}
+gravity: [0, 0, -9.81]
+couplings: {a: {type: revolute, bodies: [frame, disc], at: [0, 0, 0], axis: z,
+                friction: {mu: 0.1, radius: 0.01, thrust_radius: 0.015}}}
+actuators: {spin: {coupling: a}}
+simulation: {action: {spin: 0}, start: {spin: {speed: 20}}, time: 20 s, steps: 10}
+""")
+        self.assertEqual(kinds(found), ["stick"])
+        self.near(found.events[0]["time"], 0.03 * 20 / (0.1 * 4 * G * 0.015), 1e-8)
+        self.near(found.last()["energy/lost"], 0.5 * 0.03 * 400, 1e-9)
+
+    def test_screw_that_holds_its_nut_and_one_that_does_not(self) -> None:
+        text = """
+kinestat: 1
+space: spatial
+ground: frame
+bodies: {nut: {mass: 2, centre_of_mass: [0, 0, 0], inertia: [0.001, 0.001, 0.002]}}
+gravity: [0, 0, -9.81]
+couplings: {t: {type: helical, bodies: [frame, nut], at: [0, 0, 0], axis: z, pitch: PITCH,
+                friction: {mu: 0.15, radius: 0.01}}}
+actuators: {turn: {coupling: t}}
+simulation: {action: {turn: 0}, time: 0.5 s, steps: 5}
+"""
+        found = Simulation(text.replace("PITCH", "0.001"))
+        self.assertEqual(kinds(found), ["stick"])
+        self.near(found.last()["t/friction"], 2 * G * 0.001, 1e-12)
+        # Down a steep thread: the force of the thread F follows from m g - F = m h a, and the couple
+        # r tan(lead - angle of friction) F speeds the nut up.
+        h, r = 0.002, 0.01
+        arm = r * math.tan(math.atan(h / r) - math.atan(0.15))
+        spin = arm * 2 * G / (0.002 + 2 * h * arm)
+        found = Simulation(text.replace("PITCH", "0.002"))
+        self.near(found.last()["t.w/acceleration"], -spin, 1e-9)
+        self.near(found.last()["t.w/position"], -spin * 0.125, 1e-9)
+
+
 class ReactionTest(unittest.TestCase):
     def near(self, actual: float, expected: float, tolerance: float, what: str = "") -> None:
         self.assertLessEqual(abs(actual - expected), tolerance, f"{what}: {actual}, {expected}")
+
+    def test_ground_bears_weight_and_momentum(self) -> None:
+        """A pendulum on a cart with springs, a damper, viscous friction, a curve, and a stop."""
+        found = Simulation("""
+kinestat: 1
+space: planar
+ground: frame
+bodies: {cart: {mass: 2, centre_of_mass: [0, 0], inertia: 0.1},
+         pendulum: {mass: 1, centre_of_mass: [0.3, -0.4], inertia: 0.01}}
+gravity: [0, -9.81]
+couplings: {a: {type: prismatic, bodies: [frame, cart], at: [0, 0], axis: x, friction: {c: 2}},
+            b: {type: revolute, bodies: [cart, pendulum], at: [0, 0]}}
+springs: {s: {coupling: b, stiffness: 3 N*m/rad, free: 0.2, damping: 0.1 N*m*s/rad},
+          k: {bodies: [frame, cart], at: {frame: [-1, 0.5], cart: [0, 0.5]}, stiffness: 40 N/m,
+              free_length: 0.9}}
+actuators: {push: {coupling: a}, swing: {coupling: b}}
+curves: {pull: {over: time, points: [[0 s, 0 N], [1 s, 20 N], [2 s, -5 N]], between: linear}}
+loads: {wind: {body: pendulum, at: [0.3, -0.4], force: [0, pull]}}
+simulation: {action: {push: 3, swing: 0.5}, stops: {push: {to: 0.05}}, time: 2 s, steps: 40,
+             report: [position, velocity, acceleration, action], tolerance: 1e-11}
+""")
+        for i, time in enumerate(found.columns["time"]):
+            at = {name: values[i] for name, values in found.columns.items()}
+            angle = math.atan2(-0.4, 0.3) + at["b.wz/position"]
+            spin, up = at["b.wz/velocity"], at["b.wz/acceleration"]
+            rise = 0.5 * (up * math.cos(angle) - spin ** 2 * math.sin(angle))
+            along = at["a.vx/acceleration"] - 0.5 * (up * math.sin(angle) +
+                                                     spin ** 2 * math.cos(angle))
+            wind = 20 * time if time <= 1 else 20 - 25 * (time - 1)
+            self.near(at["a.Ry/action"], 3 * G + rise - wind, 1e-7, f"cart {time}")
+            self.near(at["b.Rx/action"], along, 1e-7, f"pin {time}")
+            self.near(at["b.Ry/action"], G + rise - wind, 1e-7, f"pin {time}")
+        self.assertIn("impact", kinds(found))
 
     def test_bearing_of_a_pendulum(self) -> None:
         text = simulations.PENDULUM.replace("tolerance", "report: [a, energy], tolerance")
