@@ -270,6 +270,37 @@ motion: {drive: motor, to: 360 deg, steps: 20, case: running}
         self.near(fast["inertia"], slow["inertia"] / 9, 0.1, "inertia")
         self.near(fast["with_it"]["fluctuation"], slow["with_it"]["fluctuation"], 1.0, "speed")
 
+    def test_flywheel_of_a_machine_without_masses(self) -> None:
+        """A couple of 10 N*m, and a triangle of 20 more over half a turn: the excess over the mean
+        of 15 is a triangle of 15 over three quarters of that half."""
+        text = """kinestat: 1
+space: planar
+ground: frame
+bodies: [crank]
+couplings:
+  a: {type: revolute, bodies: [frame, crank], at: [0, 0]}
+actuators: {motor: {coupling: a}}
+curves:
+  work: {over: motor, period: 360 deg,
+         points: [[0 deg, 10 N*m], [90 deg, 30 N*m], [180 deg, 10 N*m], [360 deg, 10 N*m]]}
+loads: {tool: {body: crank, couple: -work}}
+cases: {running: {motion: {motor: 10}, acceleration: {}, action: {}}}
+motion: {drive: motor, to: 360 deg, steps: 72, case: running}
+"""
+        whole = whole_of(text, "{flywheel: {at: motor, fluctuation: 0.02}, actuators: [motor], "
+                               "harmonics: 1}")
+        wheel, energy = whole["flywheel"], 0.5 * 15 * 0.75 * math.pi
+        self.near(wheel["mean_moment"], 15.0, 15.0, "mean")
+        self.near(wheel["energy_fluctuation"], energy, energy, "energy")
+        self.near(wheel["inertia"], energy / (0.02 * 100), energy, "inertia")
+        # With it the squares of the speeds differ by 2 E / J, whatever they are.
+        speeds = wheel["with_it"]
+        self.near(speeds["greatest"] ** 2 - speeds["least"] ** 2, 4.0, 100.0, "speeds")
+        self.near(whole["actuators"]["motor"]["energy_in"], 30 * math.pi, 100.0, "work")
+        done = program.call("motion", "-", text=text + "dynamics: {balance: {bodies: [crank]}}\n")
+        self.assertEqual(done.returncode, 5)
+        self.assertIn("no counterweights: no body has mass", done.stderr)
+
     def test_speed_at_which_a_cam_lets_go(self) -> None:
         case = CASES["cam_return_spring"]
         expected = case["expected"]

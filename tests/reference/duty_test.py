@@ -304,7 +304,17 @@ class UnevenPlanets(unittest.TestCase):
         # The pin of a planet bears two forces of the teeth, each 30 N m / 30 mm.
         self.assertAlmostEqual(even["bearings"]["p"]["largest"], 2000)
         self.assertAlmostEqual(duty["bearings"]["p"]["largest"], 2400)
-        self.assertEqual(duty["bearings"]["s"], even["bearings"]["s"])
+        # Three planets press the sun and the carrier from all sides.
+        for bearing in ("s", "c"):
+            self.assertEqual(even["bearings"][bearing]["largest"], 0)
+            self.assertEqual(duty["bearings"][bearing]["largest"], 0)
+
+    def test_bearings_of_a_pressed_shaft_bear_as_drawn(self) -> None:
+        """A belt on the carrier: one planet in the place of three presses with 90 N m / 30 mm."""
+        text = PLANETS.replace("SHARING", "1").replace(
+            "cases:", "loads: {belt: {body: carrier, at: [0, 0], force: [0, -1]}}\ncases:")
+        bearings = program.run("duty", "-", text=text)["duty"]["bearings"]
+        self.assertAlmostEqual(bearings["s"]["largest"], 3000 / math.cos(math.radians(20)))
 
 
 if __name__ == "__main__":

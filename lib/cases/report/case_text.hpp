@@ -40,9 +40,12 @@ struct LargestAction {
 struct LargestActions {
   LargestAction force;
   LargestAction moment;  ///< about the point of each coupling, as in the table of couplings
+  bool has_central_hinges = false;  ///< whose planets cancel
 };
 
-/// Of the couplings whose wrench equilibrium determines; zero where there is none.
+/// Of the couplings whose wrench equilibrium determines; zero where there is none. What several
+/// equal planets share counts as that of the most loaded one, central hinges (find_central_hinges)
+/// along and about their axis.
 LargestActions largest_actions(const Mechanism& mechanism, const CaseAnalysis& one);
 
 /// A line a case with what people ask first, "-" where there is no number; columns without any are

@@ -8,6 +8,7 @@
 #include "cases/report/case_text.hpp"
 #include "cases/report/ratio_in_units.hpp"
 #include "core/tolerance.hpp"
+#include "mechanism/gears/planet_load.hpp"
 #include "mechanism/label_kind.hpp"
 #include "report/number_format.hpp"
 #include "statics/coupling_wrenches.hpp"
@@ -148,7 +149,14 @@ std::string largest_text(const Mechanism& mechanism, const CaseAnalysis& one, co
   if (largest.moment.size > 0.0) {
     parts.push_back(largest_text("moment", largest.moment, in));
   }
-  return parts.empty() ? "" : fmt::format("  {}\n", fmt::join(parts, "; "));
+  if (parts.empty()) {
+    return "";
+  }
+  const std::string_view planets =
+      largest.has_central_hinges
+          ? "\n  in the most loaded planet; across central bearings equal planets cancel"
+          : "";
+  return fmt::format("  {}{}\n", fmt::join(parts, "; "), planets);
 }
 
 // A line for each model, the action with losses, and a word on what tells the models apart where
@@ -186,12 +194,21 @@ LargestActions largest_actions(const Mechanism& mechanism, const CaseAnalysis& o
   LargestActions largest;
   largest.moment.is_couple = true;
   const bool has_wrenches = one.action && !one.action->wrenches.empty();
+  const std::vector<std::optional<CentralHinge>> central = find_central_hinges(mechanism);
   for (std::size_t e = 0; has_wrenches && e < mechanism.topology.couplings.size(); ++e) {
-    const std::string& name = mechanism.topology.couplings[e].name;
-    if (const auto wrench = bounded_wrench(*one.action, CouplingId{static_cast<int>(e)})) {
-      count(wrench->force.zeroed().norm(), name, largest.force);
-      count(moment_at(*wrench, mechanism.geometry.points[e]).zeroed().norm(), name, largest.moment);
+    const CouplingTopology& coupling = mechanism.topology.couplings[e];
+    const auto wrench = bounded_wrench(*one.action, CouplingId{static_cast<int>(e)});
+    if (!wrench) {
+      continue;
     }
+    const auto size = [&](const Vec3& vector) {
+      return central[e] ? std::abs(vector.dot(central[e]->axis)) : vector.norm();
+    };
+    const Vec3 moment = moment_at(*wrench, mechanism.geometry.points[e]).zeroed();
+    const double share = most_loaded_share(mechanism, coupling);
+    count(share * size(wrench->force.zeroed()), coupling.name, largest.force);
+    count(share * size(moment), coupling.name, largest.moment);
+    largest.has_central_hinges = largest.has_central_hinges || central[e];
   }
   return largest;
 }

@@ -163,9 +163,10 @@ void report_unanalysed(const std::vector<Unanalysed>& list, Purpose purpose, Dia
   }
 }
 
-// What the forces of inertia of its cases follow from.
+// What the forces of inertia of its cases follow from. What 'dynamics' asks, such as a flywheel,
+// machines without masses have too.
 void bind_inertia(const SectionContext& context, Mechanism& result) {
-  if (std::ranges::none_of(result.masses, &BodyMass::counts)) {
+  if (!context.description.dynamics && std::ranges::none_of(result.masses, &BodyMass::counts)) {
     const auto one = std::ranges::find_if(context.description.cases, &CaseDescription::has_inertia);
     context.found.warning("W0312",
                           one != context.description.cases.end() ? one->label.where

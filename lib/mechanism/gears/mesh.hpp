@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "mechanism/gears/hinge_lines.hpp"
 #include "mechanism/geometry.hpp"
 #include "mechanism/topology.hpp"
 
@@ -17,11 +18,7 @@ struct Mesh {
                                   ///< common
 };
 
-/// Whether bodies turn about a common axis by it, so that it may be that of a gear.
-bool is_hinge(CouplingType type);
-
-/// In the order of the couplings. The axes of a gear are those of its hinges; bodies that such
-/// couplings join on one line share that axis.
+/// In the order of the couplings. The axes of a gear are the lines of its hinges.
 std::vector<Mesh> find_meshes(const Topology& topology, const Geometry& geometry);
 
 }  // namespace kinestat

@@ -85,7 +85,7 @@ void add_forces(const Topology& topology,
     wrench = wrench + state.actions[a] * geometry.actions[a];
   }
   for (const Wrench& wrench : wrenches) {
-    state.forces.push_back(wrench.force.norm());
+    state.forces.push_back(wrench.force);
   }
   for (std::size_t m = 0; m < meshes.size(); ++m) {
     const Wrench& teeth = wrenches[static_cast<std::size_t>(meshes[m].coupling.value)];

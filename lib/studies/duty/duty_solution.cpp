@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "couplings/kinds.hpp"
+#include "mechanism/gears/planet_load.hpp"
 #include "power/efficiency.hpp"
 #include "studies/duty/state_finder.hpp"
 
@@ -56,7 +57,8 @@ struct GearSum {
 struct BearingSum {
   BearingDuty duty;
   int freedom = 0;
-  double share = 1.0;  ///< likewise
+  std::optional<Vec3> central_axis = {};  ///< along which alone its force counts
+  double share = 1.0;                     ///< likewise
   WearSum wear;
 };
 
@@ -168,23 +170,6 @@ class DutySum {
   }
 
  private:
-  int planets_of(const CouplingTopology& coupling) const {
-    int count = 1;
-    for (int a = coupling.first_action; a < coupling.first_action + coupling.action_count; ++a) {
-      count = std::max(count, mechanism_.planet_counts[static_cast<std::size_t>(a)]);
-    }
-    return count;
-  }
-
-  // How much more than the mean the most loaded of equal planets bears.
-  double sharing_of(const CouplingTopology& coupling) const {
-    double sharing = 1.0;
-    for (int a = coupling.first_action; a < coupling.first_action + coupling.action_count; ++a) {
-      sharing = std::max(sharing, mechanism_.load_sharing[static_cast<std::size_t>(a)]);
-    }
-    return sharing;
-  }
-
   // What the stator of a torque converter gives counts with what its pump loses to the turbine.
   void list_frictions() {
     for (const CouplingFriction& friction : mechanism_.frictions) {
@@ -208,11 +193,11 @@ class DutySum {
         if (meshes[m].carrier && gear != meshes[m].carrier) {
           gears_.push_back({.duty = {.mesh = meshes[m].coupling,
                                      .gear = gear,
-                                     .planets = planets_of(coupling),
+                                     .planets = planets_of(mechanism_, coupling),
                                      .wear = {}},
                             .is_head = is_head,
                             .mesh = m,
-                            .share = sharing_of(coupling) / planets_of(coupling),
+                            .share = most_loaded_share(mechanism_, coupling),
                             .wear = WearSum(plan_.gear_exponent)});
         }
       }
@@ -221,16 +206,21 @@ class DutySum {
 
   void list_bearings() {
     const Topology& topology = mechanism_.topology;
+    const std::vector<std::optional<CentralHinge>> central = find_central_hinges(mechanism_);
     for (int e = 0; e < topology.coupling_count(); ++e) {
       const CouplingTopology& coupling = topology.couplings[static_cast<std::size_t>(e)];
       const CouplingKind& kind = kind_of(coupling.type);
       if (!kind.is_hinge || kind.engages || coupling.action_count == 0) {
         continue;
       }
+      const std::optional<CentralHinge>& hinge = central[static_cast<std::size_t>(e)];
       bearings_.push_back(
-          {.duty = {.bearing = CouplingId{e}, .planets = planets_of(coupling), .wear = {}},
+          {.duty = {.bearing = CouplingId{e},
+                    .planets = planets_of(mechanism_, coupling),
+                    .wear = {}},
            .freedom = coupling.first_freedom,
-           .share = sharing_of(coupling) / planets_of(coupling),
+           .central_axis = hinge && !hinge->bears_more ? std::optional(hinge->axis) : std::nullopt,
+           .share = most_loaded_share(mechanism_, coupling),
            .wear = WearSum(plan_.bearing_exponent)});
     }
   }
@@ -253,7 +243,9 @@ class DutySum {
     }
     for (BearingSum& bearing : bearings_) {
       const double rate = state.rates[static_cast<std::size_t>(bearing.freedom)];
-      const double force = state.forces[static_cast<std::size_t>(bearing.duty.bearing.value)];
+      const Vec3& bears = state.forces[static_cast<std::size_t>(bearing.duty.bearing.value)];
+      const double force =
+          bearing.central_axis ? std::abs(bears.dot(*bearing.central_axis)) : bears.norm();
       bearing.wear.add(std::abs(rate) * t / kTurn, force * bearing.share);
     }
   }

@@ -28,7 +28,7 @@ struct DutyState {
   std::vector<double> friction = {};   ///< of each of mechanism.frictions [W]
   std::vector<double> meshes = {};     ///< of each of mechanism.lossy_meshes [W]
   std::vector<MeshState> teeth = {};   ///< of each mesh; zero where it has no carrier
-  std::vector<double> forces = {};     ///< size of the force that each coupling bears [N]
+  std::vector<Vec3> forces = {};       ///< that each coupling bears [N]
   bool drives_from_both_ends = false;  ///< losses take more than the inputs give
 };
 

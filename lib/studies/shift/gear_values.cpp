@@ -5,6 +5,7 @@
 
 #include "core/tolerance.hpp"
 #include "couplings/kinds.hpp"
+#include "mechanism/gears/planet_load.hpp"
 #include "power/rate_ratio.hpp"
 #include "studies/shift/shift_solution.hpp"
 
@@ -76,37 +77,22 @@ class GearReader {
     values_.ratios.push_back(std::move(ratios));
   }
 
-  // What one of several equal planets, the most loaded one, has of what a coupling bears.
-  double planet_share(const CouplingTopology& coupling) const {
-    const std::vector<int>& counts = gear_.mechanism.planet_counts;
-    if (counts.empty() || coupling.action_count == 0) {
-      return 1.0;
-    }
-    const auto action = static_cast<std::size_t>(coupling.first_action);
-    return gear_.mechanism.load_sharing[action] / counts[action];
-  }
-
-  bool is_of_planets(const CouplingTopology& coupling) const {
-    const std::vector<int>& counts = gear_.mechanism.planet_counts;
-    return !counts.empty() && coupling.action_count > 0 &&
-           counts[static_cast<std::size_t>(coupling.first_action)] > 1;
-  }
-
-  // The forces of one planet count where several share a load. Then bearings that no planet shares
-  // do not: on the main axis the forces of equal planets cancel, which the solution does not know.
+  // Of several equal planets the most loaded one counts; central hinges count along their axis, as
+  // across it equal planets cancel, which the solution does not know.
   std::optional<LoadedCoupling> most_loaded(bool (*counts)(CouplingType)) const {
     std::optional<LoadedCoupling> most;
     if (!has_actions()) {
       return most;
     }
+    const std::vector<std::optional<CentralHinge>> central = find_central_hinges(gear_.mechanism);
     for (std::size_t e = 0; e < topology_.couplings.size(); ++e) {
       const CouplingTopology& coupling = topology_.couplings[e];
-      const bool may_cancel =
-          !is_of_planets(coupling) && is_bearing(coupling.type) && has_planets(gear_.mechanism);
-      if (!counts(coupling.type) || may_cancel || !gear_.action->wrenches[e]) {
+      if (!counts(coupling.type) || !gear_.action->wrenches[e]) {
         continue;
       }
-      const double force = gear_.action->wrenches[e]->force.norm() * planet_share(coupling);
+      const Vec3& bears = gear_.action->wrenches[e]->force;
+      const double size = central[e] ? std::abs(bears.dot(central[e]->axis)) : bears.norm();
+      const double force = size * most_loaded_share(gear_.mechanism, coupling);
       // Of equal ones the first: rounding decides nothing.
       if (force > (most ? most->force * (1.0 + kSameValue) : 0.0)) {
         most = {.name = coupling.name, .force = force};

@@ -65,14 +65,18 @@ std::optional<CycleProblem> why_no_inertia(const Mechanism& mechanism, const Fou
   if (!which.has_inertia()) {
     return CycleProblem{
         fmt::format("case '{}' of the motion has no forces of inertia", which.label),
-        "add acceleration: {} to the case, and mass and inertia to bodies"};
-  }
-  if (std::ranges::none_of(mechanism.masses, &BodyMass::counts)) {
-    return CycleProblem{"no body has mass or inertia", "add them to 'bodies'"};
+        "add acceleration: {} to the case, and mass and inertia to the bodies that have any"};
   }
   if (!plan.schedule || motion.solution.status != MotionStatus::completed) {
     return CycleProblem{"the motion does not come to its end",
                         "let it run as far as it goes, from 'from' to 'to' in time"};
+  }
+  return std::nullopt;
+}
+
+std::optional<CycleProblem> why_no_mass(const Mechanism& mechanism) {
+  if (std::ranges::none_of(mechanism.masses, &BodyMass::counts)) {
+    return CycleProblem{"no body has mass or inertia", "add them to 'bodies'"};
   }
   return std::nullopt;
 }

@@ -16,8 +16,11 @@ struct CycleProblem {
   SourceRange where = {};  ///< of what is to blame; none: of what is asked for
 };
 
-/// A motion in time, to its end, of a case with inertia.
+/// A motion in time, to its end, of a case with inertia, even if no body has any.
 std::optional<CycleProblem> why_no_inertia(const Mechanism& mechanism, const FoundMotion& motion);
+
+/// Bodies with mass, without which there is nothing to balance.
+std::optional<CycleProblem> why_no_mass(const Mechanism& mechanism);
 
 /// One drive that runs steadily, and nothing else that the case moves.
 std::optional<CycleProblem> why_not_steady(const Mechanism& mechanism, const FoundMotion& motion);

@@ -39,6 +39,9 @@ class BalanceFinder {
       : sampler_(sampler), mechanism_(sampler.mechanism()), plan_(plan) {}
 
   std::variant<BalanceFigures, CycleProblem> run() {
+    if (auto problem = why_no_mass(mechanism_)) {
+      return *std::move(problem);
+    }
     for (const CounterweightPlan& one : plan_) {
       if (auto problem = add_weights(one)) {
         return *std::move(problem);

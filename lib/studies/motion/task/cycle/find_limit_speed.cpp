@@ -23,6 +23,9 @@ class LimitFinder {
       : sampler_(sampler), topology_(sampler.mechanism().topology), plan_(plan) {}
 
   std::variant<std::vector<LimitSpeed>, CycleProblem> run() {
+    if (auto problem = why_no_mass(sampler_.mechanism())) {
+      return *std::move(problem);
+    }
     if (auto problem = why_not_steady(sampler_.mechanism(), sampler_.motion())) {
       return *std::move(problem);
     }
