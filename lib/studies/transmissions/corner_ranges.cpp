@@ -14,9 +14,9 @@ namespace {
 // Vectors of g++ and clang have the operators of numbers.
 using Lanes = double __attribute__((vector_size(kRatioLanes * sizeof(double)), may_alias));
 
-constexpr std::size_t kMostProducts = 81;  // 3^kMostSets
+constexpr std::size_t kMostProducts = 81;  // 3^kMostGearSets
 
-using LaneEquations = std::array<SetEquation<RatioLanes>, kMostSets>;
+using LaneEquations = std::array<SetEquation<RatioLanes>, kMostGearSets>;
 
 KINESTAT_FOR_EACH_MACHINE
 void evaluate_minors(const RatioLanes* coefficients,
@@ -127,11 +127,11 @@ void RatioTable::set_points(const RoleChoice& choice, std::span<const Stationary
 void RatioTable::set_corners(const RoleChoice& choice, const StationaryBox& box) {
   std::array<StationaryPoint, 2 * kRatioLanes> corners{};
   for (std::size_t corner = 0; corner < corners.size(); ++corner) {
-    for (std::size_t s = 0; s < kMostSets; ++s) {
+    for (std::size_t s = 0; s < kMostGearSets; ++s) {
       corners[corner][s] = (corner >> s & 1U) != 0 ? box.to[s] : box.from[s];
     }
   }
-  const bool has_one_block = train_.structure().set_count() < kMostSets;
+  const bool has_one_block = train_.structure().set_count() < kMostGearSets;
   set_points(choice, std::span(corners).first(has_one_block ? kRatioLanes : 2 * kRatioLanes));
 }
 

@@ -32,7 +32,7 @@ struct SpeedLanes {
 };
 
 /// The stationary ratios z_ring/z_sun of all sets.
-using StationaryPoint = std::array<double, kMostSets>;
+using StationaryPoint = std::array<double, kMostGearSets>;
 
 struct StationaryBox {
   StationaryPoint from{};

@@ -33,7 +33,7 @@ GearFigures find_gear_figures(const TransmissionTrain& transmission, std::uint8_
 
 /// How gears answer to the stationary ratio of each set.
 struct GearLosses {
-  std::array<double, kMostSets> rolling{};  ///< d ln i/d ln i0: rolling power over input power
+  std::array<double, kMostGearSets> rolling{};  ///< d ln i/d ln i0: rolling power over input power
   double efficiency = 1.0;
 };
 

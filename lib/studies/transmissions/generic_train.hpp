@@ -26,8 +26,9 @@ struct GenericState {
   bool is_gear = false;     ///< input and output turn; else locked, neutral or tie-up
   bool is_direct = false;   ///< ratio 1 whatever the sets are
   std::uint32_t ratio = 0;  ///< gears of one number have one ratio
-  std::array<std::uint32_t, kMostSets> change{};  ///< by the set of which i0 changes: gears of one
-                                                  ///< number have their ratio changed by one factor
+  std::array<std::uint32_t, kMostGearSets>
+      change{};  ///< by the set of which i0 changes: gears of one
+                 ///< number have their ratio changed by one factor
 };
 
 class GenericTrain {
@@ -41,6 +42,9 @@ class GenericTrain {
   const std::vector<ElementClass>& classes() const { return classes_; }
 
   int engaged() const { return engaged_; }
+
+  /// The class of a pair, its lesser shaft first.
+  std::size_t class_of(const ShaftPair& pair) const { return class_of_[pair[0]][pair[1]]; }
 
   /// The number of a state: the place of its classes, ascending, among all choices.
   std::size_t state_of(ClassMask engaged) const;

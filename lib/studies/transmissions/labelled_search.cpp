@@ -145,12 +145,12 @@ void LabelledSearch::try_corners(const StationaryPart& part) {
 // Whether no automorphism of the layout with its roles takes the point to an earlier one.
 bool LabelledSearch::is_least(const StationaryPart& part, std::size_t corner) const {
   const auto sets = static_cast<std::size_t>(task_.sets());
-  std::array<std::size_t, kMostSets> point{};
+  std::array<std::size_t, kMostGearSets> point{};
   for (std::size_t s = 0; s < sets; ++s) {
     point[s] = (corner >> s & 1U) != 0 ? part[s].last : part[s].first;
   }
   return std::ranges::none_of(layout_.actions, [&](const SetAction& action) {
-    std::array<std::size_t, kMostSets> image{};
+    std::array<std::size_t, kMostGearSets> image{};
     for (std::size_t s = 0; s < sets; ++s) {
       image[static_cast<std::size_t>(action.set_of(static_cast<int>(s)))] = point[s];
     }
@@ -172,7 +172,7 @@ bool LabelledSearch::try_point(const StationaryPoint& point) {
 }
 
 void LabelledSearch::try_samples() {
-  constexpr std::array<std::size_t, kMostSets> kBases = {2, 3, 5, 7};
+  constexpr std::array<std::size_t, kMostGearSets> kBases = {2, 3, 5, 7};
   std::vector<RatioLanes> lanes(layout_.states.size());
   std::vector<double> ratios(layout_.states.size());
   for (std::size_t sample = 0; sample < kSamples; sample += kRatioLanes) {
@@ -262,7 +262,7 @@ void LabelledSearch::find_placements() {
 }
 
 void LabelledSearch::find_losses(const StationaryPoint& point) {
-  std::array<double, kMostSets> set_losses{};
+  std::array<double, kMostGearSets> set_losses{};
   for (int s = 0; s < task_.sets(); ++s) {
     set_losses[static_cast<std::size_t>(s)] =
         task_.losses[static_cast<std::size_t>(choice_.kind_of(s))];

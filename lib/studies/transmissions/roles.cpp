@@ -11,7 +11,7 @@ namespace {
 constexpr std::array<SetRoles, kRolesOfSet> kRoles = {
     {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
 
-constexpr std::array<std::uint32_t, kMostSets + 1> kPowersOfSix = {1, 6, 36, 216, 1296};
+constexpr std::array<std::uint32_t, kMostGearSets + 1> kPowersOfSix = {1, 6, 36, 216, 1296};
 
 }  // namespace
 

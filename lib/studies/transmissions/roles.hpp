@@ -51,8 +51,8 @@ class SetAction {
 
  private:
   int count_;
-  std::array<int, kMostSets> sets_{};
-  std::array<std::array<std::uint8_t, kRolesOfSet>, kMostSets> roles_{};  // by set and number
+  std::array<int, kMostGearSets> sets_{};
+  std::array<std::array<std::uint8_t, kRolesOfSet>, kMostGearSets> roles_{};  // by set and number
 };
 
 /// All choices of roles with so many double-planet sets that are the least of those into which

@@ -8,7 +8,7 @@ namespace kinestat {
 
 namespace {
 
-using Columns = std::array<Shaft, kMostSets>;
+using Columns = std::array<Shaft, kMostGearSets>;
 
 // Whether sorting the columns takes an odd number of exchanges; they are different.
 bool is_odd(const Columns& columns, int count) {
@@ -82,8 +82,8 @@ std::vector<MinorTerm> SetMinors::speed_terms(const MergedShafts& merged, int gr
   if (group == merged.of(kHousing) || merged.count() != sets_ + 2) {
     return terms;
   }
-  std::array<std::array<Shaft, kMostShafts>, kMostSets> members{};
-  std::array<int, kMostSets> sizes{};
+  std::array<std::array<Shaft, kMostShafts>, kMostGearSets> members{};
+  std::array<int, kMostGearSets> sizes{};
   for (int i = 0; i < merged.shafts(); ++i) {
     const int its = merged.of(static_cast<Shaft>(i));
     if (its != 0 && its != group) {
@@ -91,7 +91,7 @@ std::vector<MinorTerm> SetMinors::speed_terms(const MergedShafts& merged, int gr
       members[column][static_cast<std::size_t>(sizes[column]++)] = static_cast<Shaft>(i);
     }
   }
-  std::array<int, kMostSets> at{};
+  std::array<int, kMostGearSets> at{};
   while (true) {
     Columns columns{};
     for (std::size_t c = 0; c < static_cast<std::size_t>(sets_); ++c) {

@@ -19,7 +19,7 @@
 
 namespace kinestat {
 
-inline constexpr int kMostShafts = kMostSets + kMostEngaged + 2;
+inline constexpr int kMostShafts = kMostGearSets + kMostEngaged + 2;
 
 using ShaftPair = std::array<Shaft, 2>;
 
@@ -106,7 +106,7 @@ class SetMinors {
   std::span<const Product> products() const { return products_; }
 
  private:
-  static constexpr std::size_t kMostProducts = 81;  // 3^kMostSets
+  static constexpr std::size_t kMostProducts = 81;  // 3^kMostGearSets
   static constexpr std::uint8_t kNoMinor = 0xff;
 
   int sets_;

@@ -19,7 +19,7 @@ struct AxisPart {
   std::size_t last = 0;
 };
 
-using StationaryPart = std::array<AxisPart, kMostSets>;
+using StationaryPart = std::array<AxisPart, kMostGearSets>;
 
 /// The product of what each set may have.
 class StationaryAxes {
@@ -55,7 +55,7 @@ class StationaryAxes {
   AxisPart part_of_list(std::size_t set, std::size_t first, std::size_t last) const;
 
   std::size_t sets_;
-  std::array<const StationaryRatios*, kMostSets> axes_{};
+  std::array<const StationaryRatios*, kMostGearSets> axes_{};
   bool is_grid_ = true;
 };
 

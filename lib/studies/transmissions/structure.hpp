@@ -20,7 +20,7 @@ inline constexpr Shaft kInput = 1;
 inline constexpr Shaft kOutput = 2;
 
 /// What the search is made for: its tables grow with the powers of these.
-inline constexpr int kMostSets = 4;
+inline constexpr int kMostGearSets = 4;
 inline constexpr int kMostElements = 7;
 inline constexpr int kMostEngaged = 4;
 inline constexpr int kMostFreeShafts = 1;
