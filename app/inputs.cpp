@@ -1,6 +1,7 @@
 #include "run/inputs.hpp"
 
 #include "command.hpp"
+#include "options/sweep_options.hpp"
 
 namespace kinestat::app {
 
@@ -32,9 +33,12 @@ void add_choice_options(CLI::App& command, InputsChoice& choice) {
                "and if not, which circuit or cut-set it\n"
                "contains; may be repeated",
                "NAMES");
-  with_value(command,
-             command.add_option("--limit", choice.listed, "lists at most so many sets; default 20"),
-             "N");
+  add_count(
+      command,
+      "--limit",
+      [&choice](std::uint64_t count) { choice.listed = count; },
+      "lists at most so many sets; default 20",
+      0);
 }
 
 }  // namespace

@@ -11,13 +11,14 @@ namespace kinestat::app {
 void add_count(CLI::App& command,
                const std::string& name,
                std::function<void(std::uint64_t)> take,
-               const std::string& description) {
-  const auto read = [name, take = std::move(take)](const std::string& word) {
+               const std::string& description,
+               std::uint64_t least) {
+  const auto read = [name, least, take = std::move(take)](const std::string& word) {
     std::uint64_t count = 0;
     const char* const end = word.data() + word.size();
     const auto [at, error] = std::from_chars(word.data(), end, count);
-    if (error != std::errc() || at != end || count == 0) {
-      throw WrongValue(name, word, "it is a whole number from 1");
+    if (error != std::errc() || at != end || count < least) {
+      throw WrongValue(name, word, "it is a whole number from " + std::to_string(least));
     }
     take(count);
   };

@@ -10,11 +10,12 @@
 
 namespace kinestat::app {
 
-/// Declares an option that takes a whole number from 1.
+/// Declares an option that takes a whole number, the least or more.
 void add_count(CLI::App& command,
                const std::string& name,
                std::function<void(std::uint64_t)> take,
-               const std::string& description);
+               const std::string& description,
+               std::uint64_t least = 1);
 
 /// Declares -o/--out with this description, and --force.
 void add_result_folder(CLI::App& command,

@@ -9,6 +9,7 @@
 #include "cases/case_findings.hpp"
 #include "cases/certainty_findings.hpp"
 #include "cases/exact_input_cases.hpp"
+#include "core/utf8.hpp"
 #include "files/each_file.hpp"
 #include "mechanism/bind/bind.hpp"
 #include "report/file/file_report.hpp"
@@ -125,7 +126,7 @@ Outcome check_files(const std::vector<std::string>& paths, const AnalyseOptions&
     const bool is_right = description && check(*description, found) &&
                           (!description->synthesis || check_task(*description, found));
     if (is_right && status_of(found, options.strictness) == ExitStatus::done) {
-      outcome.out += fmt::format("{}: ok\n", path == "-" ? "<stdin>" : path);
+      outcome.out += fmt::format("{}: ok\n", path == "-" ? "<stdin>" : printable(path));
     }
     add_diagnostics(source, found, options.strictness, outcome);
   });
