@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include "command.hpp"
 #include "options/sweep_options.hpp"
 #include "run/synthesis.hpp"
@@ -13,13 +17,15 @@ struct SynthesizeCommand {
   TransmissionOptions transmissions;
 };
 
-void add_linkage_output(CLI::App& command, SynthesizeCommand& options) {
+void add_written_mechanisms(CLI::App& command, SynthesizeCommand& options) {
   with_value(command,
              command.add_option("--write-mechanism",
                                 options.files.analyse.output.folder,
                                 "folder for a mechanism file of every usable\n"
-                                "linkage, <name>.linkage_0.yaml and so on;\n"
-                                "it must exist"),
+                                "linkage, <name>.linkage_0.yaml and so on, or of\n"
+                                "every transmission that is listed,\n"
+                                "<name>.ladder_0.transmission_0.yaml; it must\n"
+                                "exist"),
              "FOLDER");
   add_flag(
       command,
@@ -54,13 +60,31 @@ void add_digits(CLI::App& command, SynthesisOptions& options) {
       "the dyads");
 }
 
+void add_rank(CLI::App& command, TransmissionOptions& options) {
+  const auto choose = [&options](const std::string& word) {
+    const auto at = std::ranges::find(kTransmissionOrders, word);
+    if (at == kTransmissionOrders.end()) {
+      throw WrongValue("--by", word, std::vector<std::string>(kTransmissionOrders.begin(), at));
+    }
+    options.rank = static_cast<TransmissionRank>(at - kTransmissionOrders.begin());
+  };
+  with_value(
+      command,
+      command.add_option_function<std::string>("--by",
+                                               choose,
+                                               "efficiency, steps, torque or speed: what\n"
+                                               "transmissions are ranked by, instead of 'rank'\n"
+                                               "of the file"),
+      "WORD");
+}
+
 // What says how to write needs a place to write to.
 void check_together(const CLI::App& command, const SynthesizeCommand& options) {
   for (const char* name : {"--all-linkages", "--force"}) {
     if (command.count(name) > 0 && options.files.analyse.output.folder.empty()) {
       throw LonelyOption(name,
                          "--write-mechanism",
-                         "name the folder for the linkages, as in --write-mechanism linkages");
+                         "name the folder for the files, as in --write-mechanism linkages");
     }
   }
 }
@@ -73,17 +97,18 @@ void add_synthesize(CLI::App& command, Job& job) {
       "  kinestat synthesize task.yaml\n"
       "  kinestat synthesize --format json task.yaml\n"
       "  kinestat synthesize --write-mechanism linkages task.yaml\n"
-      "  kinestat synthesize --digits 40 close_positions.yaml\n");
+      "  kinestat synthesize --digits 40 close_positions.yaml\n"
+      "  kinestat synthesize --top 5 --by steps gears.yaml\n");
   auto options = std::make_shared<SynthesizeCommand>();
   add_files(command, options->files);
   add_format(command, options->files);
-  add_linkage_output(command, *options);
+  add_written_mechanisms(command, *options);
   add_flag(
       command,
       "--verify",
       [options] { options->options.verifies = true; },
-      "move every linkage as a mechanism and report\nwhether it does what its verdict says; "
-      "those\nthat are written are always moved");
+      "move every linkage as a mechanism and report\nwhether it does what its verdict says, or "
+      "solve\nevery transmission that is listed gear by gear;\nthose that are written always are");
   add_digits(command, options->options);
   add_count(
       command,
@@ -100,6 +125,7 @@ void add_synthesize(CLI::App& command, Job& job) {
       "--top",
       [options](std::uint64_t count) { options->transmissions.top = count; },
       "ladders of transmissions that are listed, the\nbest first; default 20");
+  add_rank(command, options->transmissions);
   add_strict(command, options->files);
   command.callback([options, &command, &job] {
     check_together(command, *options);

@@ -49,6 +49,11 @@ inline constexpr double kRangeSlack = 1e-9;
 /// An output that turns slower than this share of the input's speed rests: the state is no gear.
 inline constexpr double kRestingOutput = 1e-9;
 
+/// What a mechanism in teeth and the search may differ by: ratios, which are quotients of a few
+/// products, and torques and efficiencies, behind which whole equations are solved.
+inline constexpr double kVerifiedRatio = 1e-12;
+inline constexpr double kVerifiedTorque = 1e-9;
+
 /// Dyads of positions that lose all but one digit are not worth having.
 inline constexpr double kUselessLoss = 0.1;
 

@@ -1,7 +1,9 @@
 // The mapping `transmission` of the section `synthesis`: what is asked of a planetary transmission.
 #pragma once
 
+#include <array>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "description/value.hpp"
@@ -83,6 +85,10 @@ struct StructureSlice {
 enum class SectionArrangement { any, coaxial, sideways };
 
 enum class TransmissionOrder { efficiency, steps, torque, speed };
+
+/// As files and command lines have them.
+inline constexpr std::array<std::string_view, 4> kTransmissionOrders = {
+    "efficiency", "steps", "torque", "speed"};
 
 /// What stands where the file says nothing.
 inline constexpr double kUsualLeastStationaryRatio = 1.5;

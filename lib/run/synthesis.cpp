@@ -3,10 +3,13 @@
 #include <optional>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "files/each_file.hpp"
 #include "studies/synthesis/task/find_synthesis.hpp"
 #include "studies/synthesis/task/linkage_files.hpp"
 #include "studies/transmissions/task/find_transmissions.hpp"
+#include "studies/transmissions/task/transmission_files.hpp"
 
 namespace kinestat {
 
@@ -15,18 +18,42 @@ namespace {
 std::optional<FileReport> report_on_transmissions(ReportedFile& file,
                                                   MechanismDescription description,
                                                   const AnalyseOptions& options,
+                                                  const SynthesisOptions& synthesis,
                                                   const TransmissionOptions& transmissions) {
-  if (!options.output.folder.empty()) {
-    file.found.error("E0303",
+  if (synthesis.digits || synthesis.written == WrittenLinkages::all) {
+    file.found.error("E0101",
                      description.synthesis->transmission->where,
-                     "--write-mechanism writes linkages, and the task is one of transmissions",
-                     "leave it out; --format json has sets, shafts and elements of each");
+                     fmt::format("{} is of linkages, and the task is one of transmissions",
+                                 synthesis.digits ? "--digits" : "--all-linkages"),
+                     "leave it out");
     return std::nullopt;
   }
-  const auto analysis =
-      find_transmissions(file.path, std::move(description), transmissions, file.found);
-  return analysis ? std::optional(make_transmission_report(*analysis, file.forms, file.found))
-                  : std::nullopt;
+  auto analysis = find_transmissions(file.path, std::move(description), transmissions, file.found);
+  if (!analysis) {
+    return std::nullopt;
+  }
+  if (synthesis.verifies || !options.output.folder.empty()) {
+    check_transmissions(*analysis, file.found);
+  }
+  if (!options.output.folder.empty()) {
+    write_transmissions(*analysis, options.output, file.found);
+  }
+  return make_transmission_report(*analysis, file.forms, file.found);
+}
+
+// False with an error where an option is of transmissions alone.
+bool check_for_linkages(const SourceRange& where,
+                        const TransmissionOptions& transmissions,
+                        Diagnostics& found) {
+  if (!transmissions.top && !transmissions.rank) {
+    return true;
+  }
+  found.error("E0101",
+              where,
+              fmt::format("{} is of transmissions, and the task is one of linkages",
+                          transmissions.top ? "--top" : "--by"),
+              "leave it out; linkages are all listed, the best first");
+  return false;
 }
 
 }  // namespace
@@ -38,7 +65,12 @@ Outcome synthesize_files(const std::vector<std::string>& paths,
   return report_on_each_file(paths, options, [&](ReportedFile& file) -> std::optional<FileReport> {
     auto description = load_description(file.path, options.load, file.source, file.found);
     if (description && description->synthesis && description->synthesis->transmission) {
-      return report_on_transmissions(file, *std::move(description), options, transmissions);
+      return report_on_transmissions(
+          file, *std::move(description), options, synthesis, transmissions);
+    }
+    if (description && description->synthesis &&
+        !check_for_linkages(description->synthesis->where, transmissions, file.found)) {
+      return std::nullopt;
     }
     auto analysis = description
                         ? find_synthesis(file.path, *std::move(description), synthesis, file.found)

@@ -27,6 +27,7 @@ NOT_PROVOKED = {
     "E0701": "guards against wrong numbers: the powers of a solved case sum to zero by its own "
              "equations",
     "W0802": "guards against wrong verdicts: no task is known that brings it about",
+    "W0804": "guards against wrong numbers: the mechanism is another way to those of the search",
     "W0502": "takes more stages than anybody reads, or refinement alone; a property test of "
              "extremes brings it about",
 }

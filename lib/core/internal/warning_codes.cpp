@@ -311,6 +311,13 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "solved by a point; between both the ranges are cut in two, a number of times. The layouts "
      "counted here were neither when that ended: as a rule they meet a requirement on its edge "
      "alone. Narrow 'stationary_ratio', or give its values as a list, which has an exact answer."},
+    {"W0804",
+     done,
+     "transmission differs from its mechanism",
+     "The mechanism in teeth of a transmission was solved gear by gear, as 'kinestat shift' does. "
+     "Its "
+     "ratio, a torque or an efficiency differs from that of the search by more than rounding, or "
+     "it has no such gear. This program is wrong then: please report it with the task."},
     {"W0901",
      done,
      "tolerance meets no value",

@@ -241,10 +241,11 @@ void declare_preference(Mapping<Wanted>& m) {
   m.key("rank", "By what transmissions, ladders and stationary ratios are chosen; also --by.")
       .may(&Wanted::rank,
            choice_of<TransmissionOrder>(
-               {{"efficiency", "mean of the forward gears, with 'losses'"},
-                {"steps", "how even the steps are: the deviation of their logarithms"},
-                {"torque", "the largest torque of an element"},
-                {"speed", "the largest speed of a shaft"}}),
+               {{kTransmissionOrders[0], "mean of the forward gears, with 'losses'"},
+                {kTransmissionOrders[1],
+                 "how even the steps are: the deviation of their logarithms"},
+                {kTransmissionOrders[2], "the largest torque of an element"},
+                {kTransmissionOrders[3], "the largest speed of a shaft"}}),
            "efficiency")
       .usual("efficiency");
   m.key("structures", "A part of all structures, by number; the report says how many there are.")

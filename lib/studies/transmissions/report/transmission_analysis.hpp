@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "description/mechanism_description.hpp"
 #include "report/report_forms.hpp"
 #include "studies/transmissions/search.hpp"
+#include "studies/transmissions/teeth_choice.hpp"
 
 namespace kinestat {
 
@@ -21,11 +23,23 @@ struct ListedGear {
   GearFigures figures;
 };
 
+/// What becomes of the ladder when the mechanism in teeth is solved gear by gear, and what the
+/// search makes of the same teeth: the largest differences.
+struct TransmissionCheck {
+  double ratio = 0.0;       ///< relative
+  double torque = 0.0;      ///< of elements, over the largest torque of the gear
+  double efficiency = 0.0;  ///< absolute
+  bool agrees = false;
+};
+
 struct TransmissionVariant {
   FoundTransmission found;
   std::vector<SetShafts> sets;
   int shafts = 0;
   std::vector<ListedGear> gears = {};
+  std::vector<SetTeeth> teeth = {};  ///< by set
+  std::string file = {};             ///< written for it; empty: none
+  std::optional<TransmissionCheck> check = {};
 };
 
 /// Transmissions of one ladder, the best first.

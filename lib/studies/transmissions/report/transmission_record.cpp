@@ -1,7 +1,11 @@
 #include "studies/transmissions/report/transmission_record.hpp"
 
+#include <optional>
+#include <string>
+
 #include <fmt/format.h>
 
+#include "core/utf8.hpp"
 #include "report/report_keys.hpp"
 
 namespace kinestat {
@@ -44,6 +48,54 @@ const Record<SearchStages>& stages_record() {
   return record;
 }
 
+const Record<SetTeeth>& teeth_record() {
+  using View = SetTeeth;
+  static const Record<View> record(
+      "The smallest that give the stationary ratio, or nearly.", [](Record<View>& keys) {
+        keys.count("sun", "Of the sun.", [](const View& v) { return v.sun; });
+        keys.count("planet", "Of a planet.", [](const View& v) { return v.planet; });
+        keys.count("ring", "Of the ring.", [](const View& v) { return v.ring; });
+        keys.count("planets",
+                   "How many planets, or pairs of them, stand round the sun.",
+                   [](const View& v) { return v.planets; });
+      });
+  return record;
+}
+
+const Record<TransmissionCheck>& transmission_check_record() {
+  using View = TransmissionCheck;
+  static const Record<View> record(
+      "What the mechanism in these teeth does, gear by gear as 'kinestat shift' solves it, against "
+      "the search with the same teeth; null where that was not asked for.",
+      [](Record<View>& keys) {
+        keys.number("ratio",
+                    Bare::number,
+                    "The largest relative difference of ratios.",
+                    [](const View& v) { return v.ratio; })
+            .at_least(0)
+            .not_compared();
+        keys.number("torque",
+                    Bare::number,
+                    "That of torques of elements, by the largest of the gear.",
+                    [](const View& v) { return v.torque; })
+            .at_least(0)
+            .not_compared();
+        keys.number("efficiency",
+                    Bare::number,
+                    "That of efficiencies.",
+                    [](const View& v) { return v.efficiency; })
+            .at_least(0)
+            .not_compared();
+        keys.flag(
+            "agrees", "Whether this is but rounding.", [](const View& v) { return v.agrees; });
+      });
+  return record;
+}
+
+std::optional<std::string> transmission_file(const TransmissionVariant& v) {
+  return v.file.empty() ? std::nullopt : std::optional(printable(v.file));
+}
+
 struct SetView {
   const TransmissionVariant& variant;
   std::size_t set;
@@ -74,6 +126,9 @@ const Record<SetView>& set_record() {
                 Bare::ratio,
                 "Teeth of the ring by those of the sun.",
                 [](const View& v) { return v.variant.found.stationary_ratios[v.set]; });
+    keys.part("teeth", teeth_record(), [](const View& v) -> const SetTeeth& {
+      return v.variant.teeth[v.set];
+    });
   });
   return record;
 }
@@ -178,6 +233,10 @@ const Record<TransmissionVariant>& variant_record() {
                  each(gear.label, gear);
                }
              });
+    keys.part("verification", transmission_check_record(), [](const View& v) { return v.check; });
+    keys.text(
+            "file", "The mechanism file written for it; null if there is none.", transmission_file)
+        .not_compared();
   });
   return record;
 }

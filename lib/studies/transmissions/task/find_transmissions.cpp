@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "mechanism/bind/bind.hpp"
+#include "studies/transmissions/task/transmission_files.hpp"
 
 namespace kinestat {
 
@@ -28,34 +29,12 @@ std::vector<long long> ladder_key(const FoundTransmission& found) {
 TransmissionVariant variant_of(const FoundTransmission& found,
                                const TransmissionStructure& structure,
                                const TransmissionTask& task) {
-  const GenericTrain train(structure, task.engaged);
-  const TransmissionTrain transmission{.train = &train,
-                                       .roles = found.roles,
-                                       .stationary_ratios = found.stationary_ratios,
-                                       .elements = found.elements};
   TransmissionVariant variant{.found = found, .sets = structure.sets, .shafts = structure.shafts};
-  std::vector<double> losses;
-  for (int s = 0; s < task.sets(); ++s) {
-    losses.push_back(task.losses[static_cast<std::size_t>(found.roles.kind_of(s))]);
+  for (std::size_t s = 0; s < structure.sets.size(); ++s) {
+    variant.teeth.push_back(
+        choose_teeth(found.roles.kind_of(static_cast<int>(s)), found.stationary_ratios[s]));
   }
-  for (std::size_t i = 0; i < found.ladder.size(); ++i) {
-    ListedGear gear;
-    const bool is_reverse = static_cast<int>(i) >= task.ladder.forward;
-    gear.label = is_reverse ? "R" : fmt::format("{}", i + 1);
-    gear.engaged = found.ladder[i];
-    gear.figures = find_gear_figures(transmission, gear.engaged);
-    ClassMask engaged = 0;
-    for (std::size_t j = 0; j < found.elements.size(); ++j) {
-      if ((gear.engaged >> j & 1U) != 0) {
-        engaged |= ClassMask{1} << train.class_of(found.elements[j]);
-      }
-    }
-    const auto state = static_cast<std::uint32_t>(train.state_of(engaged));
-    gear.efficiency =
-        find_gear_losses(train, found.roles, found.stationary_ratios, losses, std::vector{state})[0]
-            .efficiency;
-    variant.gears.push_back(std::move(gear));
-  }
+  variant.gears = list_gears(task, variant, found.stationary_ratios);
   return variant;
 }
 
@@ -159,6 +138,43 @@ std::string last_stage_text(const SearchStages& stages) {
 
 }  // namespace
 
+std::vector<ListedGear> list_gears(const TransmissionTask& task,
+                                   const TransmissionVariant& variant,
+                                   const StationaryPoint& stationary_ratios) {
+  const FoundTransmission& found = variant.found;
+  const TransmissionStructure structure{
+      .shafts = variant.shafts, .sets = variant.sets, .automorphisms = {}};
+  const GenericTrain train(structure, task.engaged);
+  const TransmissionTrain transmission{.train = &train,
+                                       .roles = found.roles,
+                                       .stationary_ratios = stationary_ratios,
+                                       .elements = found.elements};
+  std::vector<double> losses;
+  for (int s = 0; s < task.sets(); ++s) {
+    losses.push_back(task.losses[static_cast<std::size_t>(found.roles.kind_of(s))]);
+  }
+  std::vector<ListedGear> gears;
+  for (std::size_t i = 0; i < found.ladder.size(); ++i) {
+    ListedGear gear;
+    const bool is_reverse = static_cast<int>(i) >= task.ladder.forward;
+    gear.label = is_reverse ? "R" : fmt::format("{}", i + 1);
+    gear.engaged = found.ladder[i];
+    gear.figures = find_gear_figures(transmission, gear.engaged);
+    ClassMask engaged = 0;
+    for (std::size_t j = 0; j < found.elements.size(); ++j) {
+      if ((gear.engaged >> j & 1U) != 0) {
+        engaged |= ClassMask{1} << train.class_of(found.elements[j]);
+      }
+    }
+    const auto state = static_cast<std::uint32_t>(train.state_of(engaged));
+    gear.efficiency =
+        find_gear_losses(train, found.roles, stationary_ratios, losses, std::vector{state})[0]
+            .efficiency;
+    gears.push_back(std::move(gear));
+  }
+  return gears;
+}
+
 std::optional<TransmissionAnalysis> find_transmissions(const std::string& path,
                                                        MechanismDescription description,
                                                        const TransmissionOptions& options,
@@ -179,7 +195,7 @@ std::optional<TransmissionAnalysis> find_transmissions(const std::string& path,
   const TransmissionSearch search = search_transmissions(analysis.task, for_each);
   analysis.structure_count = search.structure_count;
   analysis.stages = search.stages;
-  add_groups(search, options.top, analysis);
+  add_groups(search, options.top.value_or(kUsualLadders), analysis);
   const SourceRange where = analysis.description.synthesis->transmission->where;
   if (analysis.stages.undecided > 0) {
     found.warning(

@@ -10,9 +10,12 @@
 
 namespace kinestat {
 
+/// How many ladders are listed where nobody says how many.
+inline constexpr std::uint64_t kUsualLadders = 20;
+
 struct TransmissionOptions {
   std::uint64_t jobs = 0;                ///< threads; 0: as many as the machine has cores
-  std::uint64_t top = 20;                ///< ladders that are listed
+  std::optional<std::uint64_t> top;      ///< ladders that are listed
   std::optional<TransmissionRank> rank;  ///< before what the file says
 };
 

@@ -1,0 +1,129 @@
+#include "studies/transmissions/teeth_choice.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+namespace kinestat {
+
+namespace {
+
+constexpr int kLeastSun = 18;
+constexpr int kLeastPlanet = 15;
+
+// Rings up to that many teeth are looked at for the ratio itself, larger ones for one near it.
+constexpr int kLargestExactRing = 200;
+constexpr int kLargestRing = 1000;
+
+constexpr double kSameRatio = 1e-9;
+constexpr double kNearRatio = 1e-3;
+
+// Tips stand a module outside of the pitch circle: two teeth of the diameter.
+constexpr double kTips = 2.0;
+
+constexpr std::array kPlanetCounts = {3, 4, 5};
+
+// By the law of cosines; lengths are in teeth, as diameters are.
+double opposite_side(double a, double b, double angle) {
+  return std::sqrt(a * a + b * b - 2.0 * a * b * std::cos(angle));
+}
+
+std::optional<SetTeeth> simple_set(int sun, int ring, int count, int least_planet) {
+  const int planet = (ring - sun) / 2;
+  const bool is_closed = sun + 2 * planet == ring;
+  const double apart = (sun + planet) * std::sin(std::numbers::pi / count);
+  return is_closed && planet >= least_planet && (sun + ring) % count == 0 && apart > planet + kTips
+             ? std::optional(SetTeeth{.sun = sun, .planet = planet, .ring = ring, .planets = count})
+             : std::nullopt;
+}
+
+// Pairs of equal planets: the inner one stands on the sun, the outer one in the ring.
+bool fits_pairs(const SetTeeth& set) {
+  const double planet = set.planet;
+  const double inner = set.sun + planet;
+  const double outer = set.ring - planet;
+  const double between = 2.0 * planet;
+  // Beside each other, and neither the outer one on the sun nor the inner one in the ring.
+  if (std::abs(outer - inner) >= between || outer - planet <= set.sun + kTips ||
+      inner + planet + kTips >= set.ring) {
+    return false;
+  }
+  const double turn = 2.0 * std::numbers::pi / set.planets;
+  const double ahead =
+      std::acos((inner * inner + outer * outer - between * between) / (2.0 * inner * outer));
+  const double touch = between + 2.0 * kTips;
+  return ahead < turn && opposite_side(inner, inner, turn) > touch &&
+         opposite_side(outer, outer, turn) > touch &&
+         opposite_side(inner, outer, turn - ahead) > touch;
+}
+
+std::optional<SetTeeth> double_planet_set(int sun, int ring, int count, int least_planet) {
+  if ((ring - sun) % count != 0) {
+    return std::nullopt;
+  }
+  // With the least planets both axes and the centre are in one line.
+  for (int planet = std::max(least_planet, (ring - sun) / 4 + 1); 2 * planet < ring - sun;
+       ++planet) {
+    const SetTeeth set{.sun = sun, .planet = planet, .ring = ring, .planets = count};
+    if (fits_pairs(set)) {
+      return set;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<SetTeeth> set_of(SetKind kind, int sun, int ring, int count, int least_planet) {
+  return kind == SetKind::simple ? simple_set(sun, ring, count, least_planet)
+                                 : double_planet_set(sun, ring, count, least_planet);
+}
+
+std::optional<SetTeeth> set_with(SetKind kind, int ring, double ratio, double error) {
+  const int sun = static_cast<int>(std::lround(ring / ratio));
+  if (sun < kLeastSun || std::abs(static_cast<double>(ring) / sun - ratio) > error) {
+    return std::nullopt;
+  }
+  for (const int count : kPlanetCounts) {
+    if (const auto set = set_of(kind, sun, ring, count, kLeastPlanet)) {
+      return set;
+    }
+  }
+  return std::nullopt;
+}
+
+// Planets of any size.
+SetTeeth nearest_set(SetKind kind, double ratio) {
+  SetTeeth nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (int sun = kLeastSun; sun < kLargestRing; ++sun) {
+    const int middle = static_cast<int>(std::lround(sun * ratio));
+    for (int ring = std::max(sun + 2, middle - 3); ring <= middle + 9; ++ring) {
+      const auto set = set_of(kind, sun, ring, kPlanetCounts.front(), 1);
+      const double error = std::abs(static_cast<double>(ring) / sun - ratio);
+      if (set && error < least) {
+        least = error;
+        nearest = *set;
+      }
+    }
+  }
+  return nearest;
+}
+
+}  // namespace
+
+SetTeeth choose_teeth(SetKind kind, double stationary_ratio) {
+  for (const auto& [error, largest] :
+       {std::pair(kSameRatio, kLargestExactRing), std::pair(kNearRatio, kLargestRing)}) {
+    for (int ring = kLeastSun + 1; ring <= largest; ++ring) {
+      if (const auto set = set_with(kind, ring, stationary_ratio, error)) {
+        return *set;
+      }
+    }
+  }
+  return nearest_set(kind, stationary_ratio);
+}
+
+}  // namespace kinestat
