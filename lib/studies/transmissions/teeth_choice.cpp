@@ -8,6 +8,8 @@
 #include <optional>
 #include <utility>
 
+#include "core/synthesis_tolerance.hpp"
+
 namespace kinestat {
 
 namespace {
@@ -19,8 +21,8 @@ constexpr int kLeastPlanet = 15;
 constexpr int kLargestExactRing = 200;
 constexpr int kLargestRing = 1000;
 
-constexpr double kSameRatio = 1e-9;
-constexpr double kNearRatio = 1e-3;
+// The stationary ratios of a search over ranges are thousandths.
+constexpr double kNearRatio = 1.0 / 1000;
 
 // Tips stand a module outside of the pitch circle: two teeth of the diameter.
 constexpr double kTips = 2.0;
@@ -48,8 +50,8 @@ bool fits_pairs(const SetTeeth& set) {
   const double outer = set.ring - planet;
   const double between = 2.0 * planet;
   // Beside each other, and neither the outer one on the sun nor the inner one in the ring.
-  if (std::abs(outer - inner) >= between || outer - planet <= set.sun + kTips ||
-      inner + planet + kTips >= set.ring) {
+  if (std::abs(outer - inner) >= between || outer - planet <= set.sun + 2.0 * kTips ||
+      inner + planet + 2.0 * kTips >= set.ring) {
     return false;
   }
   const double turn = 2.0 * std::numbers::pi / set.planets;
@@ -116,7 +118,7 @@ SetTeeth nearest_set(SetKind kind, double ratio) {
 
 SetTeeth choose_teeth(SetKind kind, double stationary_ratio) {
   for (const auto& [error, largest] :
-       {std::pair(kSameRatio, kLargestExactRing), std::pair(kNearRatio, kLargestRing)}) {
+       {std::pair(kRangeSlack, kLargestExactRing), std::pair(kNearRatio, kLargestRing)}) {
     for (int ring = kLeastSun + 1; ring <= largest; ++ring) {
       if (const auto set = set_with(kind, ring, stationary_ratio, error)) {
         return *set;
