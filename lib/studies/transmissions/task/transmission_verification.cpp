@@ -10,6 +10,7 @@
 #include "core/contract.hpp"
 #include "core/synthesis_tolerance.hpp"
 #include "files/load_file.hpp"
+#include "format/mechanism_writer.hpp"
 #include "report/number_format.hpp"
 #include "studies/shift/gear_values.hpp"
 #include "studies/transmissions/task/transmission_files.hpp"
@@ -17,6 +18,13 @@
 namespace kinestat {
 
 namespace {
+
+// As it is read from its file.
+std::optional<Loaded> read_back(const MechanismDescription& description, Diagnostics& found) {
+  const SourceFile file{.path = "", .text = mechanism_text(description, {})};
+  auto read = read_description(file, {}, found);
+  return read ? bind_loaded(*std::move(read), found) : std::nullopt;
+}
 
 // Solves the mechanism of one transmission.
 class TransmissionVerifier {
@@ -44,7 +52,7 @@ class TransmissionVerifier {
  private:
   static Analysis solve(const TransmissionAnalysis& analysis, const TransmissionVariant& variant) {
     Diagnostics ignored;
-    std::optional<Loaded> loaded = bind_loaded(describe_transmission(analysis, variant), ignored);
+    std::optional<Loaded> loaded = read_back(describe_transmission(analysis, variant), ignored);
     KINESTAT_EXPECTS(loaded.has_value() && loaded->shift.has_value());
     return solve_cases(analysis.file, *std::move(loaded));
   }
