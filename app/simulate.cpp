@@ -6,14 +6,30 @@ namespace kinestat::app {
 void add_simulate(CLI::App& command, Job& job) {
   command.footer(
       "  kinestat simulate pendulum.yaml\n"
+      "  kinestat simulate --report action --format csv pendulum.yaml\n"
       "  kinestat simulate --format csv --curve torque=motor.csv press.yaml\n");
-  auto options = std::make_shared<FileOptions>();
-  add_files(command, *options);
-  add_curves(command, options->analyse.load);
-  add_format(command, *options);
-  add_strict(command, *options);
-  run_when_chosen(
-      command, job, [options] { return simulate_files(options->paths, options->analyse); });
+
+  struct Flags {
+    FileOptions files;
+    std::vector<std::string> report;
+  };
+
+  auto flags = std::make_shared<Flags>();
+  FileOptions& files = flags->files;
+  add_files(command, files);
+  add_curves(command, files.analyse.load);
+  add_format(command, files);
+  add_repeated(command,
+               "--report",
+               flags->report,
+               "what is reported, before what the file says: a word\n"
+               "of 'kinestat help simulation', an actuator, or\n"
+               "columns by their name, 'a.Rx'; may be repeated",
+               "QUANTITY");
+  add_strict(command, files);
+  run_when_chosen(command, job, [flags] {
+    return simulate_files(flags->files.paths, flags->report, flags->files.analyse);
+  });
 }
 
 }  // namespace kinestat::app

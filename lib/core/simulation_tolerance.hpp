@@ -19,6 +19,13 @@ inline constexpr double kOffRotorAxis = 1e-6;
 /// A freedom that begins so near a stop touches it [rad, or sizes of the mechanism].
 inline constexpr double kAtStop = 1e-12;
 
+/// Sliding that is this share of the fastest comes to an end, and where it is no more than the
+/// second share it has; from speeds that an event has just made zero rounding leaves less. What
+/// rested without being held slides again from the third on.
+inline constexpr double kNoSliding = 1e-13;
+inline constexpr double kAtRest = 1e-11;
+inline constexpr double kSlidesAgain = 1e-10;
+
 /// What stands so near a point of a curve, as share of the curve's range, has come to it.
 inline constexpr double kAtPoint = 1e-12;
 

@@ -10,6 +10,7 @@ namespace kinestat {
 /// `friction: 0.1` is `friction: {mu: 0.1}`.
 struct FrictionDescription {
   std::optional<Value> mu;             ///< coefficient of friction
+  std::optional<Value> mu_static;      ///< the same at rest
   std::optional<Value> radius;         ///< of a journal, mean radius of a thread, or the radius at
                                        ///< which a guide keeps from turning
   std::optional<Value> thrust_radius;  ///< mean radius of the collar that bears the axial force

@@ -56,6 +56,7 @@ struct MotionDescription {
   std::optional<Name> label;         ///< of the case that gives speeds and loads
   std::vector<TracePoint> trace;
   std::vector<Name> report;  ///< `velocity`, `acceleration`, … or coupling.freedom
+  bool is_another = false;   ///< options gave another drive, way or case than the file does
   SourceRange where;
 };
 

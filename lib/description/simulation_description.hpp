@@ -33,6 +33,7 @@ struct SimulationDescription {
   Value time;
   std::optional<Value> steps = {};
   std::optional<Value> tolerance = {};
+  std::vector<Name> report = {};  ///< `velocity`, `action`, … or names of columns
   SourceRange where;
 };
 

@@ -94,11 +94,12 @@ enum class GrashofClass {
 std::string_view word_of(GrashofClass which);
 
 struct SynthesisLimits {
-  std::optional<Value> transmission_angle;  ///< least
-  std::optional<Value> link_ratio;          ///< largest: longest by shortest link
-  std::optional<Value> size;                ///< largest length
-  std::vector<GrashofClass> classes;        ///< of a four-bar; empty: any
-  bool turns_fully = false;                 ///< the input
+  std::optional<Value> transmission_angle;       ///< least, from the first to the last position
+  std::optional<Value> full_transmission_angle;  ///< least, wherever the input goes
+  std::optional<Value> link_ratio;               ///< largest: longest by shortest link
+  std::optional<Value> size;                     ///< largest length
+  std::vector<GrashofClass> classes;             ///< of a four-bar; empty: any
+  bool turns_fully = false;                      ///< the input
   std::optional<AreaDescription> circle_points;
   std::optional<AreaDescription> centre_points;
 };

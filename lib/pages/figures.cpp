@@ -42,6 +42,8 @@ PicturePlace place_of(const PictureKind& kind) {
     case PictureNeed::moving:
     case PictureNeed::placed:
       return PicturePlace::motion;
+    case PictureNeed::simulation:
+      return PicturePlace::simulation;
     case PictureNeed::sweep:
       return PicturePlace::sweep;
     case PictureNeed::synthesis:

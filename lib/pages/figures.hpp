@@ -11,9 +11,10 @@ namespace kinestat {
 
 /// Beside what a picture stands.
 enum class PicturePlace {
-  structure,   ///< the mechanism as a whole
-  graphs,      ///< more of that, for those who follow the method
-  motion,      ///< finite motion
+  structure,  ///< the mechanism as a whole
+  graphs,     ///< more of that, for those who follow the method
+  motion,     ///< finite motion
+  simulation,
   shift,       ///< the gears of a transmission
   duty,        ///< the points of a duty
   one_case,    ///< at the head of a case

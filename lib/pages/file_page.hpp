@@ -33,6 +33,12 @@ struct PageMotion {
   DrawnMotion drawn;               ///< at these
 };
 
+/// A simulation, its rows those of a motion in time.
+struct PageSimulation {
+  PageMotion rows;
+  TextBlocks blocks;
+};
+
 /// How the values of a case move with the parameters, in tables.
 struct PageSensitivity {
   std::string label;  ///< of the case
@@ -54,6 +60,7 @@ struct FilePage {
   std::optional<Analysis> analysis;
   std::optional<MobilityAnalysis> mobility;
   std::optional<PageMotion> motion;          ///< drawn only where there is an analysis
+  std::optional<PageSimulation> simulation;  ///< likewise
   std::vector<PageSensitivity> sensitivity;  ///< of cases, where the file has parameters
   std::optional<PageDuty> duty;              ///< only beside an analysis
   std::optional<SweepTable> sweep;           ///< without rows where they are too many

@@ -45,6 +45,7 @@ class FileSection {
       html_.close();
     }
     add_motion_part(section_);
+    add_simulation_part(section_);
     add_shift();
     if (page_.analysis) {
       add_case_part(section_);
@@ -80,7 +81,7 @@ class FileSection {
     }
     section_.open_part("structure", "Structure");
     std::vector<Picture> pictures = pictures_at(PicturePlace::structure, section_.source());
-    if (has_drawn_motion(page_)) {
+    if (has_drawn_motion(page_) || has_drawn_simulation(page_)) {
       pictures.insert(pictures.begin(), *main_picture());
     }
     section_.add_pictures(pictures);

@@ -22,17 +22,21 @@ constexpr std::size_t kMostSteps = 720;
 
 class MotionFigure {
  public:
-  MotionFigure(const Analysis& analysis, const PageMotion& motion, const std::string& id)
-      : mechanism_(analysis.mechanism), analysis_(analysis), motion_(motion), id_(id) {}
+  MotionFigure(const Analysis& analysis, const PageMotion& motion, const MotionFigureName& as)
+      : mechanism_(analysis.mechanism),
+        analysis_(analysis),
+        motion_(motion),
+        name_(as.name),
+        id_(as.section) {}
 
   void add_to(int number, Html& html) const {
-    MovingFigure figure{.name = "motion",
+    MovingFigure figure{.name = name_,
                         .section = id_,
                         .number = number,
                         .caption = caption(),
                         .what = drive_names(),
                         .drawn = drawn_step(),
-                        .is_closed = is_closed(mechanism_, motion_.drawn),
+                        .is_closed = goes_on_in_time() || is_closed(mechanism_, motion_.drawn),
                         .bodies = {},
                         .labels = {},
                         .rows = motion_.shown,
@@ -47,12 +51,18 @@ class MotionFigure {
     }
     open_moving_figure(drawing(), figure, html);
     if (!is_planar()) {
-      add_spatial_scene(analysis_, positions(), motion_.drawn.paths, id_ + "-motion-scene", html);
+      add_spatial_scene(analysis_,
+                        positions(),
+                        motion_.drawn.paths,
+                        fmt::format("{}-{}-scene", id_, name_),
+                        html);
     }
     html.close();
   }
 
  private:
+  bool goes_on_in_time() const { return name_ == "simulation"; }
+
   bool is_planar() const { return mechanism_.space == Space::planar; }
 
   const std::vector<LinkagePosition>& positions() const { return motion_.drawn.positions; }
@@ -63,7 +73,7 @@ class MotionFigure {
     const std::size_t shown = positions().size();
     const std::size_t all = motion_.table.rows.size();
     const std::string some =
-        shown < all ? fmt::format(", at {} of the {} positions of the motion", shown, all) : "";
+        shown < all ? fmt::format(", at {} of the {} positions of the {}", shown, all, name_) : "";
     return fmt::format("The mechanism to scale{}{}", paths, some);
   }
 
@@ -192,6 +202,7 @@ class MotionFigure {
   const Mechanism& mechanism_;
   const Analysis& analysis_;
   const PageMotion& motion_;
+  const std::string& name_;
   const std::string& id_;
 };
 
@@ -204,11 +215,11 @@ std::vector<std::size_t> shown_positions(const Mechanism& mechanism, std::size_t
 
 void add_motion_figure(const Analysis& analysis,
                        const PageMotion& motion,
-                       const std::string& id,
+                       const MotionFigureName& as,
                        int& figures,
                        Html& html) {
   ++figures;
-  MotionFigure(analysis, motion, id).add_to(figures, html);
+  MotionFigure(analysis, motion, as).add_to(figures, html);
 }
 
 }  // namespace kinestat

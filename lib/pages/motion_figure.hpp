@@ -14,13 +14,19 @@ namespace kinestat {
 /// look no smoother or, of what is drawn anew for each, make the page too long.
 std::vector<std::size_t> shown_positions(const Mechanism& mechanism, std::size_t count);
 
+/// What a drawing is called, and how it is told from others.
+struct MotionFigureName {
+  std::string name;     ///< "motion" or "simulation", of which the rows are
+  std::string section;  ///< ids begin with it, and charts that follow name it
+};
+
 /// Adds the drawing with the paths of the traced points, a slider and a button, which a script
 /// brings to life, and for it the poses of all bodies or, of a spatial mechanism, drawings of the
-/// positions. Nothing is shown that is no position of the motion. Ids begin with `id`; `figures`
-/// counts on. There must be a position.
+/// positions. Nothing is shown that is no position of the motion. A simulation begins again after
+/// its end, however that stands. `figures` counts on. There must be a position.
 void add_motion_figure(const Analysis& analysis,
                        const PageMotion& motion,
-                       const std::string& id,
+                       const MotionFigureName& as,
                        int& figures,
                        Html& html);
 

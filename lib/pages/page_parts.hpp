@@ -25,6 +25,19 @@ void add_summary_part(SectionWriter& section, const std::optional<Picture>& pict
 /// Whether a motion was found that the summary draws.
 bool has_drawn_motion(const FilePage& page);
 
+/// Likewise a simulation.
+bool has_drawn_simulation(const FilePage& page);
+
+/// Whether the summary has its drawing, as that of no other motion.
+bool leads_with_simulation(const FilePage& page);
+
+/// The drawing of the simulation, which a script plays in time.
+void add_simulation_figure(SectionWriter& section);
+
+/// The simulation: its tables, curves and, where the summary has another, its drawing. Of a file
+/// that asks for one without getting it, that there is none.
+void add_simulation_part(SectionWriter& section);
+
 /// The finite motion: its tables and curves; the summary has its drawing. Of a file that asks for a
 /// motion without getting one, that there is none.
 void add_motion_part(SectionWriter& section);

@@ -61,10 +61,23 @@ std::string SectionWriter::level(int below) const {
   return fmt::format("h{}", (form_ == PageForm::one_file ? 2 : 3) + below);
 }
 
+std::string SectionWriter::id_of(ChartRows rows) const {
+  switch (rows) {
+    case ChartRows::own:
+      return "";
+    case ChartRows::of_motion:
+      return id_;
+    case ChartRows::of_simulation:
+      return id_ + "-simulated";
+  }
+  return "";
+}
+
 PictureSource SectionWriter::source(std::optional<std::size_t> which) {
   return {.analysis = page_.analysis ? &*page_.analysis : nullptr,
           .motion = page_.motion ? &page_.motion->table : nullptr,
           .synthesis = page_.synthesis ? &*page_.synthesis : nullptr,
+          .simulation = page_.simulation ? &page_.simulation->rows.table : nullptr,
           .maps = page_.duty ? &page_.duty->maps : nullptr,
           .which = which,
           .name = page_title(page_),
@@ -117,7 +130,7 @@ void SectionWriter::add_charts(const Figure& figure, const std::string& what, Ch
                      {.id = fmt::format("{}-figure-{}", id_, figures_),
                       .number = figures_,
                       .caption = caption,
-                      .follows = rows == ChartRows::of_motion ? id_ : ""},
+                      .follows = id_of(rows)},
                      html_);
   }
   html_.close();

@@ -22,8 +22,9 @@ struct PageHeading {
   std::string title;
 };
 
-/// What the points of a chart are: its own, or the rows of the motion of the file in their order.
-enum class ChartRows { own, of_motion };
+/// What the points of a chart are: its own, or the rows of the motion or of the simulation of the
+/// file in their order.
+enum class ChartRows { own, of_motion, of_simulation };
 
 /// Whether the title of the page is that of its only file.
 enum class PageForm { one_file, many_files };
@@ -37,6 +38,9 @@ class SectionWriter {
   const FilePage& page() const { return page_; }
 
   const std::string& id() const { return id_; }
+
+  /// By which charts and the drawing that they follow know each other.
+  std::string id_of(ChartRows rows) const;
 
   PageForm form() const { return form_; }
 

@@ -196,6 +196,19 @@ void add_motion(const MotionTable& motion, Sentences& sentences) {
   }
 }
 
+// "A simulation goes to 2.5 s of 5, with 3 impacts."
+void add_simulation(const MotionTable& simulation, Sentences& sentences) {
+  const DriveTravel& time = simulation.drives.front();
+  const auto impacts =
+      static_cast<int>(std::ranges::count(simulation.events, "impact", &MotionEvent::kind));
+  sentences.push_back(
+      fmt::format("A simulation goes to {} {}{}{}.",
+                  format_short(*time.reached),
+                  time.unit,
+                  *time.reached < time.to ? fmt::format(" of {}", format_short(time.to)) : "",
+                  impacts > 0 ? fmt::format(", with {}", counted(impacts, "impact")) : ""));
+}
+
 }  // namespace
 
 std::vector<std::string> result_sentences(const FilePage& page) {
@@ -208,6 +221,9 @@ std::vector<std::string> result_sentences(const FilePage& page) {
   }
   if (page.motion) {
     add_motion(page.motion->table, sentences);
+  }
+  if (page.simulation) {
+    add_simulation(page.simulation->rows.table, sentences);
   }
   if (page.synthesis) {
     for (std::string& one : synthesis_sentences(*page.synthesis)) {

@@ -68,7 +68,15 @@ void add_main_figure(const std::optional<Picture>& picture, SectionWriter& secti
   Html& html = section.html();
   if (has_drawn_motion(page)) {
     html.open("div");
-    add_motion_figure(*page.analysis, *page.motion, section.id(), section.figures(), html);
+    add_motion_figure(*page.analysis,
+                      *page.motion,
+                      {.name = "motion", .section = section.id_of(ChartRows::of_motion)},
+                      section.figures(),
+                      html);
+    html.close();
+  } else if (leads_with_simulation(page)) {
+    html.open("div");
+    add_simulation_figure(section);
     html.close();
   } else if (picture) {
     html.open("div");

@@ -16,12 +16,16 @@
 #include "run/mobility.hpp"
 #include "run/motion.hpp"
 #include "run/sensitivity.hpp"
+#include "run/simulation.hpp"
 #include "run/sweep.hpp"
 #include "run/synthesis.hpp"
 #include "studies/duty/report/duty_report.hpp"
 #include "studies/duty/task/find_duty.hpp"
 #include "studies/motion/picture/drawn_motion_maker.hpp"
 #include "studies/motion/task/find_motion.hpp"
+#include "studies/simulation/picture/drawn_simulation.hpp"
+#include "studies/simulation/report/simulation_report.hpp"
+#include "studies/simulation/report/simulation_table.hpp"
 #include "studies/synthesis/task/find_synthesis.hpp"
 
 namespace kinestat {
@@ -33,6 +37,13 @@ PageMotion page_motion(const FoundMotion& motion, const Mechanism& mechanism) {
   std::vector<std::size_t> shown = shown_positions(mechanism, count);
   DrawnMotion drawn = make_drawn_motion(motion, motion.solution, shown, mechanism);
   return {.table = motion.table, .shown = std::move(shown), .drawn = std::move(drawn)};
+}
+
+PageMotion page_rows(const FoundSimulation& simulation, const SimulationReportView& view) {
+  std::vector<std::size_t> shown =
+      shown_positions(simulation.mechanism, simulation.solution.rows.size());
+  DrawnMotion drawn = make_drawn_simulation(simulation, shown);
+  return {.table = simulation_table(view), .shown = std::move(shown), .drawn = std::move(drawn)};
 }
 
 class PageBuilder {
@@ -48,6 +59,7 @@ class PageBuilder {
       if (!page_.analysis) {
         move_alone();
       }
+      simulate();
       sweep();
       synthesize();
       page_.data.push_back({.name = printable(report_stem(path_)) + ".yaml",
@@ -164,6 +176,20 @@ class PageBuilder {
       add_data("sensitivity",
                make_sensitivity_report(
                    path_, analysis.description, answer->parameters, answer->cases, kForms, found));
+    }
+  }
+
+  void simulate() {
+    if (!page_.description->simulation) {
+      return;
+    }
+    Diagnostics found;
+    const std::optional<FoundSimulation> answer = find_simulation(*page_.description, found);
+    add_new(found, page_.found);
+    if (answer && !answer->solution.rows.empty()) {
+      const SimulationReportView view = simulation_view(path_, *page_.description, *answer, &found);
+      page_.simulation = {.rows = page_rows(*answer, view), .blocks = simulation_blocks(view)};
+      add_data("simulation", make_simulation_report(view, kForms));
     }
   }
 

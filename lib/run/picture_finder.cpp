@@ -8,10 +8,13 @@
 #include "mechanism/bind/bind.hpp"
 #include "run/analyse.hpp"
 #include "run/benchmark.hpp"
+#include "run/simulation.hpp"
 #include "run/sweep.hpp"
 #include "studies/duty/task/find_duty.hpp"
 #include "studies/motion/task/find_motion.hpp"
 #include "studies/motion/task/motion_choice.hpp"
+#include "studies/simulation/report/simulation_table.hpp"
+#include "studies/simulation/task/find_simulation.hpp"
 #include "studies/synthesis/task/find_synthesis.hpp"
 
 namespace kinestat {
@@ -59,6 +62,7 @@ PictureSource PictureFinder::source() const {
           .placed = placed_ ? &*placed_ : nullptr,
           .synthesis = synthesis_ ? &*synthesis_ : nullptr,
           .benchmark = benchmark_ ? &*benchmark_ : nullptr,
+          .simulation = simulation_ ? &*simulation_ : nullptr,
           .sweep = sweep_ ? &*sweep_ : nullptr,
           .maps = maps_ ? &*maps_ : nullptr};
 }
@@ -92,6 +96,8 @@ bool PictureFinder::solve(PictureNeed need, Diagnostics& found) {
       return find_moving(found);
     case PictureNeed::placed:
       return find_placed(found);
+    case PictureNeed::simulation:
+      return find_simulated(found);
     case PictureNeed::sweep:
       return find_sweep(found);
     case PictureNeed::maps:
@@ -174,6 +180,15 @@ bool PictureFinder::find_moving(Diagnostics& found) {
     moving_ = moving_mechanism(path_, *description_, *mechanism, *motion_);
   }
   return mechanism.has_value();
+}
+
+// One that cannot go on is drawn as far as it goes.
+bool PictureFinder::find_simulated(Diagnostics& found) {
+  const std::optional<FoundSimulation> answer = find_simulation(*description_, found);
+  if (answer) {
+    simulation_ = simulation_table(simulation_view(path_, *description_, *answer, nullptr));
+  }
+  return answer.has_value();
 }
 
 bool PictureFinder::find_sweep(Diagnostics& found) {

@@ -46,6 +46,7 @@ class PictureFinder {
   bool find_motion_of_file(Diagnostics& found);
   bool find_moving(Diagnostics& found);
   bool find_placed(Diagnostics& found);
+  bool find_simulated(Diagnostics& found);
   bool find_sweep(Diagnostics& found);
   bool find_maps(Diagnostics& found);
   bool find_benchmark(Diagnostics& found);
@@ -56,13 +57,15 @@ class PictureFinder {
   const Clock& clock_;
   SourceFile file_;
   std::optional<MechanismDescription> description_;
-  std::array<std::optional<bool>, 8> is_found_;  ///< by PictureNeed
+  std::array<std::optional<bool>, static_cast<std::size_t>(PictureNeed::maps) + 1>
+      is_found_;  ///< by PictureNeed
   std::optional<Analysis> analysis_;
   std::optional<FoundMotion> motion_;
   std::optional<MovingMechanism> moving_;
   std::optional<PlacedMechanism> placed_;
   std::optional<SynthesisAnalysis> synthesis_;
   std::optional<std::vector<BenchmarkedCase>> benchmark_;
+  std::optional<MotionTable> simulation_;
   std::optional<SweepTable> sweep_;
   std::optional<std::vector<EfficiencyMap>> maps_;
 };

@@ -150,6 +150,9 @@ class PictureJob {
     if (is_of_motion && !description().motion) {
       return "the file has no section 'motion'";
     }
+    if (kind.need == PictureNeed::simulation && !description().simulation) {
+      return "the file has no section 'simulation'";
+    }
     if (kind.need == PictureNeed::sweep && !description().sweep) {
       return "the file has no section 'sweep'";
     }

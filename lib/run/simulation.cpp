@@ -5,27 +5,42 @@
 #include "files/each_file.hpp"
 #include "files/load_file.hpp"
 #include "studies/simulation/report/simulation_report.hpp"
-#include "studies/simulation/task/find_simulation.hpp"
 
 namespace kinestat {
 
-Outcome simulate_files(const std::vector<std::string>& paths, const AnalyseOptions& options) {
+SimulationReportView simulation_view(const std::string& path,
+                                     const MechanismDescription& description,
+                                     const FoundSimulation& answer,
+                                     const Diagnostics* found) {
+  return {.file = path,
+          .description = description,
+          .mechanism = answer.mechanism,
+          .plan = answer.plan,
+          .solution = answer.solution,
+          .found = found};
+}
+
+Outcome simulate_files(const std::vector<std::string>& paths,
+                       const std::vector<std::string>& report,
+                       const AnalyseOptions& options) {
   return report_on_each_file(paths, options, [&](ReportedFile& file) -> std::optional<FileReport> {
-    const std::optional<MechanismDescription> description =
+    std::optional<MechanismDescription> description =
         load_description(file.path, options.load, file.source, file.found);
     if (!description) {
       return std::nullopt;
+    }
+    if (description->simulation && !report.empty()) {
+      std::vector<Name>& named = description->simulation->report;
+      named.clear();
+      for (const std::string& one : report) {
+        named.push_back({.text = one, .where = {}});
+      }
     }
     const std::optional<FoundSimulation> answer = find_simulation(*description, file.found);
     if (!answer) {
       return std::nullopt;
     }
-    return make_simulation_report({.file = file.path,
-                                   .description = *description,
-                                   .mechanism = answer->mechanism,
-                                   .plan = answer->plan,
-                                   .solution = answer->solution,
-                                   .found = &file.found},
+    return make_simulation_report(simulation_view(file.path, *description, *answer, &file.found),
                                   file.forms);
   });
 }

@@ -1,6 +1,7 @@
 #include "statics/friction_solve.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -213,6 +214,29 @@ StaticSolution solve_with_friction(const Mechanism& mechanism,
   }
   StaticSolution pushing = solve_pushing(mechanism, basis, given);
   return all_push(pushing, laws) ? pushing : solution;
+}
+
+FrictionMagnitudes solve_friction_balance(const FrictionBalance& given) {
+  FrictionSystem system(
+      given.mechanism, given.basis, given.primaries, given.loads, given.laws, {}, given.along);
+  system.find_open(system.undetermined());
+  std::vector<std::size_t> all(given.laws.size());
+  std::iota(all.begin(), all.end(), 0U);
+  std::vector<FrictionFunction> functions;
+  for (const std::size_t i : all) {
+    if (system.is_open(i)) {
+      return {.outcome = FrictionOutcome::open, .values = {}, .open = given.laws[i].coupling};
+    }
+    functions.push_back(system.function_of(i, all));
+  }
+  const std::optional<VecX> found = follow_friction(functions);
+  if (!found) {
+    return {.outcome = FrictionOutcome::none, .values = {}};
+  }
+  if (find_other_friction(functions, *found)) {
+    return {.outcome = FrictionOutcome::several, .values = {}};
+  }
+  return {.outcome = FrictionOutcome::solved, .values = *found};
 }
 
 }  // namespace kinestat

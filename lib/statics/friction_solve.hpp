@@ -24,4 +24,31 @@ namespace kinestat {
                                                  std::span<const BodyWrench> loads,
                                                  std::span<const FrictionLaw> laws);
 
+/// The primaries must be independent.
+struct FrictionBalance {
+  const Mechanism& mechanism;
+  const CoordinateBasis& basis;
+  std::span<const Primary> primaries;
+  std::span<const BodyWrench> loads;  ///< without these frictions in balance
+  std::span<const FrictionLaw> laws;
+  std::span<const std::vector<BodyWrench>> along;  ///< of each, what a unit of it makes of forces
+                                                   ///< of inertia and other loads
+};
+
+enum class FrictionOutcome {
+  solved,
+  none,     ///< friction that grows with what it causes has no end (Painleve)
+  several,  ///< it balances in several ways
+  open      ///< what presses follows from no equilibrium
+};
+
+struct FrictionMagnitudes {
+  FrictionOutcome outcome = FrictionOutcome::solved;
+  VecX values;                          ///< of each law [N·m or N]; where solved
+  std::optional<CouplingId> open = {};  ///< of which
+};
+
+/// f_i = law_i(actions(f)).
+FrictionMagnitudes solve_friction_balance(const FrictionBalance& given);
+
 }  // namespace kinestat

@@ -7,9 +7,9 @@ against change and is no evidence: that is what `published:` and tests/reference
 --update it is written where it is missing or no longer holds.
 
 folded.txt holds the name of the mechanism, how often each code of a diagnostic occurs, the tables
-of `kinestat analyze` (of counted mechanisms `mobility`, of tasks `synthesize`) and of `motion`, and
-the words of the JSON report, most of which are in no table. Left out are evidence, residuals,
-sentences and what repeats the file.
+of `kinestat analyze` (of counted mechanisms `mobility`, of tasks `synthesize`), of `motion` and of
+`simulate`, of which every tenth row, and the words of the JSON report, most of which are in no
+table. Left out are evidence, residuals, sentences and what repeats the file.
 """
 
 from __future__ import annotations
@@ -43,8 +43,12 @@ NEAR_TOLERANCE = ("--atol", "1e-3", "--rtol", "1e-3")
 WITH_REPORT = {0, 5}
 COLUMNS = ["mechanism", "case", "pass", "element", "quantity", "value", "unit", "status"]
 MOTION_COLUMNS = [*COLUMNS, "step", "drive"]
+IN_TIME = {"motion", "simulation"}  # passes with these columns
 # Rounding alone, which differs from machine to machine.
-RESIDUALS = {"balance_residual", "closure_error", "residual", "uncertainty"}
+RESIDUALS = {"balance_residual", "closure_error", "error", "residual", "uncertainty"}
+# Simulations add up the rounding of every step; their files ask for 1e-11 a step.
+SIMULATED_TOLERANCE = ("--atol", "1e-7", "--rtol", "1e-7")
+EVERY = 10
 # Parts of a report whose words are sentences, are in the tables, or repeat the file.
 NO_WORDS = {"arcs", "columns", "diagnostics", "engaged", "evidence", "graph", "kinestat",
             "mechanism", "primary", "reason", "reasons", "remarks", "rows"}
@@ -119,7 +123,14 @@ def examine(program: Path, mechanism: Path) -> tuple[str, list[Row]]:
     name, rows = read_table(output(program, command, "csv", mechanism))
     if "motion" in report:
         rows += read_table(output(program, "motion", "csv", mechanism))[1]
+    if is_simulated(mechanism):
+        rows += [row for row in read_table(output(program, "simulate", "csv", mechanism))[1]
+                 if not row.step or int(row.step) % EVERY == 0]
     return name, [*findings(report), *rows, *words(report)]
+
+
+def is_simulated(mechanism: Path) -> bool:
+    return "\nsimulation:" in mechanism.read_text(encoding="utf-8")
 
 
 def is_exact(row: Row) -> bool:
@@ -138,6 +149,8 @@ def table_of(name: str, rows: Iterable[Row], columns: list[str]) -> str:
 
 
 def tolerance_of(mechanism: Path) -> tuple[str, ...]:
+    if is_simulated(mechanism):
+        return SIMULATED_TOLERANCE
     if mechanism.parent != TASKS:
         return ()
     return NEAR_TOLERANCE if "near" in mechanism.stem.split("_") else TASK_TOLERANCE
@@ -159,11 +172,11 @@ def differences(program: Path, expected: bytes, found: bytes, tolerance: tuple[s
 
 def table_differences(program: Path, expected: tuple[str, list[Row]], found: tuple[str, list[Row]],
                       tolerance: tuple[str, ...]) -> str:
-    """Of the numbers: those of motions are a table of their own form."""
+    """Of the numbers: those of motions and simulations are a table of their own form."""
     said = []
     for columns in (COLUMNS, MOTION_COLUMNS):
         tables = [[row for row in rows if not is_exact(row) and
-                   (row.part == "motion") == (columns is MOTION_COLUMNS)]
+                   (row.part in IN_TIME) == (columns is MOTION_COLUMNS)]
                   for _, rows in (expected, found)]
         if any(tables):
             texts = [table_of(name, rows, columns).encode("utf-8")

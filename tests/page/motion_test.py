@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import json
 import math
+import subprocess
 import sys
 import time
 import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from page_case import PageCase, run_tests  # noqa: E402
+from page_case import PageCase, program, run_tests, write_page  # noqa: E402
 
 METRES = {"m": 1.0, "cm": 1e-2, "mm": 1e-3}
 PLANAR = ["planar/four_bar.yaml", "planar/slider_crank.yaml", "planar/watt_six_bar.yaml"]
@@ -153,6 +154,36 @@ class MotionTest(PageCase):
                             self.assertAlmostEqual(a * d - b * c, 1.0, places=5)
                             self.assertAlmostEqual(math.hypot(a, b), 1.0, places=5)
                 self.assertGreater(farthest, 20.0, "it moves")
+
+    def test_a_simulation_stands_where_its_rows_say(self) -> None:
+        file = self.folder / "run-up.yaml"
+        subprocess.run([program(), "new", "--force", "run-up", file], check=True,
+                       stdout=subprocess.DEVNULL)
+        page = self.folder / "run-up.html"
+        self.assertEqual(write_page(page, file).returncode, 0)
+        self.open(page, prefers_reduced_motion="reduce")
+        rows = json.loads(subprocess.run([program(), "simulate", "--format", "json", file],
+                                         check=True, capture_output=True).stdout)["simulation"]
+        turn = [one["name"] for one in rows["columns"]].index("a.wz/position")
+        last = self.last_step()
+        self.assertEqual(last, len(rows["rows"]) - 1)
+        for step in (0, 1, last // 3, last):
+            self.assertIn(f"time {rows['rows'][step][0]:.6g} s", self.show(step))
+            (scale, x0, y0), matrices = self.ask(MATRICES)
+            a, b, *_ = matrices["crank"][0]
+            angle = math.radians(rows["rows"][step][turn])
+            self.assertAlmostEqual(a, math.cos(angle), places=5)
+            self.assertAlmostEqual(b, -math.sin(angle), places=5)
+            pin = (x0, y0 - scale * 0.04)
+            self.assertLess(math.dist(placed(matrices["crank"][0], pin),
+                                      placed(matrices["rod"][0], pin)), SHARP)
+        self.assertIn("in d", self.ask(
+            "return [...document.querySelectorAll('[data-force] option')].map((one) => "
+            "one.textContent);"))
+        self.assertGreater(len(self.ask(
+            "return [...document.querySelectorAll('figure.chart')]"
+            ".filter((one) => one.dataset.follows === "
+            "document.querySelector('figure.motion').dataset.motion);")), 4)
 
     def test_a_spatial_linkage_is_seen_where_its_closed_form_is(self) -> None:
         # Hinge a about z at the origin, d about y; the balls b and c are fixed in crank and rocker.

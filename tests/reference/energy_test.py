@@ -96,6 +96,33 @@ class EnergyTest(DynamicsCase):
         self.assertEqual(found["actuators"]["motor"]["energy_out"], 0.0)
         self.assertLess(found["energy"]["audit"], 1e-9)
 
+    def test_efficiency_of_a_whole_cycle(self) -> None:
+        """A load that falls from 30 N*m to 10 and rises again over a turn, mean 20 N*m, behind teeth
+        1:1 and a bearing that takes 0.5 N*m: 20/20.5 of the energy comes out, of the power less."""
+        text = """kinestat: 1
+space: planar
+ground: frame
+bodies: [one, other]
+couplings:
+  a: {type: revolute, bodies: [frame, one], at: [0, 0]}
+  b: {type: revolute, bodies: [frame, other], at: [0.1, 0], friction: {tau: 0.5}}
+  m: {type: gear, bodies: [one, other], at: [0.05, 0], tangent: y, pressure_angle: 20 deg}
+actuators: {motor: {coupling: a}, tool: {coupling: b}}
+curves:
+  work: {over: motor, period: 360 deg, points: [[0, 30 N*m], [180 deg, 10 N*m], [360 deg, 30 N*m]]}
+cases: {run: {motion: {motor: 10}, acceleration: {}, action: {tool: work},
+              input: motor, output: tool}}
+motion: {drive: motor, to: 360 deg, steps: 12, case: run}
+dynamics: {actuators: motor}
+"""
+        energy = program.run("motion", "-", text=text)["motion"]["dynamics"]["energy"]
+        self.near(energy["efficiency"], 20 / 20.5, 1.0, "efficiency")
+        self.near(energy["lost"], 0.5 * 2 * math.pi, 100.0, "lost")
+        speeding_up = text.replace("bodies: [one, other]", "bodies: {one: {inertia: 1}, other: }", 1)
+        speeding_up = speeding_up.replace("acceleration: {}", "acceleration: {motor: 5}")
+        kept = program.run("motion", "-", text=speeding_up)["motion"]["dynamics"]["energy"]
+        self.assertIsNone(kept["efficiency"])
+
 
 if __name__ == "__main__":
     program.use(sys.argv[1])

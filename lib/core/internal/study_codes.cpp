@@ -116,17 +116,18 @@ constexpr auto kStudyCodes = std::to_array<Code>({
      "says which way it goes, a curve ends, a spring has no force, or something moves that has "
      "neither mass nor inertia. Stops may also be struck again and again without time going on, "
      "and "
-     "what is very stiff may ask for too many steps. The message has the time and the cause; the "
+     "what is very stiff may ask for too many steps; where several couplings stick at once, or "
+     "what presses is indeterminate, nothing says how large each friction is. The message has the "
+     "time and the cause; the "
      "report goes as far as the simulation did. Stops, or 'until', end it before."},
     {"E0516",
      wrong_input,
      "simulation does not know this",
-     "'kinestat simulate' knows bodies with inertia, loads, weights, springs, dampers, viscous "
-     "friction, actions that follow curves, and stops. Dry friction, which sticks and slips, "
-     "losses "
-     "of teeth, cables and contacts, which can part, and bodies that turn freely about a point are "
-     "refused, because an answer without them would be wrong. Forces along a given motion have all "
-     "of these: 'kinestat help dynamics'."},
+     "'kinestat simulate' knows bodies with inertia, loads, weights, springs, dampers, friction of "
+     "couplings with one freedom, actions that follow curves, and stops. Losses of teeth, cables "
+     "and contacts, which can part, torque converters, and bodies that turn freely about a point "
+     "are refused, because an answer without them would be wrong. Forces along a given motion have "
+     "all of these: 'kinestat help dynamics'."},
     {"E0517",
      wrong_input,
      "start of a simulation does not fit",
@@ -141,6 +142,17 @@ constexpr auto kStudyCodes = std::to_array<Code>({
      "that "
      "something holds, and not both; what couplings bear follows and is not given. Some body has "
      "mass or inertia, or nothing says how fast the mechanism speeds up."},
+    {"E0519",
+     no_answer,
+     "friction has no answer, or several",
+     "Dry friction follows from what presses, and what presses from how the bodies speed up, which "
+     "friction slows down or even speeds up. Where friction grows faster than what it causes, "
+     "rigid "
+     "bodies have no accelerations that fit, or several: Painleve's paradox, as of chalk that is "
+     "pushed over a board and hops. What really happens is decided by how the bodies bend, of "
+     "which "
+     "the file says nothing, and the simulation ends there. The message has the time and the "
+     "coupling. Less friction, a longer guide or a lower centre of mass make an answer."},
     {"E0601",
      wrong_input,
      "primary actions depend on each other",

@@ -29,6 +29,8 @@ bool has_need(PictureNeed need, const PictureSource& source) {
       return source.moving != nullptr;
     case PictureNeed::placed:
       return source.placed != nullptr;
+    case PictureNeed::simulation:
+      return source.simulation != nullptr;
     case PictureNeed::sweep:
       return source.sweep != nullptr;
     case PictureNeed::maps:

@@ -29,6 +29,7 @@ struct PictureSource {
   const PlacedMechanism* placed = nullptr;  ///< instead of `analysis`, of a drawing in positions
   const SynthesisAnalysis* synthesis = nullptr;
   const std::vector<BenchmarkedCase>* benchmark = nullptr;
+  const MotionTable* simulation = nullptr;  ///< of simulation_table
   const SweepTable* sweep = nullptr;
   const std::vector<EfficiencyMap>* maps = nullptr;  ///< only beside `analysis`
   /// Index into Analysis::cases: the case that a picture of one case shows; empty: the first that
@@ -39,7 +40,17 @@ struct PictureSource {
 };
 
 /// What must be found for a picture.
-enum class PictureNeed { analysis, motion, moving, placed, synthesis, benchmark, sweep, maps };
+enum class PictureNeed {
+  analysis,
+  motion,
+  moving,
+  placed,
+  simulation,
+  synthesis,
+  benchmark,
+  sweep,
+  maps  // the last
+};
 
 /// Whether a picture is of the file, or of one of its cases.
 enum class PictureScope { file, one_case };

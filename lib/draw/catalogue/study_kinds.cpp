@@ -9,6 +9,7 @@
 #include "studies/motion/picture/actuator_curves.hpp"
 #include "studies/motion/picture/dynamics_curves.hpp"
 #include "studies/motion/picture/motion_curves.hpp"
+#include "studies/simulation/picture/simulation_curves.hpp"
 #include "studies/sweep/picture/sweep_curves.hpp"
 #include "studies/synthesis/picture/best_linkages.hpp"
 #include "studies/synthesis/picture/burmester_drawing.hpp"
@@ -137,6 +138,34 @@ std::string speed_torque_text(const PictureSource& source) {
   return gnuplot_text(speed_torque_of(source));
 }
 
+Figure simulation_of(const PictureSource& source) {
+  return simulation_figure(*source.simulation, titled("Simulation", source));
+}
+
+std::string why_no_simulation(const PictureSource& source) {
+  return source.simulation->rows.size() < 2 ? "its simulation has no two rows" : "";
+}
+
+Picture draw_simulation(const PictureSource& source) {
+  return draw_figure(simulation_of(source));
+}
+
+std::string simulation_text(const PictureSource& source) {
+  return gnuplot_text(simulation_of(source));
+}
+
+Figure energies_of(const PictureSource& source) {
+  return energy_figure(*source.simulation, titled("Energies", source));
+}
+
+Picture draw_energies(const PictureSource& source) {
+  return draw_figure(energies_of(source));
+}
+
+std::string energies_text(const PictureSource& source) {
+  return gnuplot_text(energies_of(source));
+}
+
 Figure sweep_of(const PictureSource& source) {
   return sweep_figure(*source.sweep, titled("Sweep", source));
 }
@@ -223,6 +252,18 @@ constexpr auto kStudyKinds = std::to_array<PictureKind>({
      .why_not = why_no_actuators,
      .draw = draw_speed_torque,
      .gnuplot = speed_torque_text},
+    {.name = "simulation",
+     .sentence = "positions, speeds and more of a simulation over time",
+     .need = PictureNeed::simulation,
+     .why_not = why_no_simulation,
+     .draw = draw_simulation,
+     .gnuplot = simulation_text},
+    {.name = "energies",
+     .sentence = "energies of a simulation over time",
+     .need = PictureNeed::simulation,
+     .why_not = why_no_simulation,
+     .draw = draw_energies,
+     .gnuplot = energies_text},
     {.name = "sweep-curves",
      .sentence = "quantities of a sweep over a parameter",
      .need = PictureNeed::sweep,

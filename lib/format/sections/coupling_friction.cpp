@@ -123,6 +123,13 @@ void declare_friction(Mapping<FrictionDescription>& m, FrictionKind kind) {
     coefficients.push_back("mu");
     m.key("mu", "Coefficient of friction.")
         .may(&FrictionDescription::mu, called(not_negative(), "{1}"), "0.1");
+    if (kind != FrictionKind::sliding && kind != FrictionKind::no_law) {
+      m.key("mu_static",
+            "Coefficient at rest, from which a simulation lets it slip; no less than 'mu'.")
+          .may(&FrictionDescription::mu_static, called(not_negative(), "{1}"), "0.15")
+          .usual("mu");
+      m.rule({.kind = FormRule::Kind::needed_beside, .key = "mu", .others = {"mu_static"}});
+    }
   }
   if (!texts.radius.empty()) {
     declare_radius(m, kind);
@@ -171,7 +178,8 @@ const Mapping<FrictionDescription>& friction_mapping(FrictionKind kind) {
 }
 
 bool is_mu_alone(const FrictionDescription& one) {
-  return one.mu && !one.radius && !one.thrust_radius && !one.length && !one.tau && !one.c;
+  return one.mu && !one.mu_static && !one.radius && !one.thrust_radius && !one.length && !one.tau &&
+         !one.c;
 }
 
 Form<FrictionDescription> mu_alone() {

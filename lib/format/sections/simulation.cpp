@@ -112,6 +112,12 @@ const Mapping<SimulationDescription>& simulation_section() {
               "mechanism, of speeds by the fastest.")
             .may(&SimulationDescription::tolerance, integration_tolerance(), "1e-9")
             .usual("1e-9");
+        m.key(
+             "report",
+             "What each row reports: position, velocity, acceleration, action, energy, or names of "
+             "freedoms, actuators, actions, couplings and columns. Without it all but the actions "
+             "of couplings.")
+            .may(&SimulationDescription::report, one_or_more(target()), "[a, action]");
       });
   return mapping;
 }

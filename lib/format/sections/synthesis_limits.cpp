@@ -82,8 +82,14 @@ Form<std::vector<GrashofClass>> classes() {
 const Mapping<SynthesisLimits>& synthesis_limits() {
   static const Mapping<SynthesisLimits> mapping(
       "", "", "{transmission_angle: 30 deg, link_ratio: 12, size: 20}", [](auto& m) {
-        m.key("transmission_angle", "Least transmission angle, from 0 to below 90 deg.")
+        m.key("transmission_angle",
+              "Least transmission angle from the first to the last position, from 0 to below 90 "
+              "deg.")
             .may(&SynthesisLimits::transmission_angle, acute_angle(), "30 deg");
+        m.key("full_transmission_angle",
+              "Least transmission angle wherever the input can go: over the whole turn of a crank; "
+              "an input that meets a dead point has 0 there.")
+            .may(&SynthesisLimits::full_transmission_angle, acute_angle(), "30 deg");
         m.key("link_ratio", "Largest ratio of the longest link to the shortest, at least 1.")
             .may(&SynthesisLimits::link_ratio, at_least_one(), "12");
         m.key("size", "Largest length of a link or distance of a pivot.")

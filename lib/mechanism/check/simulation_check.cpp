@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "description/simulation_report_words.hpp"
 #include "mechanism/check/section_checks.hpp"
 
 namespace kinestat {
@@ -21,6 +22,17 @@ void check_target(const Name& target, const SectionContext& context) {
 void check_number(const std::optional<Value>& value, const SectionContext& context) {
   if (value) {
     context.evaluator.quantity(*value);
+  }
+}
+
+// A word, or the name of what a column is of.
+void check_report(const Name& name, const SectionContext& context) {
+  if (std::ranges::count(kSimulationReportWords, name.text) > 0) {
+    return;
+  }
+  const Name owner{.text = name.text.substr(0, name.text.find_first_of("./")), .where = name.where};
+  if (owner.text != kEnergyWord && !context.names.couplings.contains(owner.text)) {
+    context.names.check_actuator(owner, "'report' of 'simulation' names", context.found);
   }
 }
 
@@ -51,6 +63,9 @@ void check_simulation(const SectionContext& context) {
       check_number(one.position, context);
       check_number(one.speed, context);
     }
+  }
+  for (const Name& one : simulation.report) {
+    check_report(one, context);
   }
   for (const StopDescription& one : simulation.stops) {
     check_target(one.target, context);

@@ -43,6 +43,9 @@ class SynthesisCheck {
     check_tasks();
     context_.number(
         task_.limits.transmission_angle, kTransmissionAngle, "'transmission_angle' of 'limits'");
+    context_.number(task_.limits.full_transmission_angle,
+                    kTransmissionAngle,
+                    "'full_transmission_angle' of 'limits'");
     context_.number(task_.limits.link_ratio, kLinkRatio, "'link_ratio' of 'limits'");
     context_.number(task_.limits.size, kAboveZeroLength, "'size' of 'limits'");
     check_classes();

@@ -43,6 +43,7 @@ template <class Scalar>
 struct CouplingFrictionOf {
   CouplingId coupling;
   Scalar mu = 0.0;
+  std::optional<Scalar> mu_static = {};  ///< in its place at rest, no less; of simulations alone
   Scalar radius = 0.0;         ///< of the journal, mean one of the thread, or at which the guide
                                ///< is kept from turning; 0: no friction from its couple [m]
   Scalar thrust_radius = 0.0;  ///< mean one of the collar; 0: no friction from the axial force [m]

@@ -19,6 +19,9 @@ std::string_view command_for(std::string_view text) {
   if (!has_section(text, "couplings")) {
     return "synthesize";
   }
+  if (has_section(text, "simulation") && !has_section(text, "cases")) {
+    return "simulate";
+  }
   return has_section(text, "sweep") ? "sweep" : "analyze";
 }
 

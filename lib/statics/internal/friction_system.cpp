@@ -36,12 +36,14 @@ FrictionSystem::FrictionSystem(const Mechanism& mechanism,
                                std::span<const Primary> primaries,
                                std::span<const BodyWrench> loads,
                                std::span<const FrictionLaw> laws,
-                               const std::vector<TiedAction>& ties)
+                               const std::vector<TiedAction>& ties,
+                               std::span<const std::vector<BodyWrench>> along)
     : mechanism_(mechanism),
       primaries_(primaries),
       loads_(loads),
       laws_(laws),
       ties_(ties),
+      along_(along),
       equilibrium_(mechanism, basis, indices_of(primaries), ties_),
       frictionless_(equilibrium_.solve(values_of(primaries), loads).magnitudes),
       responses_(laws.size()),
@@ -80,7 +82,11 @@ Vec3 FrictionSystem::slope(std::size_t law, std::size_t part, std::size_t fricti
 const VecX& FrictionSystem::response(std::size_t i) const {
   if (!responses_[i]) {
     const std::vector<double> nothing(primaries_.size(), 0.0);
-    responses_[i] = equilibrium_.solve(nothing, pair_of(laws_[i], 1.0)).magnitudes;
+    std::vector<BodyWrench> loads = pair_of(laws_[i], 1.0);
+    if (!along_.empty()) {
+      std::ranges::copy(along_[i], std::back_inserter(loads));
+    }
+    responses_[i] = equilibrium_.solve(nothing, loads).magnitudes;
   }
   return *responses_[i];
 }

@@ -18,8 +18,9 @@ struct ChosenFrictions {
   VecX magnitudes;  ///< [N·m or N]
 };
 
-/// Actions are affine in the magnitudes of the frictions: ψ = ψ_0 + Σ f_i ψ_i. The mechanism, the
-/// loads and the laws must outlive it; the case without friction must have an answer.
+/// Actions are affine in the magnitudes of the frictions: ψ = ψ_0 + Σ f_i ψ_i. What a unit of each
+/// brings along may be given. The mechanism, the loads and the laws must outlive it; the case
+/// without friction must have an answer.
 class FrictionSystem {
  public:
   FrictionSystem(const Mechanism& mechanism,
@@ -27,7 +28,11 @@ class FrictionSystem {
                  std::span<const Primary> primaries,
                  std::span<const BodyWrench> loads,
                  std::span<const FrictionLaw> laws,
-                 const std::vector<TiedAction>& ties = {});
+                 const std::vector<TiedAction>& ties = {},
+                 std::span<const std::vector<BodyWrench>> along = {});
+
+  /// Of the actions that equilibrium leaves open by itself, as `find_open` asks for them.
+  std::vector<int> undetermined() const { return equilibrium_.check(loads_).undetermined; }
 
   const FrictionLaw& law(std::size_t i) const { return laws_[i]; }
 
@@ -72,6 +77,7 @@ class FrictionSystem {
   std::span<const BodyWrench> loads_;
   std::span<const FrictionLaw> laws_;
   std::vector<TiedAction> ties_;
+  std::span<const std::vector<BodyWrench>> along_;  ///< of each law, or none at all
   Equilibrium equilibrium_;
   VecX frictionless_;
   std::vector<VecX> of_primaries_;  ///< for a magnitude of 1 each; once others are set

@@ -31,14 +31,19 @@ bool is_weight(const Load& load) {
 ReducedSystem::ReducedSystem(const Mechanism& mechanism,
                              const Case& which,
                              MotionNetwork network,
-                             std::size_t free_count)
+                             std::size_t free_count,
+                             StateBalance* balance)
     : mechanism_(mechanism),
       which_(which),
       network_(std::move(network)),
       free_count_(free_count),
       follower_(network_),
       states_(network_, mechanism),
-      needs_place_(which.follows_curves() || !mechanism.springs.empty()) {
+      needs_place_(which.follows_curves() || !mechanism.springs.empty()),
+      balance_(balance),
+      friction_(mechanism.frictions.size()),
+      inertial_(mechanism.masses.size()),
+      carried_(mechanism.masses.size()) {
   const std::size_t count = network_.driven_rates.size();
   speeds_.drives.resize(count);
   for (const int freedom : network_.passive_freedoms) {
@@ -48,14 +53,25 @@ ReducedSystem::ReducedSystem(const Mechanism& mechanism,
   held_.resize(count - free_count);
 }
 
+void ReducedSystem::set_friction(std::vector<FrictionSense> senses, bool is_open) {
+  senses_ = std::move(senses);
+  is_open_ = is_open;
+}
+
+void ReducedSystem::set_speeds(std::span<const double> speeds,
+                               std::span<const double> accelerations) {
+  for (std::size_t d = 0; d < speeds_.drives.size(); ++d) {
+    speeds_.drives[d] = {.speed = speeds[d],
+                         .acceleration = d < accelerations.size() ? accelerations[d] : 0.0};
+  }
+}
+
 bool ReducedSystem::accelerate(double time,
                                const Configuration& configuration,
                                std::span<const double> speeds,
                                std::span<double> accelerations) {
   const std::size_t count = speeds_.drives.size();
-  for (std::size_t d = 0; d < count; ++d) {
-    speeds_.drives[d] = {.speed = speeds[d]};
-  }
+  set_speeds(speeds, {});
   state_ = states_.solve(configuration, speeds_, StateDetail::acceleration);
   if (state_.is_singular || state_.twist_rates.empty()) {
     return fail(SimulationObstacle::Kind::singular);
@@ -71,8 +87,12 @@ bool ReducedSystem::accelerate(double time,
     return false;
   }
   add_inertia();
-  supplied_ = 0.0;
-  lost_ = 0.0;
+  powers_ = {};
+  loads_.clear();
+  rubbing_.clear();
+  if (balance_ != nullptr) {
+    balance_->place(configuration, state_.poses, 0.0);
+  }
   forces_ = VecX::Zero(static_cast<Eigen::Index>(count));
   if (!add_forces(time, configuration)) {
     return false;
@@ -85,15 +105,14 @@ bool ReducedSystem::accelerate(double time,
   if (!solved) {
     return fail(SimulationObstacle::Kind::no_inertia);
   }
-  const VecX& found = *solved;
+  VecX& found = *solved;
+  if (!add_friction(found)) {
+    return false;
+  }
   std::copy_n(found.data(), free_count_, accelerations.begin());
+  held_ = held_with(found);
   for (std::size_t k = 0; k < held_.size(); ++k) {
-    const auto row = free + static_cast<Eigen::Index>(k);
-    held_[k] = bias_[row] - forces_[row];
-    if (free > 0) {
-      held_[k] += inertia_.row(row).head(free).dot(found);
-    }
-    supplied_ += held_[k] * speeds[free_count_ + k];
+    powers_.supplied += held_[k] * speeds[free_count_ + k];
   }
   return true;
 }
@@ -110,10 +129,13 @@ void ReducedSystem::add_inertia() {
     const BoundedWrench acts =
         inertial_wrench(body, state_.twists[b], state_.twist_rates[b], BodyBounds{});
     const Wrench wrench{.moment = acts.moment.value, .force = acts.force.value};
+    inertial_[b] = wrench;
+    carried_[b].resize(units_.size());
     for (Eigen::Index j = 0; j < count; ++j) {
       const Twist& unit = units_[static_cast<std::size_t>(j)].twists[b];
       bias_[j] -= power(wrench, unit);
       const Wrench carried = momentum(body, unit);
+      carried_[b][static_cast<std::size_t>(j)] = carried;
       for (Eigen::Index k = 0; k <= j; ++k) {
         inertia_(j, k) += power(carried, units_[static_cast<std::size_t>(k)].twists[b]);
       }
@@ -123,6 +145,9 @@ void ReducedSystem::add_inertia() {
 }
 
 void ReducedSystem::add_wrench(BodyId body, const Wrench& wrench) {
+  if (balance_ != nullptr) {
+    loads_.push_back({.body = body, .wrench = wrench});
+  }
   for (std::size_t j = 0; j < units_.size(); ++j) {
     forces_[static_cast<Eigen::Index>(j)] += power(wrench, units_[j].twists[at(body.value)]);
   }
@@ -164,11 +189,11 @@ bool ReducedSystem::add_forces(double time, const Configuration& configuration) 
     const std::size_t b = at(load.acts.body.value);
     const Wrench wrench = moved_load(load, state_.poses[b], point);
     add_wrench(load.acts.body, wrench);
-    supplied_ += is_weight(load) ? 0.0 : power(wrench, state_.twists[b]);
+    powers_.supplied += is_weight(load) ? 0.0 : power(wrench, state_.twists[b]);
   }
   for (const Load& load : known.loads) {
     add_wrench(load.acts.body, load.acts.wrench);
-    supplied_ += power(load.acts.wrench, state_.twists[at(load.acts.body.value)]);
+    powers_.supplied += power(load.acts.wrench, state_.twists[at(load.acts.body.value)]);
   }
   actions_ = known.actions;
   for (std::size_t a = 0; a < actions_.size(); ++a) {
@@ -177,7 +202,7 @@ bool ReducedSystem::add_forces(double time, const Configuration& configuration) 
     for (std::size_t j = 0; j < units_.size(); ++j) {
       forces_[static_cast<Eigen::Index>(j)] += actions_[a] * unit_rate(j, freedom);
     }
-    supplied_ += actions_[a] * state_.rates[at(freedom)].value_or(0.0);
+    powers_.supplied += actions_[a] * state_.rates[at(freedom)].value_or(0.0);
   }
   for (const CouplingFriction& friction : mechanism_.frictions) {
     const int freedom = mechanism_.topology.coupling(friction.coupling).first_freedom;
@@ -185,9 +210,17 @@ bool ReducedSystem::add_forces(double time, const Configuration& configuration) 
     for (std::size_t j = 0; j < units_.size(); ++j) {
       forces_[static_cast<Eigen::Index>(j)] -= friction.viscous * rate * unit_rate(j, freedom);
     }
-    lost_ += friction.viscous * rate * rate;
+    powers_.lost += friction.viscous * rate * rate;
+    if (balance_ != nullptr && friction.viscous != 0.0) {
+      balance_->add_pair(freedom, -friction.viscous * rate, loads_);
+    }
   }
   add_springs(springs_, known.springs);
+  if (balance_ != nullptr && !springs_.empty()) {
+    for (const Load& load : spring_loads(balance_->moved(), place_, springs_)) {
+      loads_.push_back(load.acts);
+    }
+  }
   return true;
 }
 
@@ -213,7 +246,7 @@ void ReducedSystem::add_springs(const std::vector<SpringState>& springs,
       forces_[static_cast<Eigen::Index>(j)] -= against * rate;
     }
     const double taken = (against - elastic_tension(spring, now.position)) * now.rate;
-    (forces[i] == 0.0 ? lost_ : supplied_) += forces[i] == 0.0 ? taken : -taken;
+    (forces[i] == 0.0 ? powers_.lost : powers_.supplied) += forces[i] == 0.0 ? taken : -taken;
   }
 }
 
@@ -275,19 +308,37 @@ std::optional<ReducedSystem::Impulse> ReducedSystem::impulse_at(int freedom) con
                  .inertia = 1.0 / mobility};
 }
 
+std::optional<double> ReducedSystem::acceleration_of(int freedom,
+                                                     const Configuration& configuration,
+                                                     std::span<const double> speeds,
+                                                     std::span<const double> accelerations) {
+  set_speeds(speeds, accelerations);
+  const MotionState state = states_.solve(configuration, speeds_, StateDetail::acceleration);
+  const auto& rates = state.rate_rates;
+  return at(freedom) < rates.size() ? rates[at(freedom)] : std::nullopt;
+}
+
+std::vector<std::optional<double>> ReducedSystem::rates(const Configuration& configuration,
+                                                        std::span<const double> speeds) {
+  set_speeds(speeds, {});
+  return states_.solve(configuration, speeds_, StateDetail::velocity).rates;
+}
+
 ReducedState ReducedSystem::tell(const Configuration& configuration,
                                  std::span<const double> speeds,
-                                 std::span<const double> accelerations) {
+                                 std::span<const double> accelerations,
+                                 bool with_actions) {
   ReducedState result;
-  const std::size_t count = speeds_.drives.size();
-  for (std::size_t d = 0; d < count; ++d) {
-    speeds_.drives[d] = {.speed = speeds[d],
-                         .acceleration = d < free_count_ ? accelerations[d] : 0.0};
-  }
+  set_speeds(speeds, accelerations);
   result.state = states_.solve_bounded(configuration, speeds_, StateDetail::acceleration);
   result.positions = freedom_positions(network_, mechanism_, configuration);
   result.held = held_;
   result.actions = actions_;
+  result.friction = friction_;
+  if (with_actions) {
+    balance_->place(configuration, result.state.poses, result.state.bounds.place);
+    find_borne(result.state, result);
+  }
   for (std::size_t b = 0; b < mechanism_.masses.size(); ++b) {
     if (mechanism_.masses[b].counts()) {
       result.kinetic +=

@@ -4,56 +4,28 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <variant>
 #include <vector>
 
 #include "dynamics/curve_loads.hpp"
 #include "dynamics/spring_force.hpp"
 #include "studies/motion/joint_follower.hpp"
 #include "studies/motion/motion_state.hpp"
+#include "studies/simulation/reduced_state.hpp"
+#include "studies/simulation/state_balance.hpp"
 
 namespace kinestat {
-
-/// Why a state has no accelerations.
-struct SimulationObstacle {
-  enum class Kind {
-    no_branch,    ///< the closure cannot be followed there
-    singular,     ///< the coordinates do not determine the velocities
-    no_inertia,   ///< a freedom moves nothing that has mass or inertia
-    rotor,        ///< a body of which only the inertia about one axis is known turns about another
-    spring,       ///< nothing can be said of a spring
-    curve,        ///< nor of what follows a curve
-    beyond_stop,  ///< a freedom begins beyond its stop
-    no_progress,  ///< stops are struck again and again at one time
-    no_step,      ///< the steps of the integration vanish
-    too_many_steps  ///< of the integration
-  };
-
-  Kind kind = Kind::no_branch;
-  std::optional<SpringObstacle> of_spring = {};
-  std::optional<CurveObstacle> of_curve = {};
-  std::optional<BodyId> body = {};  ///< rotor
-};
-
-/// The mechanism in a state.
-struct ReducedState {
-  MotionState state;                             ///< with all accelerations
-  std::vector<std::optional<double>> positions;  ///< of the freedoms
-  std::vector<double> held;                      ///< what each held coordinate takes [N·m or N]
-  std::vector<double> actions;                   ///< that the case knows, in its order
-  double kinetic = 0.0;                          ///< [J]
-  double potential = 0.0;                        ///< of weights and springs, as drawn zero [J]
-};
 
 /// Coordinates are those of the drives of a network: the free ones first, then those whose
 /// acceleration is given. One a thread.
 class ReducedSystem {
  public:
   /// The mechanism and the case must outlive it.
+  /// `balance` may be null where nothing rubs and no actions are asked for.
   ReducedSystem(const Mechanism& mechanism,
                 const Case& which,
                 MotionNetwork network,
-                std::size_t free_count);
+                std::size_t free_count,
+                StateBalance* balance);
   ReducedSystem(const ReducedSystem&) = delete;
   ReducedSystem& operator=(const ReducedSystem&) = delete;
 
@@ -63,10 +35,13 @@ class ReducedSystem {
 
   std::size_t free_count() const { return free_count_; }
 
+  /// Of each friction of the mechanism; none act before. `is_open`: nothing says how much of what
+  /// is held couplings that stick have.
+  void set_friction(std::vector<FrictionSense> senses, bool is_open);
+
   std::size_t held_count() const { return network_.driven_rates.size() - free_count_; }
 
-  /// Of the free coordinates, the held ones being steady, into `accelerations`. False where there
-  /// are none: `obstacle`.
+  /// Of the free coordinates, the held ones being steady. False where there are none: `obstacle`.
   [[nodiscard]] bool accelerate(double time,
                                 const Configuration& configuration,
                                 std::span<const double> speeds,
@@ -74,13 +49,9 @@ class ReducedSystem {
 
   const SimulationObstacle& obstacle() const { return obstacle_; }
 
-  /// Of the last state that was accelerated: what actions, loads and held motions give, and what
-  /// dampers and friction take [W].
-  double supplied() const { return supplied_; }
+  /// Of the last state that was accelerated, and what holds each held coordinate [N·m or N].
+  const StatePowers& powers() const { return powers_; }
 
-  double lost() const { return lost_; }
-
-  /// What holds each held coordinate there [N·m or N].
   std::span<const double> held_actions() const { return held_; }
 
   /// What the rates of a freedom are for unit speeds of all coordinates there.
@@ -96,10 +67,21 @@ class ReducedSystem {
 
   std::optional<Impulse> impulse_at(int freedom) const;
 
+  /// How a freedom speeds up.
+  std::optional<double> acceleration_of(int freedom,
+                                        const Configuration& configuration,
+                                        std::span<const double> speeds,
+                                        std::span<const double> accelerations);
+
+  /// The rates of all freedoms.
+  std::vector<std::optional<double>> rates(const Configuration& configuration,
+                                           std::span<const double> speeds);
+
   /// Everything that is told of the last state that was accelerated.
   ReducedState tell(const Configuration& configuration,
                     std::span<const double> speeds,
-                    std::span<const double> accelerations);
+                    std::span<const double> accelerations,
+                    bool with_actions);
 
  private:
   bool fail(SimulationObstacle::Kind kind) {
@@ -108,6 +90,25 @@ class ReducedSystem {
   }
 
   void add_inertia();
+  void set_speeds(std::span<const double> speeds, std::span<const double> accelerations);
+  bool add_friction(VecX& accelerations);
+
+  // A dry friction that slides.
+  struct ActingFriction {
+    std::size_t index = 0;
+    FrictionLaw law;
+    double rate = 0.0;  // against which it works
+    VecX work = {};     // on unit speeds of all coordinates, by unit of it
+    VecX answer = {};   // how it speeds up the free ones, likewise
+  };
+
+  std::optional<ActingFriction> acting_friction(std::size_t i);
+  std::vector<BodyWrench> along(const ActingFriction& one) const;
+  double held_by_inertia(const VecX& accelerations, std::size_t k) const;
+  std::vector<double> held_with(const VecX& accelerations) const;
+  std::vector<BodyWrench> inertial(const VecX& accelerations) const;
+  void add_held(std::span<const double> held, std::vector<BodyWrench>& loads) const;
+  void find_borne(const MotionState& state, ReducedState& told);
   bool add_forces(double time, const Configuration& configuration);
   void add_wrench(BodyId body, const Wrench& wrench);
   void add_springs(const std::vector<SpringState>& springs, std::span<const double> forces);
@@ -125,6 +126,14 @@ class ReducedSystem {
   GivenSpeeds speeds_;
   MotionState state_;
   std::vector<MotionState> units_;
+  StateBalance* balance_ = nullptr;
+  std::vector<FrictionSense> senses_;
+  bool is_open_ = false;
+  std::vector<BodyWrench> loads_;                // but for inertia, dry friction and what is held
+  std::vector<BodyWrench> rubbing_;              // dry friction
+  std::vector<std::optional<double>> friction_;  // of each
+  std::vector<Wrench> inertial_;                 // of the bodies, the coordinates being steady
+  std::vector<std::vector<Wrench>> carried_;     // momentum for a unit speed of each coordinate
   LoadPlace place_;
   std::vector<SpringState> springs_;
   std::vector<double> actions_;
@@ -132,8 +141,7 @@ class ReducedSystem {
   VecX bias_;
   VecX forces_;
   std::vector<double> held_;
-  double supplied_ = 0.0;
-  double lost_ = 0.0;
+  StatePowers powers_;
   SimulationObstacle obstacle_;
 };
 

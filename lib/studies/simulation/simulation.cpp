@@ -6,11 +6,12 @@ namespace kinestat {
 
 SimulationSolution solve_simulation(const Mechanism& mechanism,
                                     const MotionNetwork& network,
+                                    std::span<const DrawnCoupling> drawn,
                                     const SimulationPlan& plan,
                                     const Configuration& start,
                                     const std::vector<int>& coordinates,
                                     const VecX& rates) {
-  return Simulator(mechanism, network, plan).run(start, coordinates, rates);
+  return Simulator(mechanism, network, drawn, plan).run(start, coordinates, rates);
 }
 
 }  // namespace kinestat

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,23 +18,36 @@ enum class SimulationEnd {
   stuck      ///< it cannot go on: SimulationSolution::obstacle
 };
 
+/// Lists are parallel to the freedoms, where not said otherwise [rad or m, and by s]; empty of what
+/// has none, or would be rounding.
 struct SimulationRow {
   double time = 0.0;  ///< [s]
-  ReducedState state;
-  std::vector<double> held = {};  ///< of the plan's held freedoms: what that takes [N·m or N]
-  double supplied = 0.0;          ///< by actions, loads and what is held, since the begin [J]
-  double lost = 0.0;              ///< in dampers, friction and impacts, likewise
+  Configuration configuration;
+  std::vector<std::optional<double>> positions = {};
+  std::vector<std::optional<double>> rates = {};
+  std::vector<std::optional<double>> rate_rates = {};
+  std::vector<double> actions = {};               ///< that the case knows, in its order [N·m or N]
+  std::vector<double> held = {};                  ///< of the plan's held freedoms: what that takes
+  std::vector<std::optional<double>> borne = {};  ///< of all actions; none unless the plan asks
+  std::vector<std::optional<double>> friction = {};  ///< of each friction of the mechanism, of tail
+                                                     ///< on head about or along its freedom
+  double kinetic = 0.0;                              ///< [J]
+  double potential = 0.0;                            ///< of weights and springs, as drawn zero [J]
+  double supplied = 0.0;  ///< by actions, loads and what is held, since the begin [J]
+  double lost = 0.0;      ///< in dampers, friction and impacts, likewise
 
   /// What of the energy nothing explains.
-  double balance() const { return state.kinetic + state.potential - supplied + lost; }
+  double balance() const { return kinetic + potential - supplied + lost; }
 };
 
 struct SimulationEvent {
   enum class Kind {
-    goal,    ///< a freedom comes to where the simulation ends
-    impact,  ///< a freedom strikes its stop
-    rest,    ///< it stays there
-    release  ///< it leaves it again
+    goal,     ///< a freedom comes to where the simulation ends
+    impact,   ///< a freedom strikes its stop
+    rest,     ///< it stays there
+    release,  ///< it leaves it again
+    stick,    ///< friction holds a freedom
+    slip      ///< and no longer does
   };
 
   Kind kind = Kind::goal;
@@ -60,9 +74,11 @@ struct SimulationSolution {
 };
 
 /// From `start`, a closed configuration of the network, with these rates of its joints. Held
-/// freedoms and stops must be joints of its tree. `which` is the only case of the mechanism.
+/// freedoms and stops must be joints of its tree, and so must freedoms that stick by themselves.
+/// `which` is the only case of the mechanism.
 SimulationSolution solve_simulation(const Mechanism& mechanism,
                                     const MotionNetwork& network,
+                                    std::span<const DrawnCoupling> drawn,
                                     const SimulationPlan& plan,
                                     const Configuration& start,
                                     const std::vector<int>& coordinates,

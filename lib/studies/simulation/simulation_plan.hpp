@@ -1,8 +1,10 @@
 // What a simulation is asked for, in numbers.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/source.hpp"
@@ -44,6 +46,39 @@ struct SimulationStop {
   double restitution = 0.0;  ///< speed after by speed before an impact
 };
 
+/// What the rows tell. Names are those of columns or what they begin with, with points for slashes.
+struct SimulationReport {
+  bool is_default = true;  ///< the file does not say it: all but the actions of couplings
+  bool position = false;
+  bool velocity = false;
+  bool acceleration = false;
+  bool action = false;
+  bool energy = false;
+  std::vector<std::string> names = {};
+};
+
+inline constexpr std::string_view kActionColumn = "action";
+inline constexpr std::string_view kFrictionColumn = "friction";
+inline constexpr std::array<std::string_view, 5> kEnergyColumns = {
+    "energy/kinetic", "energy/potential", "energy/supplied", "energy/lost", "energy/error"};
+
+/// Words of a report that stand for a quantity of all, and which of the report they set; null for
+/// any other.
+bool* find_report_word(std::string_view word, SimulationReport& report);
+
+/// Whether a report tells the quantity of an element, `also` being what else that is called, or
+/// empty.
+bool wants(const SimulationReport& report,
+           const std::string& element,
+           const std::string& also,
+           std::string_view quantity);
+
+/// Whether a name of a report means it.
+bool names_column(const std::string& name,
+                  const std::string& element,
+                  const std::string& also,
+                  std::string_view quantity);
+
 struct SimulationPlan {
   std::vector<SimulationStart> starts;
   std::vector<HeldFreedom> held;
@@ -52,6 +87,8 @@ struct SimulationPlan {
   double duration = 0.0;   ///< [s]
   int steps = 0;           ///< of the rows, equal in time
   double tolerance = 0.0;  ///< of a step of the integration
+  SimulationReport report = {};
+  bool asks_actions = false;  ///< of couplings, in some column
   SourceRange where;
 };
 

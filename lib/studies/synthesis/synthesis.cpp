@@ -42,8 +42,11 @@ Defect defect_of(const DriveVerdict& verdict, const LinkageLimits& limits) {
     return Defect::full_turn;
   }
   // Rounding must not decide at the limit itself.
-  return verdict.working_arc->margin() < limits.transmission * (1.0 - kSameValue)
-             ? Defect::transmission
+  if (verdict.working_arc->margin() < limits.transmission * (1.0 - kSameValue)) {
+    return Defect::transmission;
+  }
+  return verdict.full.margin() < limits.full_transmission * (1.0 - kSameValue)
+             ? Defect::full_transmission
              : Defect::none;
 }
 
@@ -158,6 +161,8 @@ std::string_view word_of(Defect defect) {
       return "circle_points";
     case Defect::transmission:
       return "transmission_angle";
+    case Defect::full_transmission:
+      return "full_transmission_angle";
     case Defect::ratio:
       return "link_ratio";
     case Defect::size:

@@ -19,7 +19,8 @@ namespace kinestat {
 /// What a linkage must keep to.
 struct LinkageLimits {
   std::optional<LinkageType> type = std::nullopt;  ///< others are not looked at
-  double transmission = 0.0;                       ///< least margin of the transmission angle [rad]
+  double transmission = 0.0;       ///< least margin of the transmission angle on the way [rad]
+  double full_transmission = 0.0;  ///< likewise wherever the input can go
   double ratio = std::numeric_limits<double>::infinity();  ///< longest by shortest link
   double size = std::numeric_limits<double>::infinity();   ///< longest link [length]
   std::vector<GrashofClass> classes = {};                  ///< of a four-bar; empty: any linkage
@@ -35,17 +36,18 @@ double distance_outside(const Dyad& dyad, DyadPoint which, const LinkageLimits& 
 /// What speaks against a linkage, worst first.
 enum class Defect {
   none,
-  digits,        ///< the positions leave a dyad no digits
-  circuit,       ///< positions lie in circuits that no motion joins
-  branch,        ///< a dead point of the input lies between positions
-  order,         ///< the input passes the positions in another order
-  grashof,       ///< of another class
-  full_turn,     ///< the input meets a dead point elsewhere
-  centre_point,  ///< outside its area
-  circle_point,  ///< outside its area
-  transmission,  ///< below the limit
-  ratio,         ///< above the limit
-  size           ///< above the limit
+  digits,             ///< the positions leave a dyad no digits
+  circuit,            ///< positions lie in circuits that no motion joins
+  branch,             ///< a dead point of the input lies between positions
+  order,              ///< the input passes the positions in another order
+  grashof,            ///< of another class
+  full_turn,          ///< the input meets a dead point elsewhere
+  centre_point,       ///< outside its area
+  circle_point,       ///< outside its area
+  transmission,       ///< below the limit on the way from the first to the last position
+  full_transmission,  ///< below the limit elsewhere
+  ratio,              ///< above the limit
+  size                ///< above the limit
 };
 
 /// The word in reports.

@@ -1,6 +1,8 @@
 #include "studies/synthesis/synthesis.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -35,6 +37,28 @@ TEST(Synthesis, NamesTheLimitThatALinkageMisses) {
   EXPECT_EQ(linkages_of("IC01", {.transmission = 30.0 * kDegree})[1].defect, Defect::transmission);
   EXPECT_EQ(linkages_of("IC01", {.ratio = 1.01})[0].defect, Defect::ratio);
   EXPECT_EQ(linkages_of("IC01", {.size = 0.1})[0].defect, Defect::size);
+}
+
+// A crank-rocker transmits worst where the crank lies along the ground, beyond the positions or
+// not: the cosine of the transmission angle is (b² + c² - (d ± a)²) / (2 b c) there.
+TEST(Synthesis, LimitsTheTransmissionAngleOverTheWholeTurn) {
+  const LinkageLimits fully{.classes = {GrashofClass::crank_rocker}, .turns_fully = true};
+  const LinkageCandidate best = linkages_of("IC01", fully)[0];
+  const FourBarLengths& all = *best.lengths;
+  const double crank = std::min(all.crank_one, all.crank_other);
+  const double rocker = std::max(all.crank_one, all.crank_other);
+  const auto angle_at = [&](double diagonal) {
+    return std::acos((all.coupler * all.coupler + rocker * rocker - diagonal * diagonal) /
+                     (2.0 * all.coupler * rocker));
+  };
+  const double margin =
+      std::min(angle_at(all.ground - crank), std::numbers::pi - angle_at(all.ground + crank));
+
+  LinkageLimits limits = fully;
+  limits.full_transmission = margin - 1e-6;
+  EXPECT_EQ(linkages_of("IC01", limits)[0].defect, Defect::none);
+  limits.full_transmission = margin + 1e-6;
+  EXPECT_EQ(linkages_of("IC01", limits)[0].defect, Defect::full_transmission);
 }
 
 TEST(Synthesis, LooksAtLinkagesOfTheTypeOnly) {

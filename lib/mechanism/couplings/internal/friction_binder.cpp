@@ -39,6 +39,7 @@ class FrictionReader {
     result.coupling = id;
     result.where = friction.where;
     result.mu = number(friction.mu, QuantityKind::dimensionless).value_or(0.0);
+    result.mu_static = number(friction.mu_static, QuantityKind::dimensionless);
     result.radius = number(friction.radius, QuantityKind::length).value_or(0.0);
     result.thrust_radius = number(friction.thrust_radius, QuantityKind::length).value_or(0.0);
     result.length = number(friction.length, QuantityKind::length);
@@ -131,6 +132,13 @@ class FrictionCheck {
              "leave 'length' out where the couple across the axis does not count");
     }
     check_numbers(friction, bound);
+    if (bound.mu_static && *bound.mu_static < bound.mu) {
+      refuse(
+          found_,
+          friction.mu_static->where,
+          fmt::format("friction of {} would be less at rest than in motion", title_of(coupling_)),
+          "'mu_static' is no less than 'mu'");
+    }
     check_place(friction);
     check_arms(friction);
     if (bound.mu > 0.0 && has_friction_law(coupling_) && !has_pressing_action(bound)) {

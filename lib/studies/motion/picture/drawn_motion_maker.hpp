@@ -9,6 +9,14 @@
 
 namespace kinestat {
 
+/// Where the bodies are in a configuration; `mechanism` is as drawn, and `moved` becomes what
+/// stands there.
+LinkagePosition drawn_position(const MotionNetwork& network,
+                               const std::vector<DrawnCoupling>& drawn,
+                               const Configuration& configuration,
+                               const Mechanism& mechanism,
+                               Mechanism& moved);
+
 /// Where the bodies are in the positions `shown` of a solution, which may have other steps than
 /// that of the motion; and the traced points in every position. `mechanism` is as drawn.
 DrawnMotion make_drawn_motion(const FoundMotion& motion,

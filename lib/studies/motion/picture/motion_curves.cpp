@@ -156,7 +156,8 @@ std::vector<Group> groups_of(const MotionTable& motion) {
 
 ChartAxis drive_axis(const MotionTable& motion) {
   const MotionColumn& drive = motion.columns.front();
-  return {.label = "position of " + drive.element, .unit = drive.unit};
+  return {.label = drive.element.empty() ? drive.quantity : "position of " + drive.element,
+          .unit = drive.unit};
 }
 
 Chart chart_of(const Group& group, const MotionTable& motion) {

@@ -126,6 +126,11 @@ const Record<EnergyFigures>& energy_record() {
                       "The greatest on the way.",
                       [](const Figures& v) { return v.greatest_kinetic; })
             .at_least(0);
+        keys.number("efficiency",
+                    Bare::efficiency,
+                    "Energy that the outputs take over what the inputs give; null where the case "
+                    "does not name both, or others give or keep energy.",
+                    [](const Figures& v) { return v.efficiency; });
         keys.number("audit",
                     Bare::number,
                     "By how much the change of the kinetic energy, which follows from velocities "

@@ -119,8 +119,10 @@ struct EnergyFigures {
   double lost = 0.0;            ///< in friction
   double kinetic_change = 0.0;  ///< end less begin
   double greatest_kinetic = 0.0;
-  std::optional<double> audit;  ///< by how much these differ, as share of the greatest kinetic
-                                ///< energy; empty where nothing moves
+  std::optional<double> audit;       ///< by how much these differ, as share of the greatest kinetic
+                                     ///< energy; empty where nothing moves
+  std::optional<double> efficiency;  ///< of the whole: find_efficiency by energies
+  std::string no_efficiency;         ///< why there is none, of a case that names both ends
 };
 
 struct MotionDynamics {

@@ -89,15 +89,22 @@ class DynamicsWriter {
 
   TextBlocks energy(const EnergyFigures& figures) const {
     using enum QuantityKind;
+    const std::string efficiency =
+        figures.efficiency
+            ? fmt::format("\n  efficiency of the whole {}", format_short(*figures.efficiency))
+        : figures.no_efficiency.empty()
+            ? ""
+            : fmt::format("\n  no efficiency of the whole: {}", figures.no_efficiency);
     return TextBlocks(fmt::format(
         "Energy\n  actuators give {}, loads, weights and springs {}, friction takes {}\n  kinetic "
-        "energy changes by {}, at most {}{}\n\n",
+        "energy changes by {}, at most {}{}{}\n\n",
         amount(QuantityKind::energy, figures.actuators),
         amount(QuantityKind::energy, figures.loads),
         amount(QuantityKind::energy, figures.lost),
         amount(QuantityKind::energy, figures.kinetic_change),
         amount(QuantityKind::energy, figures.greatest_kinetic),
-        figures.audit ? fmt::format("; audit {:.1g} of that", *figures.audit) : ""));
+        figures.audit ? fmt::format("; audit {:.1g} of that", *figures.audit) : "",
+        efficiency));
   }
 
   TextBlocks flywheel(const FlywheelFigures& wheel) const {

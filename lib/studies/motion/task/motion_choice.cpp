@@ -86,6 +86,7 @@ bool apply(const MotionChoice& choice, MechanismDescription& description, Diagno
       motion.report.push_back(name_of(name));
     }
   }
+  motion.is_another = choice.drive || choice.from || choice.to || choice.label;
   description.motion = std::move(motion);
   return found.error_count() == errors_before;
 }

@@ -426,7 +426,8 @@ bool check_report(const MotionPlan& plan,
     return refuse(
         "the effects of inertia",
         "'acceleration'",
-        "add acceleration: {}, or acceleration: {DRIVE: NUMBER} of a drive that speeds up");
+        "add acceleration: {}, or acceleration: {DRIVE: NUMBER} of a drive that speeds up; or "
+        "report something else, --report position");
   }
   if (needs_action && !which.asks_actions) {
     return refuse("actions", "'action'", "add action: {NAME: VALUE}, what is known of the actions");

@@ -1,68 +1,32 @@
 // A simulation on its way.
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "math/dense/initial_value.hpp"
+#include "studies/simulation/internal/state_in_time.hpp"
 #include "studies/simulation/simulation.hpp"
 
 namespace kinestat {
 
-class Simulator {
+class Simulator : private StateInTime {
  public:
-  Simulator(const Mechanism& mechanism, const MotionNetwork& network, const SimulationPlan& plan);
+  Simulator(const Mechanism& mechanism,
+            const MotionNetwork& network,
+            std::span<const DrawnCoupling> drawn,
+            const SimulationPlan& plan);
   SimulationSolution run(const Configuration& start,
                          const std::vector<int>& coordinates,
                          const VecX& rates);
 
  private:
-  std::size_t free_count() const { return system_->free_count(); }
-
   // What is shorter is no step.
   double least_step() const;
 
   // False where something happens again and again at one time, or the steps are too many; `told`
   // events were there before the step that began then.
   bool makes_progress(double before, std::size_t told);
-
-  // Of places and speeds of a freedom: 1 rad, or the size of the mechanism [m].
-  double unit(int freedom) const;
-  double unit_of(std::size_t drive) const;
-  std::vector<int> held_rates() const;
-
-  // The free ones among the joints, `preferred` first.
-  void choose_coordinates(const std::vector<int>& preferred);
-
-  // The rates of all joints in the state, from those of the coordinates.
-  std::optional<VecX> joint_rates(const Configuration& configuration,
-                                  std::span<const double> speeds);
-
-  // Steadily, those of stops not at all.
-  double held_speed(std::size_t k) const;
-
-  // With the coordinates that there are; `rates` are of all joints.
-  void begin_at(double time, const VecX& rates);
-
-  void restart();
-  double first_step() const;
-  std::vector<double> drives_at(double time, std::span<const double> y) const;
-  std::vector<double> speeds_of(std::span<const double> y) const;
-
-  bool place(double time, std::span<const double> y, Configuration& configuration);
-  bool accelerate(double time,
-                  const Configuration& configuration,
-                  std::span<const double> y,
-                  std::span<double> accelerations);
-  bool slope(double time, std::span<const double> y, std::span<double> f);
-
-  // Places by the size, speeds by the fastest so far; work follows from these.
-  void allow(std::span<const double> y,
-             std::span<const double> f,
-             double step,
-             std::span<double> most);
 
   void find_turns();
   double next_end() const;
@@ -73,20 +37,56 @@ class Simulator {
   // Or others, where these tell the motions apart much worse.
   bool keep_coordinates();
 
-  // What may end a step: a goal, a stop that is struck, one that is left.
+  // What may end a step: a goal, a stop that is struck, one that is left, sliding that comes to an
+  // end, couplings that stick and give way.
   struct Happening {
     SimulationEvent::Kind kind = SimulationEvent::Kind::goal;
-    std::size_t index = 0;
+    std::size_t index = 0;  // of stick the friction, of slip the group
     double time = 0.0;
+    int sense = 0;  // in which a group would give way
   };
-
-  // The position of a freedom in the step.
-  std::optional<double> position_at(int freedom, double time, std::span<const double> y);
-  std::optional<double> speed_at(int freedom, double time, std::span<const double> y);
 
   // Positive before it happens.
   std::optional<double> distance(const Happening& what, double time);
   std::optional<double> distance(const Happening& what, double time, std::span<const double> y);
+
+  // Whether it does not slide although nothing holds it: at a dead point, or by other means.
+  bool rests(std::size_t friction) const;
+
+  // What moves a friction, by unit speeds of the free coordinates in radians and sizes.
+  VecX direction_in_sizes(std::size_t friction) const;
+
+  // Of the tree, so that it can be held.
+  bool is_joint(std::size_t friction) const;
+
+  // What counts as none.
+  double no_sliding(std::size_t friction) const;
+
+  // Which frictions slide, by the speeds there are; the others do not.
+  void read_senses();
+
+  // What slides on, sticks and gives way where speeds are zero: of all ways the one that fits, with
+  // most that sticks. `given` gives way. False where none does, or several.
+  bool decide_friction(const std::optional<Happening>& given);
+  std::vector<StuckGroup> groups_at_rest() const;
+  std::optional<SimulationObstacle> obstacle_of(const std::vector<StuckGroup>& groups) const;
+  std::optional<std::vector<int>> find_pattern(const std::vector<StuckGroup>& groups,
+                                               const VecX& rates,
+                                               std::optional<std::size_t> forced,
+                                               int sense);
+  bool is_consistent(const std::vector<StuckGroup>& groups,
+                     const std::vector<int>& pattern,
+                     const VecX& rates,
+                     std::optional<std::size_t> given);
+  void tell_changes(const std::vector<StuckGroup>& before);
+  void take(const std::vector<StuckGroup>& groups, const std::vector<int>& pattern);
+
+  // The acceleration by which a stuck group would give way in that sense; empty where it jams.
+  std::optional<double> breakaway(std::size_t group,
+                                  int sense,
+                                  double time,
+                                  const Configuration& configuration,
+                                  std::span<const double> y);
 
   std::size_t held_place(std::size_t stop) const;
   std::vector<Happening> possible() const;
@@ -102,17 +102,17 @@ class Simulator {
   void note_signs();
   bool meet(const Happening& what);
   SimulationEvent& note(SimulationEvent::Kind kind, const NamedFreedom& of);
-  bool go_on_with(const VecX& rates);
 
   // Newton's impact, and those that it makes of other stops that are touched. What rests is let go
   // before and rests again behind, if it does.
   bool strike(std::size_t index);
 
-  double speed_along(int freedom) const;
-
   // What is pressed against its stop, and would leave it by less than the tolerance, rests there;
   // what leaves it takes its first steps within the flight.
   bool settle(const std::vector<bool>& touched);
+
+  bool choose_rests(const std::vector<bool>& candidates, const VecX& rates);
+  bool bears(const std::vector<std::size_t>& touched, const VecX& rates);
 
   bool begin_contacts();
   bool add_rows(double until);
@@ -120,30 +120,13 @@ class Simulator {
   SimulationSolution stuck();
   SimulationSolution finish();
 
-  const Mechanism& mechanism_;
-  const Topology& topology_;
-  const MotionNetwork& network_;
-  const SimulationPlan& plan_;
-  std::vector<int> held_;      // rates
-  std::vector<bool> rests_;    // at each stop
-  std::vector<double> signs_;  // of each goal
-  std::unique_ptr<ReducedSystem> system_;
-  std::unique_ptr<InitialValueProblem> integration_;
-  Configuration anchor_;  // where the step begins
-  std::vector<double> held_begin_;
-  double held_time_ = 0.0;
-  std::vector<double> turns_;   // of curves over time
-  std::optional<double> turn_;  // the next one of another curve, once it is seen
-  double time_ = 0.0;
-  std::vector<double> state_;  // free coordinates, their speeds, work supplied and lost
-  double supplied_ = 0.0;
-  double lost_ = 0.0;
-  double fastest_ = 0.0;  // [rad/s or sizes/s]
-  std::optional<double> step_;
+  std::vector<double> signs_;             // of each goal
+  std::vector<StuckGroup> stuck_before_;  // the impact that let them go
+  std::vector<double> turns_;             // of curves over time
+  std::optional<double> turn_;            // the next one of another curve, once it is seen
   int next_row_ = 0;
   int standstill_ = 0;           // events at one time
   std::size_t told_before_ = 0;  // events before these
-  SimulationObstacle obstacle_;
   SimulationSolution result_;
 };
 

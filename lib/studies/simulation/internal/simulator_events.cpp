@@ -25,6 +25,9 @@ constexpr int kMostImpacts = 1000;
 
 constexpr int kMostHalvings = 200;
 
+// So many stops that are touched at once are tried in all ways.
+constexpr std::size_t kMostAtOneTime = 8;
+
 // The first point of a curve on the way from one argument to another; one at which the way begins
 // is left behind.
 std::optional<double> next_point(const Curve& curve, double from, double to) {
@@ -48,34 +51,6 @@ std::optional<double> next_point(const Curve& curve, double from, double to) {
 
 }  // namespace
 
-std::optional<double> Simulator::position_at(int freedom, double time, std::span<const double> y) {
-  const std::vector<int>& driven = system_->network().driven_freedoms;
-  const auto drive = std::ranges::find(driven, freedom);
-  if (drive != driven.end()) {
-    return drives_at(time, y)[static_cast<std::size_t>(drive - driven.begin())];
-  }
-  Configuration configuration;
-  return place(time, y, configuration)
-             ? freedom_positions(system_->network(), mechanism_, configuration)[at(freedom)]
-             : std::nullopt;
-}
-
-std::optional<double> Simulator::speed_at(int freedom, double time, std::span<const double> y) {
-  const std::vector<int>& driven = system_->network().driven_freedoms;
-  const auto drive = std::ranges::find(driven, freedom);
-  if (drive != driven.end()) {
-    return speeds_of(y)[static_cast<std::size_t>(drive - driven.begin())];
-  }
-  Configuration configuration;
-  std::vector<double> ignored(free_count());
-  if (!place(time, y, configuration) || !accelerate(time, configuration, y, ignored)) {
-    return std::nullopt;
-  }
-  const VecX along = system_->direction_of(freedom);
-  const std::vector<double> speeds = speeds_of(y);
-  return along.dot(Eigen::Map<const VecX>(speeds.data(), along.size()));
-}
-
 std::optional<double> Simulator::distance(const Happening& what, double time) {
   std::vector<double> y(state_.size());
   time == integration_->time() ? void(std::ranges::copy(integration_->state(), y.begin()))
@@ -92,6 +67,20 @@ std::optional<double> Simulator::distance(const Happening& what,
         goal.is_speed ? speed_at(goal.of.freedom, time, y) : position_at(goal.of.freedom, time, y);
     const double sign = signs_[what.index];
     return now ? std::optional((sign == 0.0 ? 1.0 : sign) * (*now - goal.value)) : std::nullopt;
+  }
+  if (what.kind == SimulationEvent::Kind::stick) {
+    const std::optional<double> now = sliding_at(what.index, time, y);
+    if (now && senses_[what.index].sense == 0) {
+      return kSlidesAgain * fastest_ * unit(freedom_of(what.index)) - std::abs(*now);
+    }
+    return now ? std::optional(senses_[what.index].sense * *now + no_sliding(what.index))
+               : std::nullopt;
+  }
+  if (what.kind == SimulationEvent::Kind::slip) {
+    Configuration there;
+    const std::optional<double> gives =
+        place(time, y, there) ? breakaway(what.index, what.sense, time, there, y) : std::nullopt;
+    return gives ? std::optional(-*gives) : std::nullopt;
   }
   const SimulationStop& stop = plan_.stops[what.index];
   if (what.kind == SimulationEvent::Kind::impact) {
@@ -123,6 +112,15 @@ std::vector<Simulator::Happening> Simulator::possible() const {
     all.push_back(
         {.kind = rests_[s] ? SimulationEvent::Kind::release : SimulationEvent::Kind::impact,
          .index = s});
+  }
+  for (const std::size_t i : dry_) {
+    if (senses_[i].sense != 0 || rests(i)) {
+      all.push_back({.kind = SimulationEvent::Kind::stick, .index = i});
+    }
+  }
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    all.push_back({.kind = SimulationEvent::Kind::slip, .index = g, .sense = 1});
+    all.push_back({.kind = SimulationEvent::Kind::slip, .index = g, .sense = -1});
   }
   return all;
 }
@@ -232,12 +230,20 @@ bool Simulator::meet(const Happening& what) {
     return true;
   }
   note_signs();
+  if (what.kind == SimulationEvent::Kind::stick) {
+    return decide_friction(std::nullopt);
+  }
+  if (what.kind == SimulationEvent::Kind::slip) {
+    return decide_friction(what);
+  }
   const SimulationStop& stop = plan_.stops[what.index];
   if (what.kind == SimulationEvent::Kind::release) {
     const std::optional<VecX> rates = joint_rates(anchor_, speeds_of(state_));
     note(SimulationEvent::Kind::release, stop.of);
+    std::vector<bool> others = rests_;
+    others[what.index] = false;
     rests_[what.index] = false;
-    return rates && go_on_with(*rates);
+    return rates && choose_rests(others, *rates) && decide_friction(std::nullopt);
   }
   // An impact passes over speeds.
   for (std::size_t g = 0; g < signs_.size(); ++g) {
@@ -258,12 +264,6 @@ SimulationEvent& Simulator::note(SimulationEvent::Kind kind, const NamedFreedom&
   return result_.events.back();
 }
 
-bool Simulator::go_on_with(const VecX& rates) {
-  choose_coordinates(system_->network().driven_rates);
-  begin_at(time_, rates);
-  return true;
-}
-
 bool Simulator::strike(std::size_t index) {
   std::optional<VecX> rates = joint_rates(anchor_, speeds_of(state_));
   if (!rates) {
@@ -273,8 +273,10 @@ bool Simulator::strike(std::size_t index) {
   const bool had_rest = std::ranges::count(rests_, true) > 0;
   std::vector<bool> touched = rests_;
   touched[index] = true;
-  if (had_rest) {
+  if (had_rest || has_dry()) {
     rests_.assign(rests_.size(), false);
+    stuck_before_ = std::exchange(groups_, {});
+    senses_.assign(senses_.size(), {});
     go_on_with(*rates);
   }
   std::vector<double> ignored(free_count());
@@ -319,60 +321,116 @@ bool Simulator::strike(std::size_t index) {
   return settle(touched);
 }
 
-double Simulator::speed_along(int freedom) const {
-  const std::vector<double> speeds = speeds_of(state_);
-  const VecX along = system_->direction_of(freedom);
-  return along.dot(Eigen::Map<const VecX>(speeds.data(), along.size()));
-}
-
 bool Simulator::settle(const std::vector<bool>& touched) {
   std::optional<VecX> rates = joint_rates(anchor_, speeds_of(state_));
   if (!rates) {
     return false;
   }
-  bool has_rest = false;
   double flight = std::numeric_limits<double>::infinity();
   std::vector<double> accelerations(free_count());
   if (!accelerate(time_, anchor_, state_, accelerations)) {
     return false;
   }
-  const ReducedState now = system_->tell(anchor_, speeds_of(state_), accelerations);
+  if (has_dry()) {
+    read_senses();
+    if (!accelerate(time_, anchor_, state_, accelerations)) {
+      return false;
+    }
+  }
+  std::vector<bool> candidates(touched.size(), false);
+  std::vector<double> series(touched.size(), 0.0);  // until all that would follow is over
+  std::vector<double> left(touched.size(), 0.0);    // energy of that
   for (std::size_t s = 0; s < touched.size(); ++s) {
     const SimulationStop& stop = plan_.stops[s];
     const int freedom = stop.of.freedom;
-    const std::optional<double>& found = now.state.rate_rates[at(freedom)];
+    const std::optional<double> found =
+        system_->acceleration_of(freedom, anchor_, speeds_of(state_), accelerations);
     if (!touched[s] || !found) {
       continue;
     }
     const double leaves = -stop.side * speed_along(freedom);
     const double presses = stop.side * *found;
     const bool stays = std::abs(leaves) <= kEpsilon * fastest_ * unit(stop.of.freedom);
-    if (presses < 0.0 || (presses == 0.0 && !stays)) {
+    if (!stays && !(presses > 0.0)) {
       continue;
     }
     const double height = stays ? 0.0 : 0.5 * leaves * leaves / presses;
-    if (height <= kNoRebound * plan_.tolerance * unit(stop.of.freedom)) {
-      // Without a rebound, or what all that would follow take together.
-      const double series =
-          leaves > 0.0 && !stays ? 2.0 * leaves / (presses * (1.0 - stop.restitution)) : 0.0;
-      note(SimulationEvent::Kind::rest, stop.of).time += series;
-      result_.events.back().speed = 0.0;
-      rests_[s] = true;
-      has_rest = true;
-      if (const auto impulse = system_->impulse_at(freedom)) {
-        lost_ += 0.5 * impulse->inertia * leaves * leaves;
-      }
-    } else {
+    candidates[s] = height <= kNoRebound * plan_.tolerance * unit(stop.of.freedom);
+    if (!candidates[s]) {
       flight = std::min(flight, 2.0 * leaves / presses);
+      continue;
+    }
+    const bool hops = leaves > 0.0 && !stays;
+    series[s] = hops ? 2.0 * leaves / (presses * (1.0 - stop.restitution)) : 0.0;
+    const auto impulse = system_->impulse_at(freedom);
+    left[s] = impulse ? 0.5 * impulse->inertia * leaves * leaves : 0.0;
+  }
+  if (!choose_rests(candidates, *rates)) {
+    return false;
+  }
+  for (std::size_t s = 0; s < touched.size(); ++s) {
+    if (rests_[s]) {
+      note(SimulationEvent::Kind::rest, plan_.stops[s].of).time += series[s];
+      result_.events.back().speed = 0.0;
+      lost_ += left[s];
     }
   }
-  if (has_rest) {
-    go_on_with(*rates);
-    state_[2 * free_count() + 1] = lost_;
+  state_[2 * free_count() + 1] = lost_;
+  if (!decide_friction(std::nullopt)) {
+    return false;
   }
   step_ = std::min(step_.value_or(flight), 0.2 * flight);
   restart();
   return true;
+}
+
+// Which of the stops that are touched bear something: those push, and what is at the others leaves
+// them or stays by itself. All ways are tried, with most that rest first.
+bool Simulator::choose_rests(const std::vector<bool>& candidates, const VecX& rates) {
+  std::vector<std::size_t> all;
+  for (std::size_t s = 0; s < candidates.size(); ++s) {
+    if (candidates[s]) {
+      all.push_back(s);
+    }
+  }
+  if (all.size() > kMostAtOneTime) {
+    obstacle_ = {.kind = SimulationObstacle::Kind::no_progress};
+    return false;
+  }
+  const std::size_t count = std::size_t{1} << all.size();
+  for (std::size_t way = count; way-- > 0;) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      rests_[all[i]] = ((way >> i) & 1U) != 0U;
+    }
+    if (bears(all, rates)) {
+      return true;
+    }
+  }
+  obstacle_ = {.kind = SimulationObstacle::Kind::no_progress};
+  return false;
+}
+
+bool Simulator::bears(const std::vector<std::size_t>& touched, const VecX& rates) {
+  const std::vector<int> held = held_rates();
+  const std::vector<int> kept =
+      independent_rates(network_, JointFollower(network_).free_motions(anchor_), held);
+  if (kept.size() < held.size() || !std::equal(held.begin(), held.end(), kept.begin())) {
+    return false;
+  }
+  go_on_with(rates);
+  std::vector<double> accelerations(free_count());
+  if (!accelerate(time_, anchor_, state_, accelerations)) {
+    return false;
+  }
+  return std::ranges::all_of(touched, [&](std::size_t s) {
+    const SimulationStop& stop = plan_.stops[s];
+    if (rests_[s]) {
+      return -stop.side * system_->held_actions()[held_place(s)] >= 0.0;
+    }
+    const std::optional<double> found =
+        system_->acceleration_of(stop.of.freedom, anchor_, speeds_of(state_), accelerations);
+    return found && stop.side * *found <= 0.0;
+  });
 }
 
 bool Simulator::begin_contacts() {
@@ -388,7 +446,7 @@ bool Simulator::begin_contacts() {
     }
   }
   if (std::ranges::count(touched, true) == 0) {
-    return true;
+    return decide_friction(std::nullopt);
   }
   for (std::size_t s = 0; s < touched.size(); ++s) {
     const std::optional<double> speed = speed_at(plan_.stops[s].of.freedom, time_, state_);

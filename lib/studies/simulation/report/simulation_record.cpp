@@ -13,7 +13,8 @@ namespace kinestat {
 namespace {
 
 constexpr std::array<std::string_view, 3> kEndWords = {"complete", "goal", "stuck"};
-constexpr std::array<std::string_view, 4> kEventWords = {"goal", "impact", "rest", "release"};
+constexpr std::array<std::string_view, 6> kEventWords = {
+    "goal", "impact", "rest", "release", "stick", "slip"};
 
 // A column or an event with the units of the file.
 template <class Item>
@@ -30,7 +31,7 @@ std::optional<double> held_action(const SimulationReportView& v,
   const Case& which = v.mechanism.cases.front();
   for (std::size_t a = 0; a < which.actions.size(); ++a) {
     if (which.actions[a].index == actuator.action) {
-      return row.state.actions[a];
+      return row.actions[a];
     }
   }
   for (std::size_t k = 0; k < v.plan.held.size(); ++k) {
@@ -52,21 +53,14 @@ class ColumnMaker {
     }
     add("", "time", QuantityKind::time, [](const SimulationRow& row) { return row.time; });
     for (int f = 0; f < topology_.freedom_count(); ++f) {
-      if (v_.solution.rows.front().state.positions[at(f)]) {
+      if (v_.solution.rows.front().positions[at(f)]) {
         add_freedom(f);
       }
     }
-    for (const ActuatorTopology& actuator : topology_.actuators) {
-      const bool is_couple = topology_.actions[at(actuator.action)].is_couple;
-      add(actuator.name, "action", action_kind(is_couple), [&](const SimulationRow& row) {
-        return held_action(v_, row, actuator);
-      });
-    }
+    add_actions();
     using enum QuantityKind;
-    add("", "energy/kinetic", energy, [](const SimulationRow& row) { return row.state.kinetic; });
-    add("", "energy/potential", energy, [](const SimulationRow& row) {
-      return row.state.potential;
-    });
+    add("", "energy/kinetic", energy, [](const SimulationRow& row) { return row.kinetic; });
+    add("", "energy/potential", energy, [](const SimulationRow& row) { return row.potential; });
     add("", "energy/supplied", energy, [](const SimulationRow& row) { return row.supplied; });
     add("", "energy/lost", energy, [](const SimulationRow& row) { return row.lost; });
     const double first = v_.solution.rows.front().balance();
@@ -77,15 +71,64 @@ class ColumnMaker {
   }
 
  private:
+  void add_actions() {
+    for (int a = 0; a < topology_.action_count(); ++a) {
+      const ActionLabel& label = topology_.actions[at(a)];
+      const std::string name = topology_.action_name(a);
+      if (label.actuator < 0 && !v_.plan.asks_actions) {
+        continue;
+      }
+      add(name, kActionColumn, action_kind(label.is_couple), [&, a](const SimulationRow& row) {
+        return label.actuator < 0 ? row.borne[at(a)]
+                                  : held_action(v_, row, topology_.actuators[at(label.actuator)]);
+      });
+    }
+    for (std::size_t i = 0; i < v_.mechanism.frictions.size(); ++i) {
+      const CouplingFriction& friction = v_.mechanism.frictions[i];
+      if (is_dry(friction)) {
+        const CouplingTopology& coupling = topology_.coupling(friction.coupling);
+        add(coupling.name,
+            kFrictionColumn,
+            action_kind(topology_.freedoms[at(coupling.first_freedom)].is_rotation),
+            [i](const SimulationRow& row) { return row.friction[i]; });
+      }
+    }
+  }
+
+  // What else the freedom of an actuator may be called.
+  std::string actuator_of(const std::string& element) const {
+    for (const ActuatorTopology& actuator : topology_.actuators) {
+      if (topology_.freedom_name(actuator.freedom) == element) {
+        return actuator.name;
+      }
+    }
+    return "";
+  }
+
+  // Time is in every table; of actions without being asked for those of actuators alone.
+  bool is_wanted(const std::string& element, std::string_view quantity) const {
+    const SimulationReport& report = v_.plan.report;
+    return quantity == "time" || report.is_default ||
+           wants(report, element, actuator_of(element), quantity) ||
+           (report.action && quantity == kFrictionColumn);
+  }
+
   template <class Read>
-  SimulationColumn& add(std::string element, std::string quantity, QuantityKind kind, Read read) {
+  void add(const std::string& element,
+           std::string_view quantity,
+           QuantityKind kind,
+           Read read,
+           bool is_coordinate = false) {
+    if (!is_wanted(element, quantity)) {
+      return;
+    }
     SimulationColumn column{
-        .element = std::move(element), .quantity = std::move(quantity), .kind = kind, .values = {}};
+        .element = element, .quantity = std::string(quantity), .kind = kind, .values = {}};
     for (const SimulationRow& row : v_.solution.rows) {
       column.values.emplace_back(read(row));
     }
+    column.is_coordinate = is_coordinate;
     columns_.push_back(std::move(column));
-    return columns_.back();
   }
 
   void add_freedom(int freedom) {
@@ -93,24 +136,24 @@ class ColumnMaker {
     const bool turns = topology_.freedoms[f].is_rotation;
     const std::string name = topology_.freedom_name(freedom);
     const bool is_coordinate = std::ranges::count(v_.solution.coordinates, freedom) > 0;
-    const auto bounded = [f](const std::vector<std::optional<double>>& list,
-                             const std::vector<double>& bounds) -> std::optional<double> {
-      return f < list.size() && list[f] && is_reported(*list[f], bounds[f]) ? list[f]
-                                                                            : std::nullopt;
-    };
-    add(name, "position", position_kind(turns), [f](const SimulationRow& row) {
-      return row.state.positions[f];
-    }).is_coordinate = is_coordinate;
-    add(name, "velocity", rate_kind(turns), [bounded](const SimulationRow& row) {
-      return bounded(row.state.state.rates, row.state.state.bounds.rates);
-    }).is_coordinate = is_coordinate;
-    add(name,
+    add(
+        name,
+        "position",
+        position_kind(turns),
+        [f](const SimulationRow& row) { return row.positions[f]; },
+        is_coordinate);
+    add(
+        name,
+        "velocity",
+        rate_kind(turns),
+        [f](const SimulationRow& row) { return row.rates[f]; },
+        is_coordinate);
+    add(
+        name,
         "acceleration",
         turns ? QuantityKind::angular_acceleration : QuantityKind::acceleration,
-        [bounded](const SimulationRow& row) {
-          return bounded(row.state.state.rate_rates, row.state.state.bounds.rate_rates);
-        })
-        .is_coordinate = is_coordinate;
+        [f](const SimulationRow& row) { return row.rate_rates[f]; },
+        is_coordinate);
   }
 
   const SimulationReportView& v_;
@@ -166,7 +209,8 @@ const Record<ShownItem<SimulationEvent>>& event_record() {
         "kind",
         {kEventWords.begin(), kEventWords.end()},
         "goal: a freedom comes to where the simulation ends; impact: it strikes a stop; rest: "
-        "it stays there; release: it leaves it again.",
+        "it stays there; release: it leaves it again; stick: its friction holds it; slip: it no "
+        "longer does.",
         [](const View& v) { return word_of(v.item.kind); });
     keys.text("element", "The freedom, as the file names it.", [](const View& v) {
       return v.item.element;

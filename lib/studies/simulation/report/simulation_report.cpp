@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/index.hpp"
+#include "description/simulation_report_words.hpp"
 #include "mechanism/label_kind.hpp"
 #include "report/csv.hpp"
 #include "report/number_format.hpp"
@@ -31,6 +32,9 @@ class SimulationText {
       blocks += TextBlocks(events());
     }
     if (!v_.solution.rows.empty()) {
+      if (const Table table = extremes(); !table.rows().empty()) {
+        blocks += TextBlocks(table);
+      }
       blocks += TextBlocks(rows());
     }
     return blocks;
@@ -84,7 +88,41 @@ class SimulationText {
     return table;
   }
 
+  // Of what the rows have, but for time and energies; what never changes has none.
+  Table extremes() const {
+    const std::string at = fmt::format("at [{}]", units_.text(QuantityKind::time));
+    Table table({"Of the rows", "least", at, "greatest", at});
+    const std::vector<std::optional<double>>& times = columns_.front().values;
+    for (const SimulationColumn& column : columns_) {
+      if (column.quantity == "time" || column.quantity.starts_with(kEnergyWord)) {
+        continue;
+      }
+      std::optional<std::size_t> least;
+      std::optional<std::size_t> greatest;
+      for (std::size_t r = 0; r < column.values.size(); ++r) {
+        if (column.values[r]) {
+          least = !least || *column.values[r] < *column.values[*least] ? r : *least;
+          greatest = !greatest || *column.values[r] > *column.values[*greatest] ? r : *greatest;
+        }
+      }
+      if (least && *column.values[*least] != *column.values[*greatest]) {
+        table.add({fmt::format("{} [{}]", column.name(), units_.text(column.kind)),
+                   number(column.kind, *column.values[*least]),
+                   number(QuantityKind::time, *times[*least]),
+                   number(column.kind, *column.values[*greatest]),
+                   number(QuantityKind::time, *times[*greatest])});
+      }
+    }
+    return table;
+  }
+
+  // Coordinates, energies, and what is asked for by its name.
   bool is_shown(const SimulationColumn& column) const {
+    for (const std::string& name : v_.plan.report.names) {
+      if (names_column(name, column.element, "", column.quantity)) {
+        return true;
+      }
+    }
     const bool is_state = column.is_coordinate && column.quantity != "acceleration";
     return column.quantity == "time" || is_state || column.quantity.starts_with("energy/");
   }

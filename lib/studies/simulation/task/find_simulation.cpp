@@ -33,8 +33,8 @@ class StartFinder {
       : mechanism_(mechanism), topology_(mechanism.topology), plan_(plan), found_(found) {}
 
   std::optional<Beginning> find(const std::vector<DrawnCoupling>& drawn) {
-    const MotionNetwork network = make_motion_network(mechanism_, drawn, named());
-    if (!check_movable(network)) {
+    const MotionNetwork network = make_motion_network(mechanism_, drawn, with_frictions(drawn));
+    if (!check_movable(network) || !check_goals(network)) {
       return std::nullopt;
     }
     std::optional<std::vector<int>> driven = choose(network);
@@ -67,6 +67,22 @@ class StartFinder {
     return all;
   }
 
+  // And those that may stick, as far as no circuit closes in them.
+  std::vector<int> with_frictions(const std::vector<DrawnCoupling>& drawn) const {
+    std::vector<int> all = named();
+    for (const CouplingFriction& friction : mechanism_.frictions) {
+      const int freedom = topology_.coupling(friction.coupling).first_freedom;
+      if (!is_dry(friction) || std::ranges::find(all, freedom) != all.end()) {
+        continue;
+      }
+      all.push_back(freedom);
+      if (!make_motion_network(mechanism_, drawn, all).is_movable()) {
+        all.pop_back();
+      }
+    }
+    return all;
+  }
+
   std::string name_of(int freedom) const { return topology_.freedom_name(freedom); }
 
   bool check_movable(const MotionNetwork& network) {
@@ -85,6 +101,21 @@ class StartFinder {
             : fmt::format("coupling '{}' cannot be moved: {}", coupling.name, reason_of(first.why)),
         is_circuit ? "name fewer freedoms in 'start', 'motion' and 'stops'" : "");
     return false;
+  }
+
+  // A goal that no row could tell would never be reached.
+  bool check_goals(const MotionNetwork& network) {
+    const auto positions = freedom_positions(network, mechanism_, drawn_configuration(network));
+    for (const SimulationGoal& goal : plan_.goals) {
+      if (!goal.is_speed && !positions[at(goal.of.freedom)]) {
+        found_.error("E0517",
+                     goal.of.where,
+                     fmt::format("'{}' has no position that 'until' could wait for", goal.of.name),
+                     "name a freedom about or along one axis, or a speed");
+        return false;
+      }
+    }
+    return true;
   }
 
   // The held ones, those that the start names, then what tells the motions apart best.
@@ -254,6 +285,9 @@ class StartFinder {
 
 std::string name_of(const SimulationObstacle& obstacle, const Mechanism& mechanism) {
   using enum SimulationObstacle::Kind;
+  const std::string rubbing =
+      obstacle.coupling ? fmt::format("'{}'", mechanism.topology.coupling(*obstacle.coupling).name)
+                        : "couplings that stick";
   switch (obstacle.kind) {
     case no_branch:
     case singular:
@@ -274,6 +308,14 @@ std::string name_of(const SimulationObstacle& obstacle, const Mechanism& mechani
                  ? fmt::format("'{}' has no value there", obstacle.of_curve->number)
                  : fmt::format("curve '{}' has no value there",
                                mechanism.curves[obstacle.of_curve->curve].name);
+    case friction_without_end:
+      return fmt::format("friction of {} grows without end with what it causes", rubbing);
+    case friction_in_two_ways:
+      return fmt::format("friction of {} is in balance in two ways", rubbing);
+    case open_friction:
+      return fmt::format("nothing says how large the friction of {} is", rubbing);
+    case stuck_in_circuit:
+      return fmt::format("{} would stick alone while its circuit moves on", rubbing);
     case beyond_stop:
       return "a freedom begins beyond its stop";
     case no_progress:
@@ -300,6 +342,16 @@ std::string_view hint_of(const SimulationObstacle& obstacle) {
       return "'kinestat explain E0324' says when; 'stops' keep a freedom from going so far";
     case curve:
       return "give the curve points as far, or a 'period'; 'kinestat explain E0326' says more";
+    case friction_without_end:
+    case friction_in_two_ways:
+      return "rigid bodies with so much friction have no answer there (Painleve): make it less, or "
+             "what presses longer";
+    case open_friction:
+      return "equilibrium leaves open what presses there, or how couplings that stick together "
+             "share: leave to each what it takes, or the friction to one of them";
+    case stuck_in_circuit:
+      return "name it in 'start', so that it is a coordinate; or leave the friction to another "
+             "coupling of its circuit";
     case beyond_stop:
       return "give it a place within, or a stop further out: both are from the drawn position";
     case no_progress:
@@ -344,15 +396,19 @@ std::optional<FoundSimulation> find_simulation(const MechanismDescription& descr
   if (!plan) {
     return std::nullopt;
   }
-  const std::vector<DrawnCoupling> drawn = bind_drawn_couplings(simulated, *mechanism);
-  const std::optional<Beginning> begin = StartFinder(*mechanism, *plan, found).find(drawn);
+  std::vector<DrawnCoupling> drawn = bind_drawn_couplings(simulated, *mechanism);
+  std::optional<Beginning> begin = StartFinder(*mechanism, *plan, found).find(drawn);
   if (!begin) {
     return std::nullopt;
   }
-  FoundSimulation result{
-      .mechanism = *std::move(mechanism), .plan = *std::move(plan), .solution = {}};
+  FoundSimulation result{.mechanism = *std::move(mechanism),
+                         .plan = *std::move(plan),
+                         .network = std::move(begin->network),
+                         .drawn = std::move(drawn),
+                         .solution = {}};
   result.solution = solve_simulation(result.mechanism,
-                                     begin->network,
+                                     result.network,
+                                     result.drawn,
                                      result.plan,
                                      begin->configuration,
                                      begin->coordinates,
@@ -360,7 +416,10 @@ std::optional<FoundSimulation> find_simulation(const MechanismDescription& descr
   if (result.solution.end == SimulationEnd::stuck) {
     const double time = result.solution.rows.empty() ? 0.0 : result.solution.rows.back().time;
     const FileUnits& units = description.units;
-    found.error("E0515",
+    const SimulationObstacle::Kind why = result.solution.obstacle.kind;
+    const bool is_painleve = why == SimulationObstacle::Kind::friction_without_end ||
+                             why == SimulationObstacle::Kind::friction_in_two_ways;
+    found.error(is_painleve ? "E0519" : "E0515",
                 result.plan.where,
                 fmt::format("the simulation cannot go on after {} {}: {}",
                             format_short(units.from_si(QuantityKind::time, time)),

@@ -12,6 +12,8 @@ namespace kinestat {
 struct FoundSimulation {
   Mechanism mechanism;  ///< with the simulation as its only case
   SimulationPlan plan;
+  MotionNetwork network;  ///< of the configurations of the rows
+  std::vector<DrawnCoupling> drawn;
   SimulationSolution solution;
 };
 

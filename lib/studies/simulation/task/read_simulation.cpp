@@ -1,6 +1,7 @@
 #include "studies/simulation/task/read_simulation.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -9,6 +10,7 @@
 #include "core/index.hpp"
 #include "core/simulation_tolerance.hpp"
 #include "core/text.hpp"
+#include "description/simulation_report_words.hpp"
 #include "mechanism/bind/evaluator.hpp"
 #include "mechanism/couplings/one_sided_actions.hpp"
 #include "mechanism/label_kind.hpp"
@@ -43,6 +45,7 @@ class SimulationReader {
     read_start();
     read_goals();
     read_stops();
+    read_report();
     check_actions();
     check_inertia();
     check_known();
@@ -180,6 +183,63 @@ class SimulationReader {
     }
   }
 
+  // Names of what has no column are refused.
+  void read_report() {
+    SimulationReport& report = plan_.report;
+    report.is_default = section_.report.empty();
+    for (const Name& name : section_.report) {
+      if (bool* const word = find_report_word(name.text, report)) {
+        *word = true;
+        continue;
+      }
+      report.names.push_back(name.text);
+      if (!names_any(name.text)) {
+        found_.error("E0313",
+                     name.where,
+                     fmt::format("the simulation has no column '{}'", name.text),
+                     fmt::format("write {}, or the name of a freedom, an actuator, an action or a "
+                                 "coupling",
+                                 fmt::join(kSimulationReportWords, ", ")));
+      }
+    }
+    for (int a = 0; a < topology_.action_count(); ++a) {
+      const bool is_borne = topology_.actions[at(a)].actuator < 0;
+      plan_.asks_actions = plan_.asks_actions ||
+                           (is_borne && wants(report, topology_.action_name(a), "", kActionColumn));
+    }
+  }
+
+  bool names_any(const std::string& name) const {
+    constexpr std::array<std::string_view, 3> kOfFreedoms = {
+        "position", "velocity", "acceleration"};
+    for (int f = 0; f < topology_.freedom_count(); ++f) {
+      for (const std::string_view quantity : kOfFreedoms) {
+        if (names_column(name, topology_.freedom_name(f), actuator_of(f), quantity)) {
+          return true;
+        }
+      }
+    }
+    for (int a = 0; a < topology_.action_count(); ++a) {
+      if (names_column(name, topology_.action_name(a), "", kActionColumn)) {
+        return true;
+      }
+    }
+    return std::ranges::any_of(
+               mechanism_.frictions,
+               [&](const CouplingFriction& one) {
+                 return names_column(
+                     name, topology_.coupling(one.coupling).name, "", kFrictionColumn);
+               }) ||
+           std::ranges::any_of(kEnergyColumns, [&](std::string_view quantity) {
+             return names_column(name, "", "", quantity);
+           });
+  }
+
+  std::string actuator_of(int freedom) const {
+    const auto at = std::ranges::find(topology_.actuators, freedom, &ActuatorTopology::freedom);
+    return at == topology_.actuators.end() ? "" : at->name;
+  }
+
   double start_of(int freedom) const {
     for (const SimulationStart& one : plan_.starts) {
       if (one.of.freedom == freedom) {
@@ -238,15 +298,15 @@ class SimulationReader {
   // What acts otherwise than a simulation knows.
   void check_known() {
     for (const CouplingFriction& friction : mechanism_.frictions) {
-      const bool is_viscous = friction.mu == 0.0 && friction.tau == 0.0 && !friction.tau_of_speed &&
-                              !friction.converter && friction.cables.empty() &&
-                              topology_.coupling(friction.coupling).freedom_count == 1;
-      if (!is_viscous) {
+      const bool is_of_one_freedom = !friction.converter && friction.cables.empty() &&
+                                     topology_.coupling(friction.coupling).freedom_count == 1;
+      if (!is_of_one_freedom) {
         refuse(friction.where,
-               fmt::format("a simulation does not know how '{}' rubs: it would stick and slip",
+               fmt::format("a simulation does not know how '{}' rubs: it slides in several "
+                           "directions, or by a cable or a fluid",
                            topology_.coupling(friction.coupling).name),
-               "leave viscous friction alone there, friction: {c: …}; or ask 'kinestat motion' for "
-               "the forces along a given motion, which has friction");
+               "model it by couplings of one freedom each; or ask 'kinestat motion' for the forces "
+               "along a given motion, which has such friction");
       }
     }
     for (const LossyMesh& mesh : mechanism_.lossy_meshes) {

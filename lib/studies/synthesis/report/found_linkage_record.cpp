@@ -20,6 +20,10 @@ const Record<LimitsNeeded>& limits_needed_record() {
                       QuantityKind::angle,
                       "Its margin; null if the limit is kept to.",
                       [](const View& v) { return v.transmission; });
+        keys.quantity("full_transmission_angle",
+                      QuantityKind::angle,
+                      "Its margin wherever the input can go; null if the limit is kept to.",
+                      [](const View& v) { return v.full_transmission; });
         keys.number("link_ratio",
                     Bare::ratio,
                     "Its ratio; null if the limit is kept to.",

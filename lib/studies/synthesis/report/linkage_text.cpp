@@ -244,6 +244,8 @@ std::string_view phrase_of(Defect defect) {
       return "circle point outside";
     case Defect::transmission:
       return "transmission angle too small";
+    case Defect::full_transmission:
+      return "transmission angle too small elsewhere";
     case Defect::ratio:
       return "link ratio too large";
     case Defect::size:

@@ -40,6 +40,10 @@ std::string limits_text(const LinkageCandidate& candidate,
     keys.push_back("transmission_angle: " +
                    limit_text(*needed->transmission / plane.unit_of_angle(), kDown));
   }
+  if (needed->full_transmission) {
+    keys.push_back("full_transmission_angle: " +
+                   limit_text(*needed->full_transmission / plane.unit_of_angle(), kDown));
+  }
   if (needed->ratio) {
     keys.push_back("link_ratio: " + limit_text(*needed->ratio, kUp));
   }

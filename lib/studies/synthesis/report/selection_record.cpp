@@ -24,7 +24,8 @@ constexpr std::array<const char*, kDefectCount - 1> kDefectTexts = {
     "The input meets a dead point elsewhere.",
     "A centre point outside its area.",
     "A circle point outside its area.",
-    "Below the limit.",
+    "Below the limit on the way through the positions.",
+    "Below the limit elsewhere.",
     "Above the limit.",
     "Above the limit."};
 

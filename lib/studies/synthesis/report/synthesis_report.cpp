@@ -23,6 +23,7 @@ std::vector<std::size_t> positions_with_lists(const SynthesisDescription& task) 
 std::optional<LimitsNeeded> find_limits_needed(const LinkageCandidate& candidate,
                                                const LinkageLimits& limits) {
   const bool is_by_limits = candidate.defect == Defect::transmission ||
+                            candidate.defect == Defect::full_transmission ||
                             candidate.defect == Defect::ratio || candidate.defect == Defect::size;
   if (!is_by_limits) {
     return std::nullopt;
@@ -30,6 +31,10 @@ std::optional<LimitsNeeded> find_limits_needed(const LinkageCandidate& candidate
   LimitsNeeded needed;
   if (candidate.margin() < limits.transmission * (1.0 - kSameValue)) {
     needed.transmission = candidate.margin();
+  }
+  if (const double full = candidate.best().full.margin();
+      full < limits.full_transmission * (1.0 - kSameValue)) {
+    needed.full_transmission = full;
   }
   if (candidate.ratio > limits.ratio * (1.0 + kSameValue)) {
     needed.ratio = candidate.ratio;

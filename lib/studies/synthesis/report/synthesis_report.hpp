@@ -91,7 +91,8 @@ std::vector<std::size_t> positions_with_lists(const SynthesisDescription& task);
 /// Limits with which a linkage that has no other defect would be usable; those that it keeps to are
 /// empty.
 struct LimitsNeeded {
-  std::optional<double> transmission;  ///< [rad]
+  std::optional<double> transmission;       ///< [rad]
+  std::optional<double> full_transmission;  ///< [rad]
   std::optional<double> ratio;
   std::optional<double> size;  ///< [length]
 };

@@ -26,6 +26,8 @@ double reached_by(const LinkageCandidate& candidate) {
     case Defect::full_turn:
     case Defect::transmission:
       return candidate.margin();
+    case Defect::full_transmission:
+      return candidate.best().full.margin();
     case Defect::centre_point:
     case Defect::circle_point:
       return -candidate.outside;

@@ -222,6 +222,9 @@ LinkageLimits SynthesisValues::limits() const {
   if (given.transmission_angle) {
     limits.transmission = number(*given.transmission_angle, QuantityKind::angle);
   }
+  if (given.full_transmission_angle) {
+    limits.full_transmission = number(*given.full_transmission_angle, QuantityKind::angle);
+  }
   if (given.link_ratio) {
     limits.ratio = number(*given.link_ratio, QuantityKind::dimensionless);
   }

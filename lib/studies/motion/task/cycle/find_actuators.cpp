@@ -10,6 +10,7 @@
 #include "core/motion_tolerance.hpp"
 #include "core/tolerance.hpp"
 #include "math/numbers/settled.hpp"
+#include "power/efficiency.hpp"
 
 namespace kinestat {
 
@@ -33,6 +34,8 @@ constexpr std::size_t kPower = 1;
 constexpr std::size_t kSpeed = 2;
 constexpr std::size_t kOfActuator = 3;
 
+// Behind these the powers of all actuators and of all loads, of a case that names both ends.
+
 class ActuatorFinder {
  public:
   ActuatorFinder(CycleSampler& sampler, std::span<const WatchedActuator> plan)
@@ -42,6 +45,7 @@ class ActuatorFinder {
         duration_(sampler.motion().plan.schedule->duration()) {}
 
   std::variant<WatchedMotion, CycleProblem> run() {
+    find_ends();
     auto found = sampler_.find([this](const MotionPosition& at) { return read(at); });
     if (!found) {
       return CycleProblem{
@@ -84,6 +88,14 @@ class ActuatorFinder {
       values.push_back(
           {.value = power.actuators[kinestat::at(one.actuator)], .size = largest_of(*solved)});
       values.push_back({.value = *rate, .size = std::abs(*rate)});
+    }
+    if (ends_) {
+      for (const double one : power.actuators) {
+        values.push_back({.value = one, .size = largest_of(*solved)});
+      }
+      for (std::size_t l = 0; l < ends_->loads.size(); ++l) {
+        values.push_back({.value = power.loads[l], .size = largest_of(*solved)});
+      }
     }
     return values;
   }
@@ -237,7 +249,9 @@ class ActuatorFinder {
                           .lost = integral_of(kLost),
                           .kinetic_change = 0.0,
                           .greatest_kinetic = peak_of(kKinetic).value,
-                          .audit = {}};
+                          .audit = {},
+                          .efficiency = {},
+                          .no_efficiency = {}};
     const double change =
         found_->value(kKinetic, found_->to()) - found_->value(kKinetic, found_->from());
     figures.kinetic_change = settled(change, kNoHarmonic * found_->size(kKinetic));
@@ -245,12 +259,51 @@ class ActuatorFinder {
       figures.audit =
           std::abs(change - duration_ * found_->integral(kBalance)) / figures.greatest_kinetic;
     }
+    add_efficiency(figures);
     return figures;
+  }
+
+  // The case with the loads that it has on the way, but those of inertia, which come last.
+  void find_ends() {
+    const std::optional<MotionPosition> begin = sampler_.at(0.0);
+    if (begin && begin->solved && begin->solved->which.names_both_ends()) {
+      ends_ = begin->solved->which;
+      std::erase_if(ends_->loads,
+                    [](const Load& one) { return one.name.starts_with(kInertiaPrefix); });
+    }
+  }
+
+  // By the energies of the whole instead of powers.
+  void add_efficiency(EnergyFigures& figures) const {
+    if (!ends_) {
+      return;
+    }
+    std::vector<double> actuators;
+    std::vector<double> loads;
+    double largest = 0.0;
+    std::size_t function = function_of(plan_.size(), 0);
+    for (auto* const list : {&actuators, &loads}) {
+      const std::size_t count = list == &loads ? ends_->loads.size() : topology_.actuators.size();
+      for (std::size_t i = 0; i < count; ++i) {
+        list->push_back(integral_of(function++));
+        largest = std::max(largest, std::abs(list->back()));
+      }
+    }
+    if (figures.kinetic_change != 0.0) {
+      figures.no_efficiency = "kinetic energy is not at the end what it was at the begin";
+      return;
+    }
+    const std::vector<bool> slips = find_slipping(topology_);
+    Efficiency found = find_efficiency(
+        *ends_, {.actuators = actuators, .loads = loads, .largest = largest, .slips = &slips});
+    figures.efficiency = found.value;
+    figures.no_efficiency = std::move(found.reason);
   }
 
   CycleSampler& sampler_;
   const Topology& topology_;
   std::span<const WatchedActuator> plan_;
+  std::optional<Case> ends_;  // if it names both
   double duration_ = 0.0;
   GaussPoints points_;
   std::optional<LegendrePieces> found_;

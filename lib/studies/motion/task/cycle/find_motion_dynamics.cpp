@@ -21,16 +21,16 @@ namespace {
 class DynamicsFinder {
  public:
   DynamicsFinder(const DynamicsPlan& plan,
-                 const FileUnits& units,
+                 const MechanismDescription& description,
                  CycleSampler& sampler,
                  Diagnostics& found)
-      : plan_(plan), units_(units), sampler_(sampler), found_(found) {}
+      : plan_(plan), description_(description), sampler_(sampler), found_(found) {}
 
   MotionDynamics run() {
     const Mechanism& mechanism = sampler_.mechanism();
     const PlannedDrive& drive = sampler_.motion().plan.drives.front();
     MotionDynamics result;
-    result.units = units_;
+    result.units = description_.units;
     result.is_planar = mechanism.space == Space::planar;
     result.drive_turns =
         mechanism.topology.freedoms[static_cast<std::size_t>(drive.freedom)].is_rotation;
@@ -100,7 +100,18 @@ class DynamicsFinder {
     }
   }
 
+  // What the file asks of its motion it does not ask of another one that options give.
   void refuse(std::string_view what, SourceRange where, CycleProblem problem) {
+    if (description_.motion->is_another) {
+      found_.warning(
+          "W0302",
+          plan_.where,
+          fmt::format("'dynamics' is left out of the motion that the options give: {}: {}",
+                      what,
+                      problem.message),
+          "let the motion be that of the file, or one that is told as a whole");
+      return;
+    }
     found_.error("E0514",
                  problem.where.line > 0 ? problem.where : where,
                  fmt::format("{}: {}", what, problem.message),
@@ -108,7 +119,7 @@ class DynamicsFinder {
   }
 
   const DynamicsPlan& plan_;
-  const FileUnits& units_;
+  const MechanismDescription& description_;
   CycleSampler& sampler_;
   Diagnostics& found_;
 };
@@ -124,7 +135,7 @@ std::optional<MotionDynamics> find_motion_dynamics(const MechanismDescription& d
     return std::nullopt;
   }
   CycleSampler sampler(mechanism, motion);
-  MotionDynamics dynamics = DynamicsFinder(*plan, description.units, sampler, found).run();
+  MotionDynamics dynamics = DynamicsFinder(*plan, description, sampler, found).run();
   return dynamics.is_empty() ? std::nullopt : std::optional(std::move(dynamics));
 }
 

@@ -1,0 +1,15 @@
+// What `report` of a simulation calls a quantity of all freedoms, actions or of the whole.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace kinestat {
+
+inline constexpr std::array<std::string_view, 5> kSimulationReportWords = {
+    "position", "velocity", "acceleration", "action", "energy"};
+
+/// Before a slash or a point, in names of columns of the whole.
+inline constexpr std::string_view kEnergyWord = kSimulationReportWords.back();
+
+}  // namespace kinestat

@@ -1,0 +1,175 @@
+// Dry friction in the reduced equation, and what couplings bear.
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "core/index.hpp"
+#include "dynamics/body_inertia.hpp"
+#include "math/dense/dense_solve.hpp"
+#include "studies/simulation/reduced_system.hpp"
+
+namespace kinestat {
+
+// What the inertia of the free coordinates asks of a held one.
+double ReducedSystem::held_by_inertia(const VecX& accelerations, std::size_t k) const {
+  const auto free = static_cast<Eigen::Index>(free_count_);
+  const Eigen::Index row = free + static_cast<Eigen::Index>(k);
+  return free > 0 ? inertia_.row(row).head(free).dot(accelerations) : 0.0;
+}
+
+// What holds the coordinates without dry friction.
+std::vector<double> ReducedSystem::held_with(const VecX& accelerations) const {
+  std::vector<double> held;
+  for (std::size_t k = 0; k < held_.size(); ++k) {
+    const auto row = static_cast<Eigen::Index>(free_count_ + k);
+    held.push_back(held_by_inertia(accelerations, k) + bias_[row] - forces_[row]);
+  }
+  return held;
+}
+
+// Beside that of steady coordinates.
+std::vector<BodyWrench> ReducedSystem::inertial(const VecX& accelerations) const {
+  std::vector<BodyWrench> loads;
+  for (std::size_t b = 0; b < carried_.size(); ++b) {
+    if (!mechanism_.masses[b].counts()) {
+      continue;
+    }
+    Wrench sum;
+    for (Eigen::Index j = 0; j < accelerations.size(); ++j) {
+      sum = sum + -accelerations[j] * carried_[b][static_cast<std::size_t>(j)];
+    }
+    loads.push_back({.body = BodyId{static_cast<int>(b)}, .wrench = sum});
+  }
+  return loads;
+}
+
+// But for actuators, whose actions equilibrium says.
+void ReducedSystem::add_held(std::span<const double> held, std::vector<BodyWrench>& loads) const {
+  for (std::size_t k = 0; k < held.size(); ++k) {
+    const int freedom = network_.driven_freedoms[free_count_ + k];
+    if (!balance_->drives(freedom)) {
+      balance_->add_pair(freedom, held[k], loads);
+    }
+  }
+}
+
+std::optional<ReducedSystem::ActingFriction> ReducedSystem::acting_friction(std::size_t i) {
+  const auto free = static_cast<Eigen::Index>(free_count_);
+  const CouplingId id = mechanism_.frictions[i].coupling;
+  const int freedom = mechanism_.topology.coupling(id).first_freedom;
+  const int sense = senses_[i].sense;
+  const double rate = state_.rates[at(freedom)].value_or(0.0);
+  ActingFriction one{.index = i,
+                     .law = balance_->law_of(i, sense, rate, senses_[i].at_rest),
+                     .rate = sense * rate,
+                     .work = -sense * direction_of(freedom)};
+  if (!one.law.has_value) {
+    obstacle_ = {.kind = SimulationObstacle::Kind::open_friction, .coupling = id};
+    return std::nullopt;
+  }
+  if (free > 0) {
+    const std::optional<VecX> answer =
+        solve_dense(inertia_.topLeftCorner(free, free), VecX(one.work.head(free)));
+    if (!answer) {
+      obstacle_ = {.kind = SimulationObstacle::Kind::no_inertia};
+      return std::nullopt;
+    }
+    one.answer = *answer;
+  }
+  return one;
+}
+
+// What a unit of it makes of forces of inertia and of what holds coordinates.
+std::vector<BodyWrench> ReducedSystem::along(const ActingFriction& one) const {
+  std::vector<BodyWrench> loads = inertial(one.answer);
+  std::vector<double> held;
+  for (std::size_t k = 0; k < held_.size(); ++k) {
+    held.push_back(held_by_inertia(one.answer, k) -
+                   one.work[static_cast<Eigen::Index>(free_count_ + k)]);
+  }
+  add_held(held, loads);
+  return loads;
+}
+
+bool ReducedSystem::add_friction(VecX& accelerations) {
+  friction_.assign(friction_.size(), std::nullopt);
+  std::vector<ActingFriction> acting;
+  std::vector<FrictionLaw> laws;
+  std::vector<std::vector<BodyWrench>> with_each;
+  for (std::size_t i = 0; i < senses_.size(); ++i) {
+    if (senses_[i].sense == 0) {
+      continue;
+    }
+    std::optional<ActingFriction> one = acting_friction(i);
+    if (!one) {
+      return false;
+    }
+    laws.push_back(one->law);
+    with_each.push_back(along(*one));
+    acting.push_back(*std::move(one));
+  }
+  if (acting.empty()) {
+    return true;
+  }
+  const auto presses = [](const FrictionLaw& law) { return !law.parts.empty(); };
+  if (is_open_ && std::ranges::any_of(laws, presses)) {
+    return fail(SimulationObstacle::Kind::open_friction);
+  }
+  std::vector<BodyWrench> loads = loads_;
+  for (std::size_t b = 0; b < inertial_.size(); ++b) {
+    if (mechanism_.masses[b].counts()) {
+      loads.push_back({.body = BodyId{static_cast<int>(b)}, .wrench = inertial_[b]});
+    }
+  }
+  std::ranges::copy(inertial(accelerations), std::back_inserter(loads));
+  add_held(held_with(accelerations), loads);
+  const FrictionMagnitudes found = balance_->solve_friction(actions_, loads, laws, with_each);
+  using enum FrictionOutcome;
+  if (found.outcome != solved) {
+    obstacle_ = {.kind = found.outcome == none      ? SimulationObstacle::Kind::friction_without_end
+                         : found.outcome == several ? SimulationObstacle::Kind::friction_in_two_ways
+                                                    : SimulationObstacle::Kind::open_friction,
+                 .coupling = found.open.value_or(laws.front().coupling)};
+    return false;
+  }
+  for (std::size_t i = 0; i < acting.size(); ++i) {
+    const ActingFriction& one = acting[i];
+    const double size = found.values[static_cast<Eigen::Index>(i)];
+    const CouplingTopology& coupling = mechanism_.topology.coupling(one.law.coupling);
+    forces_ += size * one.work;
+    accelerations += size * one.answer;
+    friction_[one.index] = -senses_[one.index].sense * size;
+    rubbing_.push_back({.body = coupling.head, .wrench = size * one.law.unit});
+    rubbing_.push_back({.body = coupling.tail, .wrench = -size * one.law.unit});
+    powers_.lost += size * one.rate;
+  }
+  return true;
+}
+
+// Forces of inertia as of a row of a motion, by the accelerations with their bounds.
+void ReducedSystem::find_borne(const MotionState& state, ReducedState& told) {
+  const std::size_t count = mechanism_.topology.actions.size();
+  told.borne.assign(count, std::nullopt);
+  if (is_open_ || state.twist_rates.empty()) {
+    return;
+  }
+  std::vector<BodyWrench> loads = loads_;
+  std::ranges::copy(rubbing_, std::back_inserter(loads));
+  add_held(held_, loads);
+  for (std::size_t b = 0; b < mechanism_.masses.size(); ++b) {
+    if (mechanism_.masses[b].counts()) {
+      const BodyInertia body = inertia_at(mechanism_.masses[b], state.poses[b]);
+      loads.push_back(
+          {.body = BodyId{static_cast<int>(b)},
+           .wrench =
+               inertial_wrench(body, state.twists[b], state.twist_rates[b], state.bounds.bodies[b])
+                   .zeroed()});
+    }
+  }
+  StaticSolution found = balance_->solve(actions_, loads);
+  if (found.magnitudes.size() == count) {
+    told.borne = std::move(found.magnitudes);
+  }
+}
+
+}  // namespace kinestat

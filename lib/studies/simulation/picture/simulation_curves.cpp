@@ -1,0 +1,85 @@
+#include "studies/simulation/picture/simulation_curves.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+#include "studies/motion/picture/motion_curves.hpp"
+
+namespace kinestat {
+
+namespace {
+
+constexpr std::string_view kEnergy = "energy/";
+
+// What is left unexplained is too small to be seen beside the others.
+constexpr std::string_view kUnexplained = "error";
+
+// More events than these crowd a chart, which then has none.
+constexpr std::size_t kMostGuides = 4;
+
+bool is_still(const MotionTable& table, std::size_t column) {
+  return std::ranges::all_of(table.rows, [&](const MotionRow& row) {
+    return row.values[column] == table.rows.front().values[column];
+  });
+}
+
+MotionTable with_few_events(const MotionTable& simulation) {
+  MotionTable table = simulation;
+  if (table.events.size() > kMostGuides) {
+    table.events.clear();
+  }
+  return table;
+}
+
+}  // namespace
+
+Figure simulation_figure(const MotionTable& simulation, const std::string& title) {
+  MotionTable table = with_few_events(simulation);
+  for (std::size_t c = table.columns.size(); c-- > 1;) {
+    if (!table.columns[c].quantity.starts_with(kEnergy) && !is_still(table, c)) {
+      continue;
+    }
+    table.columns.erase(table.columns.begin() + static_cast<std::ptrdiff_t>(c));
+    for (MotionRow& row : table.rows) {
+      row.values.erase(row.values.begin() + static_cast<std::ptrdiff_t>(c));
+    }
+  }
+  Figure figure = motion_figure(table, title);
+  figure.name = "simulation";
+  figure.description = "What the rows of the simulation have, over time; a few events are marked.";
+  return figure;
+}
+
+Figure energy_figure(const MotionTable& simulation, const std::string& title) {
+  Figure figure = {.name = "energies",
+                   .title = title,
+                   .description =
+                       "Energies of the simulation over time: kinetic, potential of "
+                       "weights and springs, supplied and lost.",
+                   .charts = {}};
+  Chart chart = {.x = {.label = std::string(kTimeColumn), .unit = simulation.time_unit},
+                 .y = {.label = "energy", .unit = {}},
+                 .series = {}};
+  for (std::size_t c = 0; c < simulation.columns.size(); ++c) {
+    const MotionColumn& column = simulation.columns[c];
+    const bool is_energy = column.quantity.starts_with(kEnergy);
+    if (!is_energy || column.quantity.ends_with(kUnexplained)) {
+      continue;
+    }
+    Series series = {.name = column.quantity.substr(kEnergy.size())};
+    for (const MotionRow& row : simulation.rows) {
+      series.x.push_back(*row.values.front());
+      series.y.push_back(row.values[c].value_or(std::numeric_limits<double>::quiet_NaN()));
+    }
+    chart.y.unit = column.unit;
+    chart.series.push_back(std::move(series));
+  }
+  if (!simulation.rows.empty()) {
+    figure.charts.push_back(std::move(chart));
+  }
+  return figure;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,42 @@
+#include "studies/simulation/report/simulation_table.hpp"
+
+#include <utility>
+
+namespace kinestat {
+
+MotionTable simulation_table(const SimulationReportView& view) {
+  const FileUnits& units = view.description.units;
+  const SimulationSolution& solution = view.solution;
+  const auto in_time = [&](double si) { return units.from_si(QuantityKind::time, si); };
+  MotionTable table;
+  table.time_unit = units.text(QuantityKind::time);
+  const double end = solution.rows.empty() ? 0.0 : solution.rows.back().time;
+  table.drives.push_back({.name = std::string(kTimeColumn),
+                          .freedom = {},
+                          .unit = table.time_unit,
+                          .from = 0.0,
+                          .to = in_time(view.plan.duration),
+                          .reached = in_time(end)});
+  table.rows.resize(solution.rows.size());
+  for (const SimulationColumn& column : simulation_columns(view)) {
+    table.columns.push_back(
+        {.element = column.element, .quantity = column.quantity, .unit = units.text(column.kind)});
+    for (std::size_t r = 0; r < table.rows.size(); ++r) {
+      const std::optional<double>& value = column.values[r];
+      table.rows[r].step = static_cast<int>(r);
+      table.rows[r].values.push_back(value ? std::optional(units.from_si(column.kind, *value))
+                                           : std::nullopt);
+    }
+  }
+  for (const SimulationEvent& one : solution.events) {
+    table.events.push_back({.kind = std::string(word_of(one.kind)),
+                            .element = one.element,
+                            .step = 0,
+                            .drive = {in_time(one.time)},
+                            .uncertainty = 0.0,
+                            .places = {}});
+  }
+  return table;
+}
+
+}  // namespace kinestat

@@ -1,0 +1,62 @@
+#include "studies/simulation/simulation_plan.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "description/simulation_report_words.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// In the order of the words.
+constexpr std::array<bool SimulationReport::*, kSimulationReportWords.size()> kMembers = {
+    &SimulationReport::position,
+    &SimulationReport::velocity,
+    &SimulationReport::acceleration,
+    &SimulationReport::action,
+    &SimulationReport::energy};
+
+std::string dotted(std::string name) {
+  std::ranges::replace(name, '/', '.');
+  return name;
+}
+
+bool begins_with_parts(const std::string& name, const std::string& begin) {
+  return name.starts_with(begin) && (name.size() == begin.size() || name[begin.size()] == '.');
+}
+
+}  // namespace
+
+bool* find_report_word(std::string_view word, SimulationReport& report) {
+  const auto at = std::ranges::find(kSimulationReportWords, word);
+  return at == kSimulationReportWords.end()
+             ? nullptr
+             : &(report.*kMembers[static_cast<std::size_t>(at - kSimulationReportWords.begin())]);
+}
+
+bool names_column(const std::string& name,
+                  const std::string& element,
+                  const std::string& also,
+                  std::string_view quantity) {
+  const std::string asked = dotted(name);
+  const std::string end = dotted(std::string(quantity));
+  return (element.empty() ? begins_with_parts(end, asked)
+                          : begins_with_parts(element + "." + end, asked)) ||
+         (!also.empty() && begins_with_parts(also + "." + end, asked));
+}
+
+bool wants(const SimulationReport& report,
+           const std::string& element,
+           const std::string& also,
+           std::string_view quantity) {
+  bool of_word = false;
+  for (std::size_t i = 0; i < kMembers.size(); ++i) {
+    of_word = of_word || (report.*kMembers[i] && quantity.starts_with(kSimulationReportWords[i]));
+  }
+  return of_word || std::ranges::any_of(report.names, [&](const std::string& name) {
+           return names_column(name, element, also, quantity);
+         });
+}
+
+}  // namespace kinestat

@@ -1,0 +1,149 @@
+#include "studies/simulation/state_balance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/index.hpp"
+#include "core/motion_tolerance.hpp"
+#include "network/bases.hpp"
+#include "statics/action.hpp"
+#include "statics/equilibrium.hpp"
+#include "statics/indeterminacy.hpp"
+#include "studies/motion/moved_mechanism.hpp"
+
+namespace kinestat {
+
+namespace {
+
+std::vector<int> indices_of(const std::vector<Primary>& primaries) {
+  std::vector<int> indices;
+  for (const Primary& one : primaries) {
+    indices.push_back(one.index);
+  }
+  return indices;
+}
+
+}  // namespace
+
+bool is_dry(const CouplingFriction& friction) {
+  return friction.mu > 0.0 || friction.tau > 0.0 || friction.tau_of_speed || friction.mu_static;
+}
+
+StateBalance::StateBalance(const Mechanism& mechanism,
+                           const Case& which,
+                           const MotionNetwork& network,
+                           std::span<const DrawnCoupling> drawn)
+    : mechanism_(mechanism), which_(which), network_(network), drawn_(drawn), moved_(mechanism) {
+  for (CouplingFriction friction : mechanism.frictions) {
+    friction.viscous = 0.0;
+    sliding_.push_back(friction);
+    friction.mu = friction.mu_static.value_or(friction.mu);
+    resting_.push_back(std::move(friction));
+  }
+}
+
+void StateBalance::place(const Configuration& configuration,
+                         std::span<const BodyPose> poses,
+                         double off) {
+  move_mechanism(network_, drawn_, configuration, poses, mechanism_, moved_);
+  moved_.closure_error = std::max(kMotionClosure, off);
+}
+
+void StateBalance::add_pair(int freedom, double magnitude, std::vector<BodyWrench>& loads) const {
+  const FreedomLabel& label = mechanism_.topology.freedoms[at(freedom)];
+  const CouplingTopology& coupling = mechanism_.topology.coupling(label.coupling);
+  const Twist& unit = moved_.geometry.motions[at(freedom)];
+  const Vec3& point = moved_.geometry.points[at(label.coupling.value)];
+  const Wrench wrench = magnitude * (label.is_rotation ? unit_couple<double>(unit.angular)
+                                                       : unit_force<double>(unit.linear, point));
+  loads.push_back({.body = coupling.head, .wrench = wrench});
+  loads.push_back({.body = coupling.tail, .wrench = -1.0 * wrench});
+}
+
+bool StateBalance::drives(int freedom) const {
+  const auto& actuators = mechanism_.topology.actuators;
+  return std::ranges::find(actuators, freedom, &ActuatorTopology::freedom) != actuators.end();
+}
+
+FrictionLaw StateBalance::law_of(std::size_t friction,
+                                 double sense,
+                                 double rate,
+                                 bool at_rest) const {
+  const CouplingFriction& one = (at_rest ? resting_ : sliding_)[friction];
+  const CouplingTopology& coupling = mechanism_.topology.coupling(one.coupling);
+  const Twist& unit = moved_.geometry.motions[at(coupling.first_freedom)];
+  // Never so slow that it has no sense.
+  const double size = std::max(sense * rate, std::numeric_limits<double>::min());
+  return make_friction_law(SlidingOf<double>{
+      .topology = mechanism_.topology,
+      .friction = one,
+      .unit = unit,
+      .twist = {.angular = sense * size * unit.angular, .linear = sense * size * unit.linear},
+      .at = moved_.geometry.points[at(one.coupling.value)],
+      .unit_action = [&](int a) { return moved_.geometry.actions[at(a)]; }});
+}
+
+// Those that follow from others, or from equilibrium, are left out.
+std::vector<Primary> StateBalance::primaries_with(std::span<const double> actions,
+                                                  std::span<const BodyWrench> loads) {
+  std::vector<Primary> all = which_.actions;
+  for (std::size_t a = 0; a < all.size(); ++a) {
+    all[a].value = actions[a];
+  }
+  if (!knows_independent_) {
+    std::vector<Primary> kept = all;
+    for (bool depends = true; depends;) {
+      const Equilibrium equilibrium(
+          moved_, action_basis(moved_.geometry, moved_.static_order, loads), indices_of(kept));
+      const PrimaryCheck check = equilibrium.check({});
+      depends = !check.dependences.empty();
+      if (depends) {
+        std::erase_if(kept, [&](const Primary& one) {
+          return one.index == check.dependences.front().terms.front().index;
+        });
+      }
+    }
+    for (std::size_t a = 0; a < all.size(); ++a) {
+      if (std::ranges::find(kept, all[a].index, &Primary::index) != kept.end()) {
+        independent_.push_back(a);
+      }
+    }
+    knows_independent_ = true;
+  }
+  std::vector<Primary> result;
+  for (const std::size_t a : independent_) {
+    result.push_back(all[a]);
+  }
+  return result;
+}
+
+FrictionMagnitudes StateBalance::solve_friction(std::span<const double> actions,
+                                                std::span<const BodyWrench> loads,
+                                                std::span<const FrictionLaw> laws,
+                                                std::span<const std::vector<BodyWrench>> along) {
+  std::vector<BodyWrench> outside(loads.begin(), loads.end());
+  for (const FrictionLaw& law : laws) {
+    outside.push_back(
+        {.body = mechanism_.topology.coupling(law.coupling).head, .wrench = law.unit});
+  }
+  const std::vector<Primary> primaries = primaries_with(actions, outside);
+  const CoordinateBasis basis = action_basis(moved_.geometry, moved_.static_order, outside);
+  return solve_friction_balance({.mechanism = moved_,
+                                 .basis = basis,
+                                 .primaries = primaries,
+                                 .loads = loads,
+                                 .laws = laws,
+                                 .along = along});
+}
+
+StaticSolution StateBalance::solve(std::span<const double> actions,
+                                   std::span<const BodyWrench> loads) {
+  const std::vector<Primary> primaries = primaries_with(actions, loads);
+  const CoordinateBasis basis = action_basis(moved_.geometry, moved_.static_order, loads);
+  return resolve_indeterminacy(
+      moved_, basis, primaries, loads, solve_action(moved_, basis, primaries, loads));
+}
+
+}  // namespace kinestat

@@ -1,0 +1,63 @@
+// The equilibrium of a mechanism in a state, forces of inertia and all that acts among its loads.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "statics/friction_solve.hpp"
+#include "statics/static_solution.hpp"
+#include "studies/motion/motion_solution.hpp"
+
+namespace kinestat {
+
+/// Whether a coupling sticks and slips: some of its friction is there however slow it slides.
+bool is_dry(const CouplingFriction& friction);
+
+/// Actions of actuators that the case knows are known as far as equilibrium does not say them
+/// itself. One a thread; all must outlive it.
+class StateBalance {
+ public:
+  StateBalance(const Mechanism& mechanism,
+               const Case& which,
+               const MotionNetwork& network,
+               std::span<const DrawnCoupling> drawn);
+
+  /// Moves the mechanism there; `off` is by how much its points may be.
+  void place(const Configuration& configuration, std::span<const BodyPose> poses, double off);
+
+  const Mechanism& moved() const { return moved_; }
+
+  /// An action about or along a freedom, of tail on head, and its opposite.
+  void add_pair(int freedom, double magnitude, std::vector<BodyWrench>& loads) const;
+
+  /// Whether an actuator gives an action along that freedom, which equilibrium then says.
+  bool drives(int freedom) const;
+
+  /// Of a dry friction, its sliding having that sense and speed; `at_rest` with the coefficient of
+  /// rest. Without what is viscous.
+  FrictionLaw law_of(std::size_t friction, double sense, double rate, bool at_rest) const;
+
+  /// `actions` are those that the case knows, in its order.
+  FrictionMagnitudes solve_friction(std::span<const double> actions,
+                                    std::span<const BodyWrench> loads,
+                                    std::span<const FrictionLaw> laws,
+                                    std::span<const std::vector<BodyWrench>> along);
+
+  StaticSolution solve(std::span<const double> actions, std::span<const BodyWrench> loads);
+
+ private:
+  std::vector<Primary> primaries_with(std::span<const double> actions,
+                                      std::span<const BodyWrench> loads);
+
+  const Mechanism& mechanism_;
+  const Case& which_;
+  const MotionNetwork& network_;
+  std::span<const DrawnCoupling> drawn_;
+  Mechanism moved_;
+  std::vector<CouplingFriction> sliding_;  // without what is viscous
+  std::vector<CouplingFriction> resting_;
+  std::vector<std::size_t> independent_;  // of the actions of the case
+  bool knows_independent_ = false;
+};
+
+}  // namespace kinestat
