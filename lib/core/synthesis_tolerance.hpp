@@ -42,6 +42,13 @@ inline constexpr double kSameLinkage = 1e-5;
 /// their sum, or within the bounds of their lengths.
 inline constexpr double kChangePoint = 1e-10;
 
+/// Ratios of gears may leave the closed ranges that are asked for by this share: rounding leaves
+/// 1e-14, and teeth are a thousand times as coarse.
+inline constexpr double kRangeSlack = 1e-9;
+
+/// An output that turns slower than this share of the input's speed rests: the state is no gear.
+inline constexpr double kRestingOutput = 1e-9;
+
 /// Dyads of positions that lose all but one digit are not worth having.
 inline constexpr double kUselessLoss = 0.1;
 

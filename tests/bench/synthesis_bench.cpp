@@ -11,11 +11,11 @@
 #include "bench_program.hpp"
 #include "core/types.hpp"
 #include "interleave.hpp"
+#include "math/numbers/for_each_number.hpp"
 #include "ratio_table.hpp"
 #include "studies/synthesis/dyads/precise_burmester.hpp"
 #include "studies/synthesis/positions/specification.hpp"
 #include "studies/synthesis/selection/selection.hpp"
-#include "studies/synthesis/task/for_each_on_threads.hpp"
 
 namespace kinestat::bench {
 

@@ -338,12 +338,6 @@ int samples_along(int samples, double numbers) {
   return std::max(2, static_cast<int>(std::ceil(each * (1.0 - kSameValue))));
 }
 
-void one_after_another(std::size_t count, const std::function<void(std::size_t)>& job) {
-  for (std::size_t i = 0; i < count; ++i) {
-    job(i);
-  }
-}
-
 Selection select_linkages(std::span<const SelectionRange> ranges,
                           const CandidateMaker& make,
                           int keep,

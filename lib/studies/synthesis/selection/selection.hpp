@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "math/numbers/for_each_number.hpp"
 #include "studies/synthesis/selection/selection_choice.hpp"
 
 namespace kinestat {
@@ -22,11 +23,6 @@ struct SelectionRange {
 /// How often each of that many numbers is tried, 2 at least, so that there are about `samples`
 /// combinations: not fewer.
 int samples_along(int samples, double numbers);
-
-/// Does the job of every number below `count`, in any order or at the same time.
-using ForEach = std::function<void(std::size_t count, const std::function<void(std::size_t)>& job)>;
-
-void one_after_another(std::size_t count, const std::function<void(std::size_t)>& job);
 
 /// How many of the best a report and its picture have.
 inline constexpr int kBestLinkages = 10;

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "studies/synthesis/task/for_each_on_threads.hpp"
+#include "math/numbers/for_each_number.hpp"
 
 namespace kinestat {
 

@@ -1,4 +1,4 @@
-#include "studies/synthesis/task/for_each_on_threads.hpp"
+#include "math/numbers/for_each_number.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -44,6 +44,12 @@ class Crew {
 };
 
 }  // namespace
+
+void one_after_another(std::size_t count, const std::function<void(std::size_t)>& job) {
+  for (std::size_t i = 0; i < count; ++i) {
+    job(i);
+  }
+}
 
 ForEach for_each_on_threads(std::uint64_t jobs) {
   const std::uint64_t cores = std::max(1U, std::thread::hardware_concurrency());

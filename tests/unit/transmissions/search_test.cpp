@@ -1,0 +1,301 @@
+#include "studies/transmissions/search.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace kinestat {
+namespace {
+
+struct SearchCounts {
+  std::uint64_t structures;
+  std::uint64_t layouts;
+  std::uint64_t labelled;
+  std::uint64_t layouts_found;
+  std::uint64_t found;
+  std::uint64_t points;
+};
+
+// Counted by a second program, those of two sets by brute force over roles, grid and chains too.
+struct ReferenceTask {
+  std::string name;
+  TransmissionTask task;
+  SearchCounts counts;
+  std::optional<std::array<std::uint64_t, 2>> buildable = {};  // coaxial, sideways
+};
+
+struct Kinds {
+  int simple;
+  int double_planet;
+};
+
+TransmissionTask task_with(Kinds sets,
+                           int elements,
+                           int engaged,
+                           LadderTask ladder,
+                           std::vector<double> simple,
+                           std::vector<double> double_planet = {}) {
+  TransmissionTask task{.simple_sets = sets.simple,
+                        .double_planet_sets = sets.double_planet,
+                        .elements = elements,
+                        .engaged = engaged,
+                        .ladder = ladder};
+  task.stationary_ratios[0].values = std::move(simple);
+  task.stationary_ratios[1].values = std::move(double_planet);
+  task.losses = {0.02, 0.03};
+  return task;
+}
+
+std::vector<double> fifths_to(double last) {
+  std::vector<double> values;
+  for (int i = 8; i <= static_cast<int>(last * 5.0 + 0.5); ++i) {
+    values.push_back(i / 5.0);
+  }
+  return values;
+}
+
+// NOLINTBEGIN
+std::vector<ReferenceTask> reference_tasks() {
+  return {
+      {"TwoGears",
+       task_with({1, 0},
+                 2,
+                 1,
+                 {.forward = 2, .needs_direct = true, .first = {2.53, 4.27}, .step = {2.47, 4.33}},
+                 fifths_to(3.2)),
+       {3, 3, 18, 3, 3, 27}},
+      {"ThreeGears",
+       task_with({2, 0},
+                 4,
+                 2,
+                 {.forward = 3,
+                  .reverse = 1,
+                  .needs_direct = true,
+                  .first = {2.23, 2.97},
+                  .step = {1.33, 1.97},
+                  .reverse_ratio = {1.53, 2.97}},
+                 fifths_to(2.8)),
+       {22, 127, 4356, 53, 109, 1401}},
+      {"FourGears",
+       task_with({2, 0},
+                 5,
+                 2,
+                 {.forward = 4,
+                  .reverse = 1,
+                  .needs_direct = true,
+                  .first = {2.57, 3.23},
+                  .last = {0.61, 0.81},
+                  .step = {1.31, 1.97},
+                  .reverse_ratio = {1.83, 2.93}},
+                 fifths_to(2.8)),
+       {22, 135, 4662, 20, 33, 257},
+       {{23, 29}}},
+      {"FourGearsOfARavigneauxSet",
+       task_with({1, 1},
+                 5,
+                 2,
+                 {.forward = 4,
+                  .reverse = 1,
+                  .needs_direct = true,
+                  .first = {2.27, 2.73},
+                  .last = {0.61, 0.81},
+                  .step = {1.31, 1.97},
+                  .reverse_ratio = {1.83, 2.93}},
+                 fifths_to(2.8),
+                 {2.0, 2.2, 2.4, 2.6, 2.8}),
+       {22, 135, 9288, 17, 36, 159},
+       {{22, 32}}},
+      {"FourGearsOfThreeEngaged",
+       task_with({2, 0},
+                 5,
+                 3,
+                 {.forward = 4,
+                  .reverse = 1,
+                  .first = {2.27, 3.97},
+                  .last = {0.53, 0.83},
+                  .step = {1.23, 2.07},
+                  .reverse_ratio = {1.53, 3.97}},
+                 fifths_to(2.8)),
+       {13, 57, 1944, 5, 7, 60}},
+      {"SixGears",
+       task_with({3, 0},
+                 5,
+                 2,
+                 {.forward = 6,
+                  .reverse = 1,
+                  .needs_direct = true,
+                  .first = {3.83, 4.77},
+                  .last = {0.61, 0.77},
+                  .step = {1.13, 1.87},
+                  .reverse_ratio = {2.33, 3.87}},
+                 fifths_to(2.8)),
+       {203, 3903, 834012, 307, 424, 5650},
+       {{153, 203}}},
+      {"SixGearsOfLepelletiersClass",
+       task_with({2, 1},
+                 5,
+                 2,
+                 {.forward = 6,
+                  .reverse = 1,
+                  .first = {3.83, 4.57},
+                  .last = {0.61, 0.74},
+                  .step = {1.13, 1.87},
+                  .reverse_ratio = {2.83, 4.17}},
+                 {1.6, 1.9, 2.2, 2.5, 2.8},
+                 {2.2, 2.5, 2.8, 3.1}),
+       {203, 3903, 2500668, 346, 815, 2381},
+       {{285, 414}}},
+      {"SixGearsOfThreeEngaged",
+       task_with({3, 0},
+                 5,
+                 3,
+                 {.forward = 6,
+                  .reverse = 1,
+                  .needs_direct = true,
+                  .first = {3.53, 5.07},
+                  .last = {0.53, 0.87},
+                  .step = {1.13, 1.93},
+                  .reverse_ratio = {2.03, 5.47}},
+                 {1.6, 2.0, 2.4, 2.8, 3.2}),
+       {133, 1664, 358128, 342, 498, 2649}},
+  };
+}
+
+ReferenceTask eight_gears() {
+  return {"EightGears",
+          task_with({4, 0},
+                    5,
+                    3,
+                    {.forward = 8,
+                     .reverse = 1,
+                     .needs_direct = true,
+                     .first = {4.03, 5.47},
+                     .spread = {6.53, 8.97},
+                     .step = {1.13, 1.77},
+                     .reverse_ratio = {2.53, 4.97}},
+                    {1.6, 2.0, 2.8, 3.6}),
+          {1557, 28188, 36320508, 5504, 7175, 17644}};
+}
+
+// A slice: the structure of the 8HP with a free shaft.
+ReferenceTask ten_gears() {
+  ReferenceTask reference = {"TenGears",
+                             task_with({4, 0},
+                                       6,
+                                       4,
+                                       {.forward = 10,
+                                        .reverse = 1,
+                                        .needs_direct = true,
+                                        .first = {4.23, 5.21},
+                                        .last = {0.55, 0.71},
+                                        .step = {1.06, 1.77},
+                                        .reverse_ratio = {3.53, 5.97}},
+                                       {1.6, 1.9, 2.2, 3.7}),
+                             {1, 247, 319464, 21, 23, 81}};
+  reference.task.free_shafts = 1;
+  reference.task.structures = {1435, 1435};
+  return reference;
+}
+
+// NOLINTEND
+
+void expect_counts(const TransmissionSearch& search, const SearchCounts& expected) {
+  const SearchStages& stages = search.stages;
+  EXPECT_EQ(stages.structures, expected.structures);
+  EXPECT_EQ(stages.layouts, expected.layouts);
+  EXPECT_EQ(stages.labelled_layouts, expected.labelled);
+  EXPECT_EQ(stages.layouts_found, expected.layouts_found);
+  EXPECT_EQ(stages.found, expected.found);
+  EXPECT_EQ(stages.points, expected.points);
+  EXPECT_EQ(search.found.size(), expected.found);
+}
+
+class ReferenceTasks : public ::testing::TestWithParam<int> {
+ protected:
+  ReferenceTask reference_ = reference_tasks()[static_cast<std::size_t>(GetParam())];
+};
+
+TEST_P(ReferenceTasks, AreSolvedAsOftenAsTwoProgramsCounted) {
+  expect_counts(search_transmissions(reference_.task, for_each_on_threads(0)), reference_.counts);
+}
+
+TEST_P(ReferenceTasks, AreBuildableAsOften) {
+  if (!reference_.buildable) {
+    GTEST_SKIP() << "not counted";
+  }
+  for (const auto& [layout, expected] :
+       {std::pair(SectionLayout::coaxial, (*reference_.buildable)[0]),
+        std::pair(SectionLayout::sideways, (*reference_.buildable)[1])}) {
+    reference_.task.layout = layout;
+    const SearchStages stages =
+        search_transmissions(reference_.task, for_each_on_threads(0)).stages;
+    EXPECT_EQ(stages.found, expected);
+    EXPECT_EQ(stages.found + stages.not_buildable, reference_.counts.found);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Reference, ReferenceTasks, ::testing::Range(0, 8), [](const auto& test) {
+  return reference_tasks()[static_cast<std::size_t>(test.param)].name;
+});
+
+// Two minutes and a half on one core.
+TEST(DISABLED_LongTasks, EightGearsOfFourSets) {
+  expect_counts(search_transmissions(eight_gears().task, for_each_on_threads(0)),
+                eight_gears().counts);
+}
+
+// A quarter of a minute.
+TEST(DISABLED_LongTasks, TenGearsWithAFreeShaft) {
+  expect_counts(search_transmissions(ten_gears().task, for_each_on_threads(0)), ten_gears().counts);
+}
+
+bool are_same(const FoundTransmission& a, const FoundTransmission& b) {
+  return a.structure == b.structure && a.layout == b.layout && a.roles == b.roles &&
+         a.stationary_ratios == b.stationary_ratios && a.elements == b.elements &&
+         a.ladder == b.ladder && a.ratios == b.ratios && a.rank == b.rank;
+}
+
+TEST(TransmissionSearch, DoesNotHangOnThreads) {
+  const TransmissionTask task = reference_tasks()[2].task;
+  const auto one = search_transmissions(task, one_after_another).found;
+  const auto many = search_transmissions(task, for_each_on_threads(0)).found;
+  ASSERT_EQ(one.size(), many.size());
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    EXPECT_TRUE(are_same(one[i], many[i]));
+  }
+}
+
+TEST(TransmissionSearch, InRangesFindsWhatAGridHas) {
+  TransmissionTask task = reference_tasks()[2].task;
+  const auto on_grid = search_transmissions(task, one_after_another).found;
+  task.stationary_ratios[0] = {.range = {1.6, 2.8}};
+  const TransmissionSearch in_ranges = search_transmissions(task, one_after_another);
+  for (const FoundTransmission& one : on_grid) {
+    const auto same = std::ranges::find_if(in_ranges.found, [&](const FoundTransmission& other) {
+      return other.structure == one.structure && other.layout == one.layout &&
+             other.roles == one.roles;
+    });
+    ASSERT_NE(same, in_ranges.found.end());
+    EXPECT_LE(same->rank, one.rank + 1e-4);
+  }
+}
+
+TEST(TransmissionSearch, KeepsLimits) {
+  TransmissionTask task = reference_tasks()[2].task;
+  const auto free = search_transmissions(task, one_after_another);
+  task.limits = {
+      .element_torque = 3.0, .element_slip = 3.0, .shaft_speed = 3.0, .rotating_clutches = 3};
+  const auto limited = search_transmissions(task, one_after_another);
+  EXPECT_GT(limited.stages.found, 0U);
+  EXPECT_LT(limited.stages.found, free.stages.found);
+  EXPECT_EQ(limited.stages.found + limited.stages.over_limits + limited.stages.not_buildable,
+            free.stages.found);
+}
+
+}  // namespace
+}  // namespace kinestat
