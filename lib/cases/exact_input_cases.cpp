@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/contract.hpp"
 #include "core/tolerance.hpp"
 #include "kinematics/exact_input_velocity.hpp"
 #include "statics/exact_input_action.hpp"
@@ -164,6 +165,7 @@ int ExactInputCases::missing_rank(const std::optional<RankCertainty>& certainty,
 }
 
 std::optional<KinematicSolution> ExactInputCases::find_better(std::size_t which,
+                                                              std::span<const Primary> known,
                                                               const RankEvidence* beside,
                                                               const KinematicSolution& motion) {
   if (!is_needed({.status = motion.status,
@@ -174,15 +176,23 @@ std::optional<KinematicSolution> ExactInputCases::find_better(std::size_t which,
       find() == nullptr) {
     return std::nullopt;
   }
-  return solve_velocity_of_exact_input(*mechanism_,
-                                       exact_input_->motions,
-                                       mechanism_->cases[which].motions,
-                                       exact_input_->cases[which].motions,
-                                       motion);
+  std::vector<ExactInput> values = exact_input_->cases[which].motions;
+  for (std::size_t i = values.size(); i < known.size(); ++i) {
+    KINESTAT_EXPECTS(known[i].is_assumed);
+    values.emplace_back(known[i].value);
+  }
+  auto better =
+      solve_velocity_of_exact_input(*mechanism_, exact_input_->motions, known, values, motion);
+  if (better) {
+    better->idle = motion.idle;
+  }
+  return better;
 }
 
-bool ExactInputCases::improve(std::size_t which, KinematicSolution& motion) {
-  auto better = find_better(which, nullptr, motion);
+bool ExactInputCases::improve(std::size_t which,
+                              std::span<const Primary> known,
+                              KinematicSolution& motion) {
+  auto better = find_better(which, known, nullptr, motion);
   if (!better) {
     return false;
   }
@@ -194,12 +204,13 @@ bool ExactInputCases::improve(std::size_t which, KinematicSolution& motion) {
 }
 
 void ExactInputCases::improve_beside(std::size_t which,
+                                     std::span<const Primary> known,
                                      const StaticSolution& action,
                                      KinematicSolution& motion) {
   if (action.status != SolveStatus::solved || motion.answer.is_exact_input) {
     return;
   }
-  if (auto better = find_better(which, &action.evidence, motion)) {
+  if (auto better = find_better(which, known, &action.evidence, motion)) {
     motion = *std::move(better);
   }
 }

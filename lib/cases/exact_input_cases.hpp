@@ -45,7 +45,8 @@ class ExactInputCases {
   /// Takes the answer of a case as typed where the request, or the bound of the one in doubles,
   /// asks for it. True if there is one as typed where the doubles have none; it is taken only if
   /// the request is for exact ones: otherwise what is singular once rounded is nearly so as typed.
-  bool improve(std::size_t which, KinematicSolution& motion);
+  /// `known` are the primary motions of the case, with those that it assumes at rest behind them.
+  bool improve(std::size_t which, std::span<const Primary> known, KinematicSolution& motion);
 
   /// Likewise, with the teeth of `turned` on their coast flanks; `motion` is that of the case,
   /// which may leave something open, or null.
@@ -55,7 +56,10 @@ class ExactInputCases {
                StaticSolution& action);
 
   /// Asks again for a solved motion, once the actions of its case are known.
-  void improve_beside(std::size_t which, const StaticSolution& action, KinematicSolution& motion);
+  void improve_beside(std::size_t which,
+                      std::span<const Primary> known,
+                      const StaticSolution& action,
+                      KinematicSolution& motion);
 
  private:
   struct DoubleAnswer;
@@ -66,6 +70,7 @@ class ExactInputCases {
   int missing_rank(const std::optional<RankCertainty>& certainty, int counted) const;
   bool is_needed(const DoubleAnswer& of) const;
   std::optional<KinematicSolution> find_better(std::size_t which,
+                                               std::span<const Primary> known,
                                                const RankEvidence* beside,
                                                const KinematicSolution& motion);
 

@@ -285,9 +285,9 @@ CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const CaseRe
       return *std::move(closed);
     }
   }
-  if (result.motion && request.exact_input != nullptr && result.motion->idle.empty()) {
+  if (result.motion && request.exact_input != nullptr) {
     request.certainty->has_exact_input_motion =
-        request.exact_input->improve(request.index, *result.motion);
+        request.exact_input->improve(request.index, which.motions, *result.motion);
   }
   const KinematicSolution* motion = is_solved(result.motion) ? &*result.motion : nullptr;
   if (which.asks_actions && (which.follows_curves() || !drawn.springs.empty())) {
@@ -303,8 +303,9 @@ CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const CaseRe
       request.certainty->has_exact_input_action = request.exact_input->improve(
           request.index, flanks.turned, result.motion ? &*result.motion : nullptr, flanks.action);
     }
-    if (request.exact_input != nullptr && motion != nullptr && motion->idle.empty()) {
-      request.exact_input->improve_beside(request.index, flanks.action, *result.motion);
+    if (request.exact_input != nullptr && motion != nullptr) {
+      request.exact_input->improve_beside(
+          request.index, which.motions, flanks.action, *result.motion);
     }
     result.action = std::move(flanks.action);
     result.coast_flanks = std::move(flanks.turned);

@@ -248,7 +248,7 @@ class Drawing {
     }
     drawn_ |= mask_of(path);
     Path around = faces_[face];
-    std::ranges::rotate(around, std::ranges::find(around, path.front()));
+    std::rotate(around.begin(), std::ranges::find(around, path.front()), around.end());
     const auto end = std::ranges::find(around, path.back());
     // One face: along the border to the end of the path and back on it; the other: the rest.
     Path one(around.begin(), end);

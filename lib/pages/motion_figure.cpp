@@ -22,7 +22,7 @@ constexpr std::size_t kMostSteps = 720;
 
 class MotionFigure {
  public:
-  MotionFigure(const Analysis& analysis, const PageMotion& motion, const MotionFigureName& as)
+  MotionFigure(const Analysis& analysis, const PageMotion& motion, const MovingDrawingName& as)
       : mechanism_(analysis.mechanism),
         analysis_(analysis),
         motion_(motion),
@@ -215,7 +215,7 @@ std::vector<std::size_t> shown_positions(const Mechanism& mechanism, std::size_t
 
 void add_motion_figure(const Analysis& analysis,
                        const PageMotion& motion,
-                       const MotionFigureName& as,
+                       const MovingDrawingName& as,
                        int& figures,
                        Html& html) {
   ++figures;

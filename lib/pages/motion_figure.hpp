@@ -15,7 +15,7 @@ namespace kinestat {
 std::vector<std::size_t> shown_positions(const Mechanism& mechanism, std::size_t count);
 
 /// What a drawing is called, and how it is told from others.
-struct MotionFigureName {
+struct MovingDrawingName {
   std::string name;     ///< "motion" or "simulation", of which the rows are
   std::string section;  ///< ids begin with it, and charts that follow name it
 };
@@ -26,7 +26,7 @@ struct MotionFigureName {
 /// its end, however that stands. `figures` counts on. There must be a position.
 void add_motion_figure(const Analysis& analysis,
                        const PageMotion& motion,
-                       const MotionFigureName& as,
+                       const MovingDrawingName& as,
                        int& figures,
                        Html& html);
 

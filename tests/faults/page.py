@@ -45,7 +45,8 @@ def table(parts: list[Part], commands: list[Command]) -> str:
         f"{len(cases)} cases of `tests/cli` show what is said. The commands that read a mechanism "
         f"file are {', '.join(command.name for command in commands)}."]
     for part in parts:
-        lines += ["", f"### {part.name}", "", "| | fault | promise | held by |", "|---|---|---|---|"]
+        lines += ["", f"### {part.name}", "", "| | fault | promise | held by |",
+                  "|---|---|---|---|"]
         lines += [f"| {one.number} | {one.name} | {promise(one)} | {holders(one)} |"
                   for one in part.faults]
     return "\n".join(lines)

@@ -1,4 +1,4 @@
-"""The program, its commands as its help lists them, and one run of it with what it cost and left."""
+"""The program, its commands as its help lists them, and one run with what it cost and left."""
 
 from __future__ import annotations
 
@@ -92,7 +92,8 @@ class Program:
             before = self._contents(folder)
             run = self._start(arguments, folder, env, shell, stdin, hang)
             after = self._contents(folder)
-            run.left = sorted(path for path in before | after if before.get(path) != after.get(path))
+            run.left = sorted(path for path in before | after
+                              if before.get(path) != after.get(path))
         with self._lock:
             self.count += 1
         return run

@@ -153,7 +153,8 @@ def other_locale(program: Program, command: Command) -> Iterator[Judged]:
 def empty_environment(program: Program, command: Command) -> Iterator[Judged]:
     """the same bytes of every command"""
     run = program.run(command.arguments("file.yaml"), files=content(command),
-                      shell='exec /usr/bin/env -i ${ASAN_OPTIONS+"ASAN_OPTIONS=$ASAN_OPTIONS"} "$@"')
+                      shell='exec /usr/bin/env -i '
+                            '${ASAN_OPTIONS+"ASAN_OPTIONS=$ASAN_OPTIONS"} "$@"')
     yield same_as_ordinary(program, command, run)
 
 

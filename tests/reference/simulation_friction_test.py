@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Simulations with dry friction: sticking and slipping, and the reactions that press.
+"""Simulations with dry friction: sticking and slipping.
 
 simulation.json has cases by closed form and by an integrator; the rest is by closed forms, and by
 Newton's equations of each body with Runge and Kutta's method here.
@@ -89,21 +89,8 @@ simulation: {action: {in: 0, out: 0, C: 0}, start: {in: {speed: 200}, C: {speed:
              steps: 20}
 """
 
-CRANK = """
-kinestat: 1
-space: planar
-ground: frame
-bodies:
-  crank: {mass: 1.2, centre_of_mass: [-0.006, -0.008], inertia: 0.0015}
-  rod: {mass: 0.6, centre_of_mass: [0.084, 0.028], inertia: 0.0025}
-  piston: {mass: 0.5, centre_of_mass: [0.21, 0], inertia: 0.0004}
-couplings:
-  a: {type: revolute, bodies: [frame, crank], at: [0, 0]}
-  b: {type: revolute, bodies: [crank, rod], at: [0.03, 0.04]}
-  c: {type: revolute, bodies: [rod, piston], at: [0.21, 0]}
-  d: {type: prismatic, bodies: [frame, piston], at: [0.21, 0], axis: x, friction: MU}
-loads: {push: {body: piston, at: [0.21, 0], force: [-30, 0]}}
-actuators: {motor: {coupling: a}}
+CRANK = simulations.SLIDER_CRANK.split("simulation:")[0].replace(
+    "axis: x}", "axis: x, friction: MU}") + """
 simulation: {action: {motor: 4}, time: 0.1 s, steps: 4, report: [a.wz, d.vx, action],
              tolerance: 1e-11}
 """
@@ -142,10 +129,7 @@ def kinds(found: Simulation) -> list[str]:
     return [event["kind"] for event in found.events]
 
 
-class FrictionTest(unittest.TestCase):
-    def near(self, actual: float, expected: float, tolerance: float, what: str = "") -> None:
-        self.assertLessEqual(abs(actual - expected), tolerance, f"{what}: {actual}, {expected}")
-
+class FrictionTest(simulations.SimulationCase):
     def test_block_on_a_belt_sticks_and_slips(self) -> None:
         found = Simulation(BELT)
         expected = CASES["stick_slip_belt"]["expected"]
@@ -347,66 +331,6 @@ simulation: {action: {turn: 0}, time: 0.5 s, steps: 5}
         found = Simulation(text.replace("PITCH", "0.002"))
         self.near(found.last()["t.w/acceleration"], -spin, 1e-9)
         self.near(found.last()["t.w/position"], -spin * 0.125, 1e-9)
-
-
-class ReactionTest(unittest.TestCase):
-    def near(self, actual: float, expected: float, tolerance: float, what: str = "") -> None:
-        self.assertLessEqual(abs(actual - expected), tolerance, f"{what}: {actual}, {expected}")
-
-    def test_ground_bears_weight_and_momentum(self) -> None:
-        """A pendulum on a cart with springs, a damper, viscous friction, a curve, and a stop."""
-        found = Simulation("""
-kinestat: 1
-space: planar
-ground: frame
-bodies: {cart: {mass: 2, centre_of_mass: [0, 0], inertia: 0.1},
-         pendulum: {mass: 1, centre_of_mass: [0.3, -0.4], inertia: 0.01}}
-gravity: [0, -9.81]
-couplings: {a: {type: prismatic, bodies: [frame, cart], at: [0, 0], axis: x, friction: {c: 2}},
-            b: {type: revolute, bodies: [cart, pendulum], at: [0, 0]}}
-springs: {s: {coupling: b, stiffness: 3 N*m/rad, free: 0.2, damping: 0.1 N*m*s/rad},
-          k: {bodies: [frame, cart], at: {frame: [-1, 0.5], cart: [0, 0.5]}, stiffness: 40 N/m,
-              free_length: 0.9}}
-actuators: {push: {coupling: a}, swing: {coupling: b}}
-curves: {pull: {over: time, points: [[0 s, 0 N], [1 s, 20 N], [2 s, -5 N]], between: linear}}
-loads: {wind: {body: pendulum, at: [0.3, -0.4], force: [0, pull]}}
-simulation: {action: {push: 3, swing: 0.5}, stops: {push: {to: 0.05}}, time: 2 s, steps: 40,
-             report: [position, velocity, acceleration, action], tolerance: 1e-11}
-""")
-        for i, time in enumerate(found.columns["time"]):
-            at = {name: values[i] for name, values in found.columns.items()}
-            angle = math.atan2(-0.4, 0.3) + at["b.wz/position"]
-            spin, up = at["b.wz/velocity"], at["b.wz/acceleration"]
-            rise = 0.5 * (up * math.cos(angle) - spin ** 2 * math.sin(angle))
-            along = at["a.vx/acceleration"] - 0.5 * (up * math.sin(angle) +
-                                                     spin ** 2 * math.cos(angle))
-            wind = 20 * time if time <= 1 else 20 - 25 * (time - 1)
-            self.near(at["a.Ry/action"], 3 * G + rise - wind, 1e-7, f"cart {time}")
-            self.near(at["b.Rx/action"], along, 1e-7, f"pin {time}")
-            self.near(at["b.Ry/action"], G + rise - wind, 1e-7, f"pin {time}")
-        self.assertIn("impact", kinds(found))
-
-    def test_bearing_of_a_pendulum(self) -> None:
-        text = simulations.PENDULUM.replace("tolerance", "report: [a, energy], tolerance")
-        found = Simulation(text)
-        for row in CASES["pendulum_forward"]["expected"]["rows"]:
-            at = found.at(row["time"])
-            self.near(at["a.Rx/action"], row["bearing"][0], 1e-8 * 70)
-            self.near(at["a.Ry/action"], row["bearing"][1], 1e-8 * 70)
-        # Tension m g cos + m l w^2 along the rod.
-        for i, angle in enumerate(found.columns["a.wz/position"]):
-            pull = (-math.sin(angle) * found.columns["a.Rx/action"][i] +
-                    math.cos(angle) * found.columns["a.Ry/action"][i])
-            speed = found.columns["a.wz/velocity"][i]
-            self.near(pull, 2 * G * math.cos(angle) + 2 * 0.5 * speed ** 2, 1e-7)
-        for name in found.columns:
-            self.assertTrue(name == "time" or name.startswith(("a.", "energy/")), name)
-
-    def test_report_of_the_command_line_comes_before_that_of_the_file(self) -> None:
-        found = Simulation(simulations.PENDULUM, "--report", "velocity", "--report", "a.Rx")
-        self.assertEqual(list(found.columns), ["time", "a.wz/velocity", "a.Rx/action"])
-        done = program.call("simulate", "-", "--report", "a.Rz", text=simulations.PENDULUM)
-        self.assertIn("E0313", done.stderr)
 
 
 def rough_pendulum(arm: float, begin: float, times: list[float]):

@@ -182,10 +182,12 @@ def runge_kutta(slope, state: list[float], time: float, steps: int) -> list[floa
     return state
 
 
-class SimulationTest(unittest.TestCase):
+class SimulationCase(unittest.TestCase):
     def near(self, actual: float, expected: float, tolerance: float, what: str = "") -> None:
         self.assertLessEqual(abs(actual - expected), tolerance, f"{what}: {actual}, {expected}")
 
+
+class SimulationTest(SimulationCase):
     def test_pendulum_by_elliptic_functions(self) -> None:
         found = Simulation(PENDULUM)
         for row in CASES["pendulum_forward"]["expected"]["rows"]:

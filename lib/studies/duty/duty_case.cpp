@@ -173,7 +173,7 @@ struct GearSense {
 };
 
 // A friction in the sense in which its coupling moved.
-struct FrictionSense {
+struct DutyFrictionSense {
   std::size_t friction = 0;  ///< index into mechanism.frictions
   int freedom = 0;
   double sense = 0.0;        ///< 0 where it did not move; of a torque converter that of its couple
@@ -195,7 +195,7 @@ struct DutyCase::Prepared {
     return true;
   }
 
-  std::vector<FrictionSense> frictions;                ///< in the order of mechanism.frictions
+  std::vector<DutyFrictionSense> frictions;            ///< in the order of mechanism.frictions
   std::vector<std::pair<GearSense, GearSense>> laws;   ///< head and tail of each mesh that loses
   std::vector<std::pair<GearSense, GearSense>> turns;  ///< of all meshes, in their order
   std::vector<MeshTwists> twists;                      ///< likewise
@@ -276,14 +276,15 @@ DutyCase::DutyCase(const Mechanism& drawn,
 
 bool DutyCase::moves_alike(std::span<const double> known) const {
   KINESTAT_EXPECTS(is_prepared());
-  const bool frictions = std::ranges::all_of(prepared_->frictions, [&](const FrictionSense& one) {
-    if (const ConverterLaw* law = mechanism_.frictions[one.friction].converter.get()) {
-      const std::optional<double> couple = couple_of(*law, one, known);
-      return !couple || (one.sense == 0.0 ? *couple == 0.0 : *couple * one.sense > 0.0);
-    }
-    const double rate = motions_.rate(one.freedom, known);
-    return one.sense == 0.0 ? rate == 0.0 : rate * one.sense > 0.0;
-  });
+  const bool frictions =
+      std::ranges::all_of(prepared_->frictions, [&](const DutyFrictionSense& one) {
+        if (const ConverterLaw* law = mechanism_.frictions[one.friction].converter.get()) {
+          const std::optional<double> couple = couple_of(*law, one, known);
+          return !couple || (one.sense == 0.0 ? *couple == 0.0 : *couple * one.sense > 0.0);
+        }
+        const double rate = motions_.rate(one.freedom, known);
+        return one.sense == 0.0 ? rate == 0.0 : rate * one.sense > 0.0;
+      });
   const auto turns_alike = [&](const GearSense& one) {
     const Vec3 turning = motions_.turning(one.gear, one.carrier, known);
     return one.axis.isZero(0.0) ? turning.isZero(0.0) : turning.dot(one.axis) > 0.0;
@@ -295,7 +296,7 @@ bool DutyCase::moves_alike(std::span<const double> known) const {
 
 // Of a torque converter, on its turbine.
 std::optional<double> DutyCase::couple_of(const ConverterLaw& law,
-                                          const FrictionSense& friction,
+                                          const DutyFrictionSense& friction,
                                           std::span<const double> known) const {
   return law.couple(motions_.turning(law.pump, law.stator, known).dot(friction.axis),
                     motions_.turning(law.turbine, law.stator, known).dot(friction.axis));
@@ -304,7 +305,7 @@ std::optional<double> DutyCase::couple_of(const ConverterLaw& law,
 std::vector<std::optional<FrictionPoint>> DutyCase::friction_points(
     std::span<const double> known) const {
   std::vector<std::optional<FrictionPoint>> points;
-  for (const FrictionSense& sense : prepared_->frictions) {
+  for (const DutyFrictionSense& sense : prepared_->frictions) {
     const CouplingFriction& one = mechanism_.frictions[sense.friction];
     const double rate = motions_.rate(sense.freedom, known);
     if (one.converter) {

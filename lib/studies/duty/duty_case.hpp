@@ -23,7 +23,7 @@ std::optional<DutyState> state_of(const Mechanism& mechanism,
                                   const CaseAnalysis& one,
                                   std::span<const Mesh> meshes);
 
-struct FrictionSense;
+struct DutyFrictionSense;
 
 /// A friction of a coupling at a point, as LossySystem takes it.
 struct FrictionPoint {
@@ -63,7 +63,7 @@ class DutyCase {
   struct Prepared;
 
   std::optional<double> couple_of(const ConverterLaw& law,
-                                  const FrictionSense& friction,
+                                  const DutyFrictionSense& friction,
                                   std::span<const double> known) const;
   std::vector<std::optional<FrictionPoint>> friction_points(std::span<const double> known) const;
 

@@ -63,8 +63,9 @@ class HypergraphForms : public ::testing::TestWithParam<int> {
       std::ranges::transform(edge, edge.begin(), [&](std::uint8_t v) { return names[v]; });
       std::ranges::sort(edge);
     }
-    std::ranges::rotate(edges,
-                        edges.begin() + random_.whole(0, static_cast<int>(edges.size()) - 1));
+    std::rotate(edges.begin(),
+                edges.begin() + random_.whole(0, static_cast<int>(edges.size()) - 1),
+                edges.end());
     return edges;
   }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <Eigen/LU>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "studies/transmissions/gear_figures.hpp"
@@ -149,7 +150,11 @@ INSTANTIATE_TEST_SUITE_P(Random,
                                            SetsAndEngaged{2, 2},
                                            SetsAndEngaged{3, 2},
                                            SetsAndEngaged{3, 3},
-                                           SetsAndEngaged{4, 3}));
+                                           SetsAndEngaged{4, 3}),
+                         [](const auto& test) {
+                           return fmt::format(
+                               "OfSets{}Engaged{}", test.param.sets, test.param.engaged);
+                         });
 
 }  // namespace
 }  // namespace kinestat

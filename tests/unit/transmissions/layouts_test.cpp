@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace kinestat {
@@ -88,7 +89,11 @@ INSTANTIATE_TEST_SUITE_P(
          7,
          26875,
          std::nullopt,
-         {{7, 13086}, {8, 9248}, {9, 3107}, {10, 1134}, {11, 243}, {12, 57}}}}));
+         {{7, 13086}, {8, 9248}, {9, 3107}, {10, 1134}, {11, 243}, {12, 57}}}}),
+    [](const auto& test) {
+      const LayoutCounts& one = test.param;
+      return fmt::format("OfSets{}Engaged{}Elements{}", one.sets, one.engaged, one.elements);
+    });
 
 // Ten seconds.
 TEST(DISABLED_Layouts, OfFourSetsAreAsManyAsCounted) {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "studies/transmissions/roles.hpp"
@@ -157,7 +158,11 @@ INSTANTIATE_TEST_SUITE_P(Reference,
                              {4, 6, 79, 75, 63339, 1296, 3302, 726},
                              {4, 7, 19, 19, 3285, 1296, 241, 87},
                              {4, 8, 4, 4, 90, 2592, 15, 9},
-                             {4, 9, 1, 1, 1, 31104, 1, 1}}));
+                             {4, 9, 1, 1, 1, 31104, 1, 1}}),
+                         [](const auto& test) {
+                           return fmt::format(
+                               "OfSets{}Engaged{}", test.param.sets, test.param.engaged);
+                         });
 
 // What falls out of [x(x-1)(x-2)]^(p+1) in falling factorials: all partitions in which the
 // terminals of a set, and housing, input and output, lie apart. Of two sets those with a block are
