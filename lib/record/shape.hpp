@@ -73,7 +73,7 @@ enum class TableRole {
   quantity,        ///< part of the name of the quantity
   element,         ///< the element to which all below it belongs; below another, part of the name
   word,            ///< a word ends the name of a 1; yes is 1 and no is 0
-  cases,           ///< a map or a list whose names are those of the cases
+  cases,           ///< a map or a list whose names are those of the cases; in a case: "0.1"
   table,           ///< all below it has a table of its own
   table_of_cases,  ///< both
   status           ///< that of the table

@@ -107,7 +107,8 @@ void TableArchive::end(const Property& property) {
 
 void TableArchive::element(std::string_view name, std::string_view status) {
   if (!open_.empty() && open_.back().kind == Open::Kind::cases) {
-    case_ = name;
+    const std::string& outer = open_.back().outer_case;
+    case_ = outer.empty() ? std::string(name) : fmt::format("{}.{}", outer, name);
   } else if (names_parameters_) {
     parameter_ = name;
   } else if (!element_keys_.empty()) {
@@ -139,7 +140,7 @@ void TableArchive::end_map() {
     path_.pop_back();
   }
   if (map.kind == Open::Kind::cases) {
-    case_.clear();
+    case_ = map.outer_case;
   }
   element_ = map.element;
   own_status_ = map.own_status;
@@ -238,6 +239,7 @@ void TableArchive::open(Open::Kind kind) {
                    .is_item = is_item,
                    .element = element_,
                    .own_status = own_status_,
+                   .outer_case = case_,
                    .reference = {},
                    .shape = shape,
                    .properties = properties_.size()});

@@ -57,6 +57,7 @@ class TableArchive : public Archive {
     bool is_item = false;          // it is itself an item of a list
     std::string element;           // of what contains it
     std::string own_status;        // likewise
+    std::string outer_case;        // of cases: the one that contains them
     bool names_path = false;       // the name of its element ends the path
     std::string reference;         // the unit for one of which its rates and actions are
     const Shape* shape = nullptr;  // its own; null where the record says none
