@@ -164,6 +164,7 @@ const Mapping<GearsDescription>& gears_section() {
       "{module: 2 mm, members: {sun: {body: sun, teeth: 24}, planet: {body: planet, teeth: 18}}, "
       "meshes: {sp: {members: [sun, planet], carrier: carrier}}}",
       [](auto& m) {
+        m.write_in_lines();
         declare_teeth(m);
         m.key("axes",
               "Axes about which several bodies turn, each with a name, the main axis first: lay "

@@ -101,6 +101,7 @@ const Mapping<ShiftDescription>& shift_section() {
       "{input: in, output: out, elements: [C1, C2, B1, B2], input_motion: 1 rad/s, "
       "input_action: 100 N*m}",
       [](auto& m) {
+        m.write_in_lines();
         m.key("input", "The actuator, or several, that drives.")
             .needed(&ShiftDescription::inputs, one_or_more(name_of("an actuator"), 1), "in");
         m.key("output", "The actuator, or several, that is driven.")
