@@ -180,4 +180,53 @@ std::string label_number(double value, int digits) {
   return with_minus(std::move(text));
 }
 
+std::vector<double> ratio_ticks(double low, double high) {
+  constexpr std::array<double, 8> kFine = {1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0};
+  constexpr std::array<double, 3> kCoarse = {1.0, 2.0, 5.0};
+  std::vector<double> ticks;
+  const auto add = [&](const auto& factors) {
+    for (double power = std::pow(10.0, std::floor(std::log10(low))); power <= high; power *= 10.0) {
+      for (const double factor : factors) {
+        if (factor * power >= low && factor * power <= high) {
+          ticks.push_back(factor * power);
+        }
+      }
+    }
+  };
+  high / low > 12.0 ? add(kCoarse) : add(kFine);
+  return ticks;
+}
+
+std::vector<double> spread_places(const std::vector<double>& wished, double distance) {
+  // Neighbours that are too near form a block around the mean of what its members wish.
+  struct Block {
+    double sum = 0.0;  // of the wishes, each less its place in the block
+    double count = 0.0;
+    double first = 0.0;
+  };
+
+  std::vector<Block> blocks;
+  for (const double wish : wished) {
+    blocks.push_back({.sum = wish, .count = 1.0, .first = wish});
+    while (blocks.size() > 1) {
+      const Block last = blocks.back();
+      Block& before = blocks[blocks.size() - 2];
+      if (before.first + distance * before.count <= last.first) {
+        break;
+      }
+      before.sum += last.sum - last.count * before.count * distance;
+      before.count += last.count;
+      before.first = before.sum / before.count;
+      blocks.pop_back();
+    }
+  }
+  std::vector<double> places;
+  for (const Block& block : blocks) {
+    for (double i = 0.0; i < block.count; i += 1.0) {
+      places.push_back(block.first + i * distance);
+    }
+  }
+  return places;
+}
+
 }  // namespace kinestat

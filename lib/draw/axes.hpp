@@ -53,4 +53,12 @@ std::string power_of_ten(int exponent);
 /// from 1. "–" for what is not finite.
 std::string label_number(double value, int digits = 4);
 
+/// Ticks of a logarithmic axis of a decade or so: 1, 1.5, 2, 3, 4, 5, 6, 8 and their tens, over
+/// more of it 1, 2, 5.
+std::vector<double> ratio_ticks(double low, double high);
+
+/// Places at least that far from each other, in the order of `wished`, which ascends, and as near
+/// to it as a simple push allows.
+std::vector<double> spread_places(const std::vector<double>& wished, double distance);
+
 }  // namespace kinestat

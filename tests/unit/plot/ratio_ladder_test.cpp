@@ -1,6 +1,6 @@
-#include "studies/shift/picture/ratio_ladder.hpp"
-
 #include <gtest/gtest.h>
+
+#include "draw/axes.hpp"
 
 namespace kinestat {
 namespace {

@@ -1,7 +1,6 @@
 #include "studies/shift/picture/ratio_ladder.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -52,24 +51,6 @@ Ladder find_ladder(const Analysis& analysis) {
   return ladder;
 }
 
-// 1, 1.5, 2, 3, 4, 5, 6, 8 and their tens.
-std::vector<double> ladder_ticks(double low, double high) {
-  constexpr std::array<double, 8> kFine = {1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0};
-  constexpr std::array<double, 3> kCoarse = {1.0, 2.0, 5.0};
-  std::vector<double> ticks;
-  const auto add = [&](const auto& factors) {
-    for (double power = std::pow(10.0, std::floor(std::log10(low))); power <= high; power *= 10.0) {
-      for (const double factor : factors) {
-        if (factor * power >= low && factor * power <= high) {
-          ticks.push_back(factor * power);
-        }
-      }
-    }
-  };
-  high / low > 12.0 ? add(kCoarse) : add(kFine);
-  return ticks;
-}
-
 class LadderDrawing {
  public:
   explicit LadderDrawing(const Ladder& ladder) : ladder_(ladder) {
@@ -107,7 +88,7 @@ class LadderDrawing {
   void draw_axis() {
     const bool has_both = !ladder_.forward.empty() && !ladder_.reverse.empty();
     const double right = (has_both ? kColumnGap : 0.0) + kRung + 60.0;
-    for (const double tick : ladder_ticks(low_, high_)) {
+    for (const double tick : ratio_ticks(low_, high_)) {
       svg_.line({.x = -10.0, .y = place(tick)},
                 {.x = right, .y = place(tick)},
                 {.stroke = Ink::grid, .width = 1.0});
@@ -183,38 +164,6 @@ bool has_ratios(const Analysis& analysis) {
   }
   const Ladder ladder = find_ladder(analysis);
   return !ladder.forward.empty() || !ladder.reverse.empty();
-}
-
-std::vector<double> spread_places(const std::vector<double>& wished, double distance) {
-  // Neighbours that are too near form a block around the mean of what its members wish.
-  struct Block {
-    double sum = 0.0;  // of the wishes, each less its place in the block
-    double count = 0.0;
-    double first = 0.0;
-  };
-
-  std::vector<Block> blocks;
-  for (const double wish : wished) {
-    blocks.push_back({.sum = wish, .count = 1.0, .first = wish});
-    while (blocks.size() > 1) {
-      const Block last = blocks.back();
-      Block& before = blocks[blocks.size() - 2];
-      if (before.first + distance * before.count <= last.first) {
-        break;
-      }
-      before.sum += last.sum - last.count * before.count * distance;
-      before.count += last.count;
-      before.first = before.sum / before.count;
-      blocks.pop_back();
-    }
-  }
-  std::vector<double> places;
-  for (const Block& block : blocks) {
-    for (double i = 0.0; i < block.count; i += 1.0) {
-      places.push_back(block.first + i * distance);
-    }
-  }
-  return places;
 }
 
 Picture draw_ratio_ladder(const Analysis& analysis) {

@@ -14,10 +14,6 @@ Picture draw_ratio_ladder(const Analysis& analysis);
 /// Whether some gear has a ratio.
 bool has_ratios(const Analysis& analysis);
 
-/// Places at least that far from each other, in the order of `wished`, which ascends, and as near
-/// to it as a simple push allows.
-std::vector<double> spread_places(const std::vector<double>& wished, double distance);
-
 /// Gears with their engaged elements, ratios, steps and efficiencies, then what is no gear, with
 /// its class. The analysis must have a section `shift`.
 Picture draw_shift_matrix(const Analysis& analysis);
