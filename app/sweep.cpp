@@ -17,23 +17,6 @@ struct SweepCommand {
   ProgressChoice progress = ProgressChoice::automatic;
 };
 
-// "2/7"
-ShardNumber read_shard(const std::string& word) {
-  std::uint64_t parts[2] = {0, 0};
-  const std::size_t slash = word.find('/');
-  bool is_good = slash != std::string::npos;
-  for (int i = 0; is_good && i < 2; ++i) {
-    const std::string part = i == 0 ? word.substr(0, slash) : word.substr(slash + 1);
-    is_good = !part.empty() && part.size() <= 6 &&
-              part.find_first_not_of("0123456789") == std::string::npos;
-    parts[i] = is_good ? std::stoull(part) : 0;
-  }
-  if (!is_good || parts[0] < 1 || parts[0] > parts[1]) {
-    throw WrongValue("--shard", word, "it is K/N, the K-th of N shards: 1/4, 2/4, 3/4 or 4/4");
-  }
-  return {.number = parts[0], .count = parts[1]};
-}
-
 void add_sharing(CLI::App& command, SweepOptions& options) {
   add_count(
       command,

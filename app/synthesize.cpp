@@ -78,6 +78,27 @@ void add_rank(CLI::App& command, TransmissionOptions& options) {
       "WORD");
 }
 
+void add_stored_search(CLI::App& command, TransmissionOptions& options) {
+  with_value(command,
+             command.add_option("--work",
+                                options.work,
+                                "folder in which a search for transmissions\n"
+                                "keeps what it has finished: the same command\n"
+                                "goes on after an interruption, and puts\n"
+                                "shards together; it must exist"),
+             "FOLDER");
+  with_value(command,
+             command.add_option_function<std::string>(
+                 "--shard",
+                 [&options](const std::string& word) {
+                   const ShardNumber shard = read_shard(word);
+                   options.share = {.place = shard.number - 1, .count = shard.count};
+                 },
+                 "search the K-th of N shares of the structures\n"
+                 "only; needs --work"),
+             "K/N");
+}
+
 // What says how to write needs a place to write to.
 void check_together(const CLI::App& command, const SynthesizeCommand& options) {
   for (const char* name : {"--all-linkages", "--force"}) {
@@ -86,6 +107,12 @@ void check_together(const CLI::App& command, const SynthesizeCommand& options) {
                          "--write-mechanism",
                          "name the folder for the files, as in --write-mechanism linkages");
     }
+  }
+  if (options.transmissions.share && options.transmissions.work.empty()) {
+    throw LonelyOption(
+        "--shard",
+        "--work",
+        "name the folder in which all shards keep what they find, as in --work found");
   }
 }
 
@@ -126,6 +153,7 @@ void add_synthesize(CLI::App& command, Job& job) {
       [options](std::uint64_t count) { options->transmissions.top = count; },
       "ladders of transmissions that are listed, the\nbest first; default 20");
   add_rank(command, options->transmissions);
+  add_stored_search(command, options->transmissions);
   add_strict(command, options->files);
   command.callback([options, &command, &job] {
     check_together(command, *options);

@@ -23,6 +23,9 @@ void add_result_folder(CLI::App& command,
                        Overwrite& overwrite,
                        const std::string& description);
 
+/// "2/7"; anything else throws.
+ShardNumber read_shard(const std::string& word);
+
 /// Declares --diagnostics and --quiet.
 void add_messages(CLI::App& command, DiagnosticsForm& form, bool& is_quiet);
 

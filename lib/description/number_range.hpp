@@ -50,6 +50,7 @@ inline constexpr NumberRange kShiftElements = {.least = 0, .most = 7, .is_whole 
 inline constexpr NumberRange kEngagedElements = {.least = 1, .most = 4, .is_whole = true};
 inline constexpr NumberRange kAtMostOne = {.least = 0, .most = 1, .is_whole = true};
 inline constexpr NumberRange kForwardGears = {.least = 2, .most = 20, .is_whole = true};
+inline constexpr NumberRange kSetTeeth = {.least = 6, .most = 1000, .is_whole = true};
 inline constexpr NumberRange kStationaryRatio = {.most = 10, .above = 1};
 inline constexpr NumberRange kStates = {.least = 1, .most = 1e12, .is_whole = true};
 inline constexpr NumberRange kSeed = {.least = 0, .most = 4'294'967'295, .is_whole = true};

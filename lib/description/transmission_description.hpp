@@ -11,7 +11,7 @@
 namespace kinestat {
 
 /// A closed range: the least and the largest value.
-struct RatioRange {
+struct ValueRange {
   std::vector<Value> ends;
   SourceRange where;
 };
@@ -45,15 +45,14 @@ struct WantedGears {
   bool direct = false;
   std::optional<bool> one_change;  ///< usually true
   bool reverse_change = false;
-  SourceRange where;
 };
 
 struct WantedRatios {
-  std::optional<RatioRange> first;
-  std::optional<RatioRange> last;
-  std::optional<RatioRange> spread;
-  std::optional<RatioRange> step;
-  std::optional<RatioRange> reverse;
+  std::optional<ValueRange> first;
+  std::optional<ValueRange> last;
+  std::optional<ValueRange> spread;
+  std::optional<ValueRange> step;
+  std::optional<ValueRange> reverse;
   SourceRange where;
 };
 
@@ -62,10 +61,20 @@ struct StationaryRatioRanges {
   std::optional<StationaryRange> double_planet;
 };
 
+/// What teeth sets may have.
+struct WantedTeeth {
+  std::optional<ValueRange> sun;
+  std::optional<ValueRange> ring;
+  std::optional<Value> planet;  ///< the least
+  std::vector<Value> planets;   ///< how many stand round the sun
+  SourceRange where;
+};
+
 struct TransmissionLimitsDescription {
   std::optional<Value> element_torque;
   std::optional<Value> element_slip;
   std::optional<Value> shaft_speed;
+  std::optional<Value> planet_speed;
   std::optional<Value> efficiency;
   std::optional<Value> rotating_clutches;
 };
@@ -104,6 +113,7 @@ struct TransmissionDescription {
   WantedGears gears;
   WantedRatios ratios;
   StationaryRatioRanges stationary_ratio;
+  std::optional<WantedTeeth> teeth;
   TransmissionLimitsDescription limits;
   SetLosses losses;
   SectionArrangement layout = SectionArrangement::coaxial;

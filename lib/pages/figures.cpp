@@ -47,6 +47,7 @@ PicturePlace place_of(const PictureKind& kind) {
     case PictureNeed::sweep:
       return PicturePlace::sweep;
     case PictureNeed::synthesis:
+    case PictureNeed::transmissions:
       return PicturePlace::synthesis;
     case PictureNeed::maps:
       return PicturePlace::duty;

@@ -16,6 +16,7 @@
 #include "studies/motion/report/motion_table.hpp"
 #include "studies/sweep/report/sweep_table.hpp"
 #include "studies/synthesis/report/synthesis_report.hpp"
+#include "studies/transmissions/report/transmission_analysis.hpp"
 
 namespace kinestat {
 
@@ -65,6 +66,8 @@ struct FilePage {
   std::optional<PageDuty> duty;              ///< only beside an analysis
   std::optional<SweepTable> sweep;           ///< without rows where they are too many
   std::optional<SynthesisAnalysis> synthesis;
+  std::optional<TransmissionAnalysis> transmissions;
+  std::vector<Picture> schemes;  ///< of the best of these, a gear scheme each
   std::vector<PageData> data;
 };
 

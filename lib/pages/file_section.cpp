@@ -190,7 +190,22 @@ class FileSection {
     html_.close();
   }
 
+  void add_transmissions() {
+    section_.open_part("synthesis", "Synthesis");
+    section_.add_pictures(pictures_at(PicturePlace::synthesis, section_.source()));
+    if (!page_.schemes.empty()) {
+      html_.element("p", "Gear schemes of the best ladders, of each its first transmission:");
+      section_.add_pictures(page_.schemes);
+    }
+    add_blocks(transmission_blocks(*page_.transmissions), "Synthesis", html_);
+    html_.close();
+  }
+
   void add_synthesis() {
+    if (page_.transmissions) {
+      add_transmissions();
+      return;
+    }
     if (!page_.synthesis) {
       section_.add_lack(
           "synthesis", "Synthesis", page_.description && page_.description->synthesis);

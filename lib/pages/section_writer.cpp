@@ -77,6 +77,7 @@ PictureSource SectionWriter::source(std::optional<std::size_t> which) {
   return {.analysis = page_.analysis ? &*page_.analysis : nullptr,
           .motion = page_.motion ? &page_.motion->table : nullptr,
           .synthesis = page_.synthesis ? &*page_.synthesis : nullptr,
+          .transmissions = page_.transmissions ? &*page_.transmissions : nullptr,
           .simulation = page_.simulation ? &page_.simulation->rows.table : nullptr,
           .maps = page_.duty ? &page_.duty->maps : nullptr,
           .which = which,

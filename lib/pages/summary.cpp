@@ -230,6 +230,9 @@ std::vector<std::string> result_sentences(const FilePage& page) {
       sentences.push_back(std::move(one));
     }
   }
+  if (page.transmissions) {
+    sentences.push_back(transmission_sentence(*page.transmissions));
+  }
   if (page.analysis) {
     add_cases(page.analysis->cases, sentences);
   }

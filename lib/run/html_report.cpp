@@ -7,6 +7,7 @@
 
 #include "core/utf8.hpp"
 #include "description/mechanism_description.hpp"
+#include "draw/train/gear_scheme.hpp"
 #include "files/each_file.hpp"
 #include "mechanism/bind/bind.hpp"
 #include "pages/html_document.hpp"
@@ -27,6 +28,8 @@
 #include "studies/simulation/report/simulation_report.hpp"
 #include "studies/simulation/report/simulation_table.hpp"
 #include "studies/synthesis/task/find_synthesis.hpp"
+#include "studies/transmissions/task/find_transmissions.hpp"
+#include "studies/transmissions/task/transmission_files.hpp"
 
 namespace kinestat {
 
@@ -208,14 +211,35 @@ class PageBuilder {
   }
 
   void synthesize() {
-    if (!page_.description->synthesis || page_.description->synthesis->transmission) {
+    if (!page_.description->synthesis) {
       return;
     }
     Diagnostics found;
+    if (page_.description->synthesis->transmission) {
+      page_.transmissions = find_transmissions(path_, *page_.description, {}, found);
+      add_new(found, page_.found);
+      if (page_.transmissions) {
+        draw_schemes(*page_.transmissions);
+        add_data("synthesis", make_transmission_report(*page_.transmissions, kForms, page_.found));
+      }
+      return;
+    }
     page_.synthesis = find_synthesis(path_, *page_.description, {}, found);
     add_new(found, page_.found);
     if (page_.synthesis) {
       add_data("synthesis", make_synthesis_report(*page_.synthesis, kForms, page_.found));
+    }
+  }
+
+  // Of the first transmission of each of the best ladders.
+  void draw_schemes(const TransmissionAnalysis& found) {
+    constexpr std::size_t kMostSchemes = 10;
+    for (std::size_t i = 0; i < std::min(found.groups.size(), kMostSchemes); ++i) {
+      const Analysis solved = solve_transmission(found, found.groups[i].variants.front());
+      if (std::optional<Picture> scheme = draw_gear_scheme(solved)) {
+        scheme->title = fmt::format("Transmission {}.0", i);
+        page_.schemes.push_back(*std::move(scheme));
+      }
     }
   }
 

@@ -16,6 +16,7 @@
 #include "studies/simulation/report/simulation_table.hpp"
 #include "studies/simulation/task/find_simulation.hpp"
 #include "studies/synthesis/task/find_synthesis.hpp"
+#include "studies/transmissions/task/find_transmissions.hpp"
 
 namespace kinestat {
 
@@ -61,6 +62,7 @@ PictureSource PictureFinder::source() const {
           .moving = moving_ ? &*moving_ : nullptr,
           .placed = placed_ ? &*placed_ : nullptr,
           .synthesis = synthesis_ ? &*synthesis_ : nullptr,
+          .transmissions = transmissions_ ? &*transmissions_ : nullptr,
           .benchmark = benchmark_ ? &*benchmark_ : nullptr,
           .simulation = simulation_ ? &*simulation_ : nullptr,
           .sweep = sweep_ ? &*sweep_ : nullptr,
@@ -88,6 +90,9 @@ bool PictureFinder::solve(PictureNeed need, Diagnostics& found) {
     case PictureNeed::synthesis:
       synthesis_ = find_synthesis(path_, *description_, {}, found);
       return synthesis_.has_value();
+    case PictureNeed::transmissions:
+      transmissions_ = find_transmissions(path_, *description_, {}, found);
+      return transmissions_.has_value();
     case PictureNeed::benchmark:
       return find_benchmark(found);
     case PictureNeed::motion:

@@ -64,6 +64,7 @@ class PictureFinder {
   std::optional<MovingMechanism> moving_;
   std::optional<PlacedMechanism> placed_;
   std::optional<SynthesisAnalysis> synthesis_;
+  std::optional<TransmissionAnalysis> transmissions_;
   std::optional<std::vector<BenchmarkedCase>> benchmark_;
   std::optional<MotionTable> simulation_;
   std::optional<SweepTable> sweep_;

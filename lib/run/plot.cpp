@@ -139,12 +139,16 @@ class PictureJob {
   }
 
   std::string why_not_of(const PictureKind& kind) {
-    const bool is_of_synthesis = kind.need == PictureNeed::synthesis;
+    const bool is_of_transmissions = kind.need == PictureNeed::transmissions;
+    const bool is_of_synthesis = is_of_transmissions || kind.need == PictureNeed::synthesis;
     if (is_of_synthesis && !description().synthesis) {
       return "the file has no section 'synthesis'";
     }
-    if (is_of_synthesis && description().synthesis->transmission) {
-      return "the task is one of transmissions; those that it finds have no picture of their own";
+    if (is_of_synthesis && !is_of_transmissions && description().synthesis->transmission) {
+      return "the task is one of transmissions";
+    }
+    if (is_of_transmissions && !description().synthesis->transmission) {
+      return "the task is one of linkages";
     }
     if (!is_of_synthesis && !description().has_mechanism()) {
       return "the file holds no mechanism";

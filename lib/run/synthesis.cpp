@@ -45,15 +45,18 @@ std::optional<FileReport> report_on_transmissions(ReportedFile& file,
 bool check_for_linkages(const SourceRange& where,
                         const TransmissionOptions& transmissions,
                         Diagnostics& found) {
-  if (!transmissions.top && !transmissions.rank) {
-    return true;
+  const char* const option = transmissions.top            ? "--top"
+                             : transmissions.rank         ? "--by"
+                             : transmissions.share        ? "--shard"
+                             : transmissions.work.empty() ? nullptr
+                                                          : "--work";
+  if (option != nullptr) {
+    found.error("E0101",
+                where,
+                fmt::format("{} is of transmissions, and the task is one of linkages", option),
+                "leave it out; linkages are all listed, the best first");
   }
-  found.error("E0101",
-              where,
-              fmt::format("{} is of transmissions, and the task is one of linkages",
-                          transmissions.top ? "--top" : "--by"),
-              "leave it out; linkages are all listed, the best first");
-  return false;
+  return option == nullptr;
 }
 
 }  // namespace

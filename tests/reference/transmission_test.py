@@ -7,6 +7,9 @@ Usage: transmission_test.py PROGRAM [unittest arguments]
 from __future__ import annotations
 
 import json
+import math
+import statistics
+import sys
 import tempfile
 import unittest
 from fractions import Fraction
@@ -106,7 +109,7 @@ class Train:
         lossy = []
         for one, i0, sun in zip(self.sets, self.i0, suns):
             kept = 1 - losses[one["kind"]]
-            power = sun * self.rolls(one)
+            power = -sun * self.rolls(one)  # `sun` is what the set does to its shaft
             lossy.append(i0 * kept if power > 0 else i0 / kept if power < 0 else i0)
         _, _, output = self.torques(lossy)
         return -output * self.speeds["out"]
@@ -116,8 +119,12 @@ class Counts(unittest.TestCase):
     def test_stages_are_those_that_another_program_counts(self) -> None:
         for one in TASKS:
             with self.subTest(one["name"]):
-                stages = search(one["task"], "--top", "0")["stages"]
-                self.assertEqual({key: stages[key] for key in one["counts"]}, one["counts"])
+                stages = search(one["task"], "--top", "1")["stages"]
+                counts = dict(one["counts"])
+                # The other program hands ranges along a ladder in one direction alone.
+                self.assertLessEqual(stages["not_refuted"], counts.pop("not_refuted"))
+                self.assertGreaterEqual(stages["not_refuted"], stages["found"])
+                self.assertEqual({key: stages[key] for key in counts}, counts)
 
     def test_what_can_be_arranged_is_counted(self) -> None:
         for one in TASKS:
@@ -125,7 +132,7 @@ class Counts(unittest.TestCase):
                 if one["counts"]["labelled_layouts"] > SLOW:
                     continue
                 with self.subTest(one["name"], layout=layout):
-                    stages = search(one["task"], "--top", "0", layout=layout)["stages"]
+                    stages = search(one["task"], "--top", "1", layout=layout)["stages"]
                     self.assertEqual(stages["found"], count)
                     self.assertEqual(stages["not_buildable"], one["counts"]["found"] - count)
 
@@ -158,12 +165,33 @@ class Gears(unittest.TestCase):
             for letter, slip in gear["slips"].items():
                 pair = variant["elements"][letter]
                 self.close(slip, train.speeds[pair["head"]] - train.speeds[pair["tail"]])
+            for (number, one), ratio in zip(variant["sets"].items(), ratios):
+                teeth = one["teeth"]
+                planet = (Fraction(teeth["sun"], teeth["planet"])
+                          if one["kind"] == "double_planet" else 2 / (ratio - 1))
+                self.close(gear["planet_speeds"][number], train.rolls(one) * planet)
             _, torques, output = train.torques(train.i0)
             self.assertEqual(output, -1 / train.speeds["out"])
             self.assertEqual(set(gear["torques"]), set(torques))
             for letter, torque in gear["torques"].items():
                 self.close(torque, torques[letter])
             self.close(gear["efficiency"], train.efficiency(losses))
+        self.check_figures(variant)
+
+    # What the ladder asks as a whole, from its gears.
+    def check_figures(self, variant: dict[str, Any]) -> None:
+        figures, gears = variant["figures"], variant["gears"].values()
+        forward = [gear for gear in gears if gear["ratio"] > 0]
+        steps = [math.log(a["ratio"] / b["ratio"]) for a, b in zip(forward, forward[1:])]
+        self.close(figures["spread"], forward[0]["ratio"] / forward[-1]["ratio"])
+        self.close(figures["mean_efficiency"], statistics.mean(g["efficiency"] for g in forward))
+        self.close(figures["least_efficiency"], min(g["efficiency"] for g in gears))
+        self.close(figures["unevenness"], statistics.pstdev(steps))
+        for figure, key in [("element_torque", "torques"), ("element_slip", "slips"),
+                            ("shaft_speed", "speeds"), ("planet_speed", "planet_speeds")]:
+            self.close(figures[figure], max(abs(v) for g in gears for v in g[key].values()))
+        self.assertEqual(figures["rotating_clutches"], sum(
+            one["type"] == "clutch" for one in variant["elements"].values()))
 
     def close(self, value: float, exact: Fraction) -> None:
         self.assertLessEqual(abs(value - float(exact)), 1e-11 * max(1.0, abs(float(exact))))
@@ -205,4 +233,5 @@ class Mechanisms(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    program.main()
+    program.use(sys.argv.pop(1))
+    unittest.main()

@@ -280,11 +280,12 @@ constexpr auto kStudyCodes = std::to_array<Code>({
      "rows looks like one that has them all."},
     {"E0908",
      environment,
-     "an interrupted sweep is in the way",
+     "an interrupted sweep, or another search, is in the way",
      "The output folder holds what an earlier run of this sweep had finished when it was "
      "interrupted. With --resume the sweep goes on with it, provided that the file, --set, the "
      "options and the version are still the same; with --force it is thrown away. Neither happens "
-     "unasked, for it may be the work of hours."},
+     "unasked, for it may be the work of hours. So is a folder of --work that holds what a search "
+     "for transmissions has found for another task."},
     {"E0909",
      wrong_input,
      "file has nothing for this picture",

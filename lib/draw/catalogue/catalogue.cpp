@@ -21,6 +21,8 @@ bool has_need(PictureNeed need, const PictureSource& source) {
       return source.analysis != nullptr;
     case PictureNeed::synthesis:
       return source.synthesis != nullptr;
+    case PictureNeed::transmissions:
+      return source.transmissions != nullptr;
     case PictureNeed::benchmark:
       return source.benchmark != nullptr;
     case PictureNeed::motion:

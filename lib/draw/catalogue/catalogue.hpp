@@ -16,6 +16,7 @@
 #include "studies/motion/report/motion_table.hpp"
 #include "studies/sweep/report/sweep_table.hpp"
 #include "studies/synthesis/report/synthesis_report.hpp"
+#include "studies/transmissions/report/transmission_analysis.hpp"
 
 namespace kinestat {
 
@@ -28,6 +29,7 @@ struct PictureSource {
   const MovingMechanism* moving = nullptr;  ///< only beside `motion`
   const PlacedMechanism* placed = nullptr;  ///< instead of `analysis`, of a drawing in positions
   const SynthesisAnalysis* synthesis = nullptr;
+  const TransmissionAnalysis* transmissions = nullptr;
   const std::vector<BenchmarkedCase>* benchmark = nullptr;
   const MotionTable* simulation = nullptr;  ///< of simulation_table
   const SweepTable* sweep = nullptr;
@@ -47,6 +49,7 @@ enum class PictureNeed {
   placed,
   simulation,
   synthesis,
+  transmissions,
   benchmark,
   sweep,
   maps  // the last

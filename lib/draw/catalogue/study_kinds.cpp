@@ -13,6 +13,7 @@
 #include "studies/sweep/picture/sweep_curves.hpp"
 #include "studies/synthesis/picture/best_linkages.hpp"
 #include "studies/synthesis/picture/burmester_drawing.hpp"
+#include "studies/transmissions/picture/ladders.hpp"
 
 namespace kinestat {
 
@@ -43,6 +44,22 @@ std::string why_no_linkages(const PictureSource& source) {
 
 Picture draw_linkages(const PictureSource& source) {
   return draw_best_linkages(*source.synthesis);
+}
+
+std::string why_no_ladders(const PictureSource& source) {
+  return source.transmissions->groups.empty() ? "no transmission does what is asked" : "";
+}
+
+Picture draw_found_ladders(const PictureSource& source) {
+  return draw_ladders(*source.transmissions);
+}
+
+Picture draw_trade_offs(const PictureSource& source) {
+  return draw_figure(trade_off_figure(*source.transmissions));
+}
+
+std::string trade_offs_text(const PictureSource& source) {
+  return gnuplot_text(trade_off_figure(*source.transmissions));
 }
 
 std::string why_no_animation(const PictureSource& source) {
@@ -280,6 +297,17 @@ constexpr auto kStudyKinds = std::to_array<PictureKind>({
      .need = PictureNeed::synthesis,
      .why_not = why_no_task,
      .draw = draw_plane},
+    {.name = "ladders",
+     .sentence = "the ladders of gears that a search for transmissions has found",
+     .need = PictureNeed::transmissions,
+     .why_not = why_no_ladders,
+     .draw = draw_found_ladders},
+    {.name = "trade-offs",
+     .sentence = "torque, speed and steps of transmissions over their efficiency",
+     .need = PictureNeed::transmissions,
+     .why_not = why_no_ladders,
+     .draw = draw_trade_offs,
+     .gnuplot = trade_offs_text},
     {.name = "pareto",
      .sentence = "time against error of the methods of solution",
      .need = PictureNeed::benchmark,

@@ -1,6 +1,9 @@
 #include "format/sections/transmission.hpp"
 
+#include <string_view>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "format/alternatives.hpp"
 #include "format/number_forms.hpp"
@@ -88,12 +91,16 @@ Form<ElementCounts> wanted_elements() {
   return form;
 }
 
-Form<RatioRange> ratio_range() {
-  auto form = converted<RatioRange>(
-      list_of(
-          above_zero(), "end {0} of {1}", "write [least, largest], for example [2.5, 3.5]", {2, 2}),
-      [](std::vector<Value> ends) { return RatioRange{.ends = std::move(ends), .where = {}}; },
-      [](const RatioRange& one) { return one.ends; });
+Form<ValueRange> range_of(const Form<Value>& number,
+                          std::string_view definition,
+                          std::string_view example) {
+  auto form = converted<ValueRange>(
+      list_of(number,
+              "end {0} of {1}",
+              fmt::format("write [least, largest], for example {}", example),
+              {2, 2}),
+      [](std::vector<Value> ends) { return ValueRange{.ends = std::move(ends), .where = {}}; },
+      [](const ValueRange& one) { return one.ends; });
   form.read = [read = form.read](const FileValue& value) {
     auto one = read(value);
     if (one) {
@@ -101,10 +108,39 @@ Form<RatioRange> ratio_range() {
     }
     return one;
   };
-  form.shape.definition = "ratio_range";
+  form.shape.definition = definition;
   form.shape.meaning = "The least and the largest value, both included.";
-  form.shape.examples = {"[2.5, 3.5]"};
+  form.shape.examples = {example};
   return form;
+}
+
+Form<ValueRange> ratio_range() {
+  return range_of(above_zero(), "ratio_range", "[2.5, 3.5]");
+}
+
+Form<Value> set_teeth() {
+  return number_form(
+      "set_teeth", "Number of teeth, a whole number from 6 to 1000.", {"18"}, kSetTeeth);
+}
+
+Form<ValueRange> teeth_range() {
+  return range_of(set_teeth(), "teeth_range", "[20, 80]");
+}
+
+const Mapping<WantedTeeth>& wanted_teeth() {
+  static const Mapping<WantedTeeth> mapping(
+      "", "", "{sun: [20, 80], ring: [60, 120]}", [](auto& m) {
+        m.key("sun", "Of suns: the least and the largest number.")
+            .needed(&WantedTeeth::sun, teeth_range(), "[20, 80]");
+        m.key("ring", "Of rings.").needed(&WantedTeeth::ring, teeth_range(), "[60, 120]");
+        m.key("planet", "The least of a planet; in pairs they are equal.")
+            .may(&WantedTeeth::planet, set_teeth(), "15")
+            .usual("15");
+        m.key("planets", "How many planets, or pairs, may stand round the sun at equal angles.")
+            .may(&WantedTeeth::planets, list_of(planet_count(), "", "write [3, 4]"), "[3, 4]")
+            .usual("[3, 4, 5]");
+      });
+  return mapping;
 }
 
 const Mapping<StationaryRange>& stationary_range() {
@@ -186,6 +222,8 @@ const Mapping<TransmissionLimitsDescription>& transmission_limits() {
         .may(&Limits::element_slip, above_zero(), "3");
     m.key("shaft_speed", "Largest speed of a shaft by that of the input.")
         .may(&Limits::shaft_speed, above_zero(), "3");
+    m.key("planet_speed", "Largest speed of a planet in its carrier by that of the input.")
+        .may(&Limits::planet_speed, above_zero(), "4");
     m.key("efficiency", "Least efficiency of a gear, with 'losses'.")
         .may(&Limits::efficiency, efficiency(), "0.94");
     m.key("rotating_clutches", "Most elements between two turning shafts.")
@@ -274,6 +312,10 @@ const Mapping<TransmissionDescription>& transmission_mapping() {
               "Teeth of the ring by those of the sun, of the sets of each kind.")
             .group(&Wanted::stationary_ratio, stationary_ratios())
             .example("{simple: {from: 1.6, to: 3.2}}");
+        m.key("teeth",
+              "What teeth the sets may have: stationary ratios are those of such sets then, and "
+              "all that is found is met by whole teeth.")
+            .may(&Wanted::teeth, wanted_teeth().form(), "{sun: [20, 80], ring: [60, 120]}");
         m.key("limits", "What no gear of the ladder may exceed.")
             .group(&Wanted::limits, transmission_limits())
             .example("{element_torque: 3, shaft_speed: 3}");

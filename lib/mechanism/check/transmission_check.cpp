@@ -21,6 +21,8 @@ constexpr NumberRule kRatio = number_rule(kAboveZero, "a number above 0");
 constexpr NumberRule kSetRatio =
     number_rule(kStationaryRatio,
                 "teeth of the ring by those of the sun, above 1 and up to 10, for example 2.4");
+constexpr NumberRule kToothCount = number_rule(kSetTeeth, "a whole number from 6 to 1000");
+constexpr NumberRule kPlanetCount = number_rule(kPlanets, "a whole number from 1 to 64");
 constexpr NumberRule kShare = number_rule(kLostShare, "a fraction from 0 to below 1");
 constexpr NumberRule kLeastEfficiency = number_rule(kKeptShare, "a fraction above 0 and at most 1");
 constexpr NumberRule kNumber = number_rule(kNotNegativeWhole, "a whole number, not negative");
@@ -47,9 +49,13 @@ class TransmissionCheck {
     check_range(task_.ratios.reverse, "reverse");
     check_stationary(task_.stationary_ratio.simple, "simple");
     check_stationary(task_.stationary_ratio.double_planet, "double_planet");
+    if (task_.teeth) {
+      check_teeth(*task_.teeth);
+    }
     check(task_.limits.element_torque, kRatio, "element_torque", "limits");
     check(task_.limits.element_slip, kRatio, "element_slip", "limits");
     check(task_.limits.shaft_speed, kRatio, "shaft_speed", "limits");
+    check(task_.limits.planet_speed, kRatio, "planet_speed", "limits");
     check(task_.limits.efficiency, kLeastEfficiency, "efficiency", "limits");
     check(task_.limits.rotating_clutches, kElementCount, "rotating_clutches", "limits");
     check(task_.losses.simple, kShare, "simple", "losses");
@@ -68,11 +74,27 @@ class TransmissionCheck {
     context_.number(value, rule, fmt::format("'{}' of '{}'", key, of));
   }
 
-  void check_range(const std::optional<RatioRange>& range, std::string_view key) const {
+  void check_range(const std::optional<ValueRange>& range, std::string_view key) const {
+    check_ends(range, kRatio, key, "ratios");
+  }
+
+  void check_ends(const std::optional<ValueRange>& range,
+                  const NumberRule& rule,
+                  std::string_view key,
+                  std::string_view of) const {
     if (range) {
       for (const Value& end : range->ends) {
-        check(end, kRatio, key, "ratios");
+        check(end, rule, key, of);
       }
+    }
+  }
+
+  void check_teeth(const WantedTeeth& teeth) const {
+    check_ends(teeth.sun, kToothCount, "sun", "teeth");
+    check_ends(teeth.ring, kToothCount, "ring", "teeth");
+    check(teeth.planet, kToothCount, "planet", "teeth");
+    for (const Value& count : teeth.planets) {
+      check(count, kPlanetCount, "planets", "teeth");
     }
   }
 

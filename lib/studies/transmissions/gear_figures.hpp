@@ -26,6 +26,7 @@ struct GearFigures {
   std::vector<double> torques;  ///< by element: of its first shaft on its second; open ones none
   std::vector<double> slips;    ///< by element: of its second shaft against its first
   std::vector<double> speeds;   ///< by shaft
+  std::vector<double> rolling;  ///< by set: speed of its sun against its carrier
 };
 
 /// The figures of the gear that engages these elements, as bits.

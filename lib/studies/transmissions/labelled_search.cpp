@@ -108,6 +108,9 @@ void LabelledSearch::search(const StationaryPart& part) {
     }
   }
   std::array<StationaryPart, 2> halves;
+  if (axes_.is_point(part)) {
+    return;
+  }
   if (!axes_.halve(part, halves)) {
     parts_left_ = -1;
     return;
@@ -181,11 +184,7 @@ void LabelledSearch::try_samples() {
       for (std::size_t s = 0; s < static_cast<std::size_t>(task_.sets()); ++s) {
         const double share = spread_number(sample + lane + 1, kBases[s]);
         const ClosedRange& range = axes_.range(s);
-        points[lane][s] =
-            axes_.has_list(s)
-                ? axes_.values(s)[static_cast<std::size_t>(
-                      share * static_cast<double>(axes_.values(s).size()))]
-                : axes_.nearest(s, range.from * std::pow(range.to / range.from, share));
+        points[lane][s] = axes_.nearest(s, range.from * std::pow(range.to / range.from, share));
       }
     }
     table_.set_points(choice_, points);
@@ -235,14 +234,7 @@ void LabelledSearch::refine() {
 StationaryPoint LabelledSearch::neighbour(StationaryPoint point,
                                           std::size_t set,
                                           double step) const {
-  if (!axes_.has_list(set)) {
-    point[set] = axes_.nearest(set, point[set] + step);
-    return point;
-  }
-  const std::vector<double>& values = axes_.values(set);
-  const auto at = std::ranges::find(values, point[set]);
-  const auto end = step < 0.0 ? values.begin() : values.end() - 1;
-  point[set] = at == end ? *at : *(step < 0.0 ? at - 1 : at + 1);
+  point[set] = axes_.neighbour(set, point[set], step);
   return point;
 }
 
@@ -307,11 +299,12 @@ bool LabelledSearch::try_ladder(const StationaryPoint& point,
     candidate.ladder.push_back(layout_.layout.gears[gear].elements);
     candidate.ratios.push_back(ratios[gear]);
   }
-  candidate.rank =
-      task_.rank == TransmissionRank::steps ? unevenness(candidate.ratios) : mean_loss(ladder);
+  candidate.rank = task_.rank == TransmissionRank::steps
+                       ? unevenness(std::span(candidate.ratios).first(forward_gears()))
+                       : mean_loss(ladder);
   const TransmissionLimits& limits = task_.limits;
   const bool needs_figures = limits.element_torque || limits.element_slip || limits.shaft_speed ||
-                             task_.rank == TransmissionRank::torque ||
+                             limits.planet_speed || task_.rank == TransmissionRank::torque ||
                              task_.rank == TransmissionRank::speed;
   if (!needs_figures && candidate.rank >= best_.rank) {
     return true;
@@ -331,22 +324,20 @@ bool LabelledSearch::try_ladder(const StationaryPoint& point,
 
 double LabelledSearch::mean_loss(const Ladder& ladder) const {
   double sum = 0.0;
-  const auto forward = static_cast<std::size_t>(task_.ladder.forward);
-  for (std::size_t i = 0; i < forward; ++i) {
+  for (std::size_t i = 0; i < forward_gears(); ++i) {
     sum += 1.0 - losses_[ladder[i]].efficiency;
   }
-  return sum / static_cast<double>(forward);
+  return sum / static_cast<double>(forward_gears());
 }
 
-double LabelledSearch::unevenness(std::span<const double> ratios) const {
-  const auto steps = static_cast<std::size_t>(task_.ladder.forward - 1);
-  const double mean = std::log(ratios[0] / ratios[steps]) / static_cast<double>(steps);
-  double sum = 0.0;
-  for (std::size_t i = 0; i < steps; ++i) {
-    const double deviation = std::log(ratios[i] / ratios[i + 1]) - mean;
-    sum += deviation * deviation;
+double LabelledSearch::planet_speed(const StationaryPoint& point, const GearFigures& gear) const {
+  double largest = 0.0;
+  for (int s = 0; s < task_.sets(); ++s) {
+    const auto set = static_cast<std::size_t>(s);
+    const double planet = sun_by_planet(choice_.kind_of(s), point[set], task_.teeth);
+    largest = std::max(largest, std::abs(gear.rolling[set] * planet));
   }
-  return std::sqrt(sum / static_cast<double>(steps));
+  return largest;
 }
 
 // The placement that keeps the limits and of which the elements bear least; false if none keeps
@@ -355,11 +346,13 @@ bool LabelledSearch::choose_placement(FoundTransmission& candidate) const {
   const auto exceeds = [](double value, const std::optional<double>& limit) {
     return limit && value > *limit * (1.0 + kRangeSlack);
   };
+  const TransmissionLimits& limits = task_.limits;
   double least = std::numeric_limits<double>::infinity();
   for (const ElementPlacement& placement : *placements_) {
     double torque = 0.0;
     double slip = 0.0;
     double speed = 0.0;
+    double planets = 0.0;
     const TransmissionTrain transmission{.train = &train_,
                                          .roles = choice_,
                                          .stationary_ratios = candidate.stationary_ratios,
@@ -369,9 +362,13 @@ bool LabelledSearch::choose_placement(FoundTransmission& candidate) const {
       torque = std::max(torque, largest_size(figures.torques));
       slip = std::max(slip, largest_size(figures.slips));
       speed = std::max(speed, largest_size(figures.speeds));
+      if (limits.planet_speed) {
+        planets = std::max(planets, planet_speed(candidate.stationary_ratios, figures));
+      }
     }
-    if (torque < least && !exceeds(torque, task_.limits.element_torque) &&
-        !exceeds(slip, task_.limits.element_slip) && !exceeds(speed, task_.limits.shaft_speed)) {
+    if (torque < least && !exceeds(torque, limits.element_torque) &&
+        !exceeds(slip, limits.element_slip) && !exceeds(speed, limits.shaft_speed) &&
+        !exceeds(planets, limits.planet_speed)) {
       least = torque;
       candidate.elements = placement;
       candidate.rank = task_.rank == TransmissionRank::torque  ? torque

@@ -54,7 +54,10 @@ class LabelledSearch {
                   const Ladder& ladder);
   bool choose_placement(FoundTransmission& candidate) const;
   double mean_loss(const Ladder& ladder) const;
-  double unevenness(std::span<const double> ratios) const;
+
+  std::size_t forward_gears() const { return static_cast<std::size_t>(task_.ladder.forward); }
+
+  double planet_speed(const StationaryPoint& point, const GearFigures& gear) const;
   StationaryPoint neighbour(StationaryPoint point, std::size_t set, double step) const;
   void find_placements();
   void find_losses(const StationaryPoint& point);

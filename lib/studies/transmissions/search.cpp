@@ -135,8 +135,20 @@ class StructureSearchJob {
         result_.found.push_back(search.best());
         result_.found.back().structure = number_;
         result_.found.back().layout = static_cast<std::uint32_t>(layout);
+        result_.found.back().figures = figures_of(result_.found.back());
         break;
     }
+  }
+
+  LadderFigures figures_of(const FoundTransmission& found) const {
+    return find_ladder_figures(task_,
+                               found.elements,
+                               find_ladder_gears(task_,
+                                                 {.train = &train_,
+                                                  .roles = found.roles,
+                                                  .stationary_ratios = found.stationary_ratios,
+                                                  .elements = found.elements},
+                                                 found.ladder));
   }
 
   const TransmissionTask& task_;
@@ -166,7 +178,10 @@ SearchStages& SearchStages::operator+=(const SearchStages& other) {
   return *this;
 }
 
-TransmissionSearch search_transmissions(const TransmissionTask& task, const ForEach& for_each) {
+TransmissionSearch search_transmissions(const TransmissionTask& task,
+                                        const ForEach& for_each,
+                                        const SearchShare& share,
+                                        const SearchStore* store) {
   const std::vector<TransmissionStructure> structures =
       enumerate_structures(task.sets(), task.engaged, task.free_shafts);
   const LadderBounds bounds(task.ladder);
@@ -174,12 +189,25 @@ TransmissionSearch search_transmissions(const TransmissionTask& task, const ForE
   const std::size_t end = std::min(
       structures.size(),
       task.structures ? static_cast<std::size_t>((*task.structures)[1]) + 1 : structures.size());
-  std::vector<TransmissionSearch> parts(end > first ? end - first : 0);
+  std::vector<std::size_t> numbers;
+  for (std::size_t number = first + share.place; number < end; number += share.count) {
+    numbers.push_back(number);
+  }
+  std::vector<TransmissionSearch> parts(numbers.size());
   for_each(parts.size(), [&](std::size_t i) {
-    const std::size_t number = first + i;
+    const std::size_t number = numbers[i];
+    if (store != nullptr) {
+      if (std::optional<TransmissionSearch> known = store->find(number)) {
+        parts[i] = *std::move(known);
+        return;
+      }
+    }
     parts[i] =
         StructureSearchJob(task, bounds, structures[number], static_cast<std::uint32_t>(number))
             .run();
+    if (store != nullptr) {
+      store->keep(number, parts[i]);
+    }
   });
   TransmissionSearch result;
   result.structure_count = structures.size();

@@ -4,10 +4,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "math/numbers/for_each_number.hpp"
-#include "studies/transmissions/gear_figures.hpp"
+#include "studies/transmissions/ladder_figures.hpp"
 #include "studies/transmissions/ladder_walk.hpp"
 #include "studies/transmissions/transmission_task.hpp"
 
@@ -24,6 +26,7 @@ struct FoundTransmission {
   std::vector<std::uint8_t> ladder;  ///< elements of each gear as bits, the reverse gear last
   std::vector<double> ratios;        ///< of these gears
   double rank = 0.0;
+  LadderFigures figures;
   std::uint64_t points = 0;      ///< stationary ratios of the grid that would do
   std::uint32_t placements = 0;  ///< of the elements, that can be built as asked
 };
@@ -51,7 +54,23 @@ struct TransmissionSearch {
   std::vector<FoundTransmission> found;  ///< the best first
 };
 
+/// Of every `count` structures the one with this place, from 0.
+struct SearchShare {
+  std::size_t place = 0;
+  std::size_t count = 1;
+};
+
+/// What is known of structures, by their number, so that a search can be interrupted and shared;
+/// both are called from several threads.
+struct SearchStore {
+  std::function<std::optional<TransmissionSearch>(std::size_t structure)> find;
+  std::function<void(std::size_t structure, const TransmissionSearch& found)> keep;
+};
+
 /// The task is right by itself. What is found hangs neither on the order of jobs nor on threads.
-TransmissionSearch search_transmissions(const TransmissionTask& task, const ForEach& for_each);
+TransmissionSearch search_transmissions(const TransmissionTask& task,
+                                        const ForEach& for_each,
+                                        const SearchShare& share = {},
+                                        const SearchStore* store = nullptr);
 
 }  // namespace kinestat

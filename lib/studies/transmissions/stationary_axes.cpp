@@ -19,7 +19,7 @@ StationaryAxes::StationaryAxes(const TransmissionTask& task, const RoleChoice& c
   for (std::size_t s = 0; s < sets_; ++s) {
     const auto kind = static_cast<std::size_t>(choice.kind_of(static_cast<int>(s)));
     axes_[s] = &task.stationary_ratios[kind];
-    is_grid_ = is_grid_ && has_list(s);
+    is_grid_ = is_grid_ && has_list(s) && axes_[s]->tries_all;
   }
 }
 
@@ -52,8 +52,36 @@ StationaryBox StationaryAxes::box(const StationaryPart& part) const {
 }
 
 double StationaryAxes::nearest(std::size_t set, double value) const {
-  const double rounded = std::round(value * kThousand) / kThousand;
-  return std::clamp(rounded, range(set).from, range(set).to);
+  if (!has_list(set)) {
+    const double rounded = std::round(value * kThousand) / kThousand;
+    return std::clamp(rounded, range(set).from, range(set).to);
+  }
+  const std::vector<double>& list = values(set);
+  const auto above = std::ranges::lower_bound(list, value);
+  if (above == list.begin() || (above != list.end() && *above - value < value - *(above - 1))) {
+    return *above;
+  }
+  return *(above - 1);
+}
+
+double StationaryAxes::neighbour(std::size_t set, double value, double step) const {
+  if (!has_list(set)) {
+    return nearest(set, value + step);
+  }
+  const std::vector<double>& list = values(set);
+  const auto at = std::ranges::lower_bound(list, value);
+  if (at == (step < 0.0 ? list.begin() : list.end() - 1)) {
+    return value;
+  }
+  const double next = *(step < 0.0 ? at - 1 : at + 1);
+  const double near = axes_[set]->tries_all ? next : nearest(set, value + step);
+  return near == value ? next : near;
+}
+
+bool StationaryAxes::is_point(const StationaryPart& part) const {
+  return std::all_of(part.begin(),
+                     part.begin() + static_cast<std::ptrdiff_t>(sets_),
+                     [](const AxisPart& one) { return one.from == one.to; });
 }
 
 StationaryPoint StationaryAxes::middle(const StationaryPart& part) const {

@@ -26,7 +26,7 @@ class StationaryAxes {
  public:
   StationaryAxes(const TransmissionTask& task, const RoleChoice& choice);
 
-  /// Whether all sets have lists.
+  /// Whether all sets have lists of which all values are tried.
   bool is_grid() const { return is_grid_; }
 
   bool has_list(std::size_t set) const { return !axes_[set]->values.empty(); }
@@ -45,8 +45,14 @@ class StationaryAxes {
   /// A point amid a part: in thousandths, or of a list.
   StationaryPoint middle(const StationaryPart& part) const;
 
-  /// The value of a range that is nearest in thousandths.
+  /// The value of a range that is nearest in thousandths, or of a list.
   double nearest(std::size_t set, double value) const;
+
+  /// The nearest to one that is a step away, and another than the value itself if there is one.
+  double neighbour(std::size_t set, double value, double step) const;
+
+  /// Whether nothing but one point is left.
+  bool is_point(const StationaryPart& part) const;
 
   /// Cuts the axis with the widest range of ratios; false if ranges are too narrow.
   bool halve(const StationaryPart& part, std::array<StationaryPart, 2>& halves) const;

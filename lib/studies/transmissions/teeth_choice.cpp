@@ -1,7 +1,6 @@
 #include "studies/transmissions/teeth_choice.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -14,20 +13,25 @@ namespace kinestat {
 
 namespace {
 
-constexpr int kLeastSun = 18;
-constexpr int kLeastPlanet = 15;
-
 // Rings up to that many teeth are looked at for the ratio itself, larger ones for one near it.
 constexpr int kLargestExactRing = 200;
 constexpr int kLargestRing = 1000;
+
+// Where nothing is asked of teeth.
+TeethLimits usual_limits(int largest_ring) {
+  return {.least_sun = 18,
+          .largest_sun = largest_ring,
+          .least_ring = 19,
+          .largest_ring = largest_ring,
+          .least_planet = kUsualLeastPlanet,
+          .planets = {kUsualPlanetCounts.begin(), kUsualPlanetCounts.end()}};
+}
 
 // The stationary ratios of a search over ranges are thousandths.
 constexpr double kNearRatio = 1.0 / 1000;
 
 // Tips stand a module outside of the pitch circle: two teeth of the diameter.
 constexpr double kTips = 2.0;
-
-constexpr std::array kPlanetCounts = {3, 4, 5};
 
 // By the law of cosines; lengths are in teeth, as diameters are.
 double opposite_side(double a, double b, double angle) {
@@ -83,14 +87,27 @@ std::optional<SetTeeth> set_of(SetKind kind, int sun, int ring, int count, int l
                                  : double_planet_set(sun, ring, count, least_planet);
 }
 
-std::optional<SetTeeth> set_with(SetKind kind, int ring, double ratio, double error) {
-  const int sun = static_cast<int>(std::lround(ring / ratio));
-  if (sun < kLeastSun || std::abs(static_cast<double>(ring) / sun - ratio) > error) {
-    return std::nullopt;
-  }
-  for (const int count : kPlanetCounts) {
-    if (const auto set = set_of(kind, sun, ring, count, kLeastPlanet)) {
+// The first of the numbers of planets that can be assembled.
+std::optional<SetTeeth> set_within(SetKind kind, int sun, int ring, const TeethLimits& limits) {
+  for (const int count : limits.planets) {
+    if (const auto set = set_of(kind, sun, ring, count, limits.least_planet)) {
       return set;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<SetTeeth> find_set(SetKind kind,
+                                 double ratio,
+                                 double error,
+                                 const TeethLimits& limits) {
+  for (int ring = limits.least_ring; ring <= limits.largest_ring; ++ring) {
+    const int sun = static_cast<int>(std::lround(ring / ratio));
+    if (sun >= limits.least_sun && sun <= limits.largest_sun &&
+        std::abs(static_cast<double>(ring) / sun - ratio) <= error) {
+      if (const auto set = set_within(kind, sun, ring, limits)) {
+        return set;
+      }
     }
   }
   return std::nullopt;
@@ -98,12 +115,14 @@ std::optional<SetTeeth> set_with(SetKind kind, int ring, double ratio, double er
 
 // Planets of any size.
 SetTeeth nearest_set(SetKind kind, double ratio) {
+  TeethLimits limits = usual_limits(kLargestRing);
+  limits.least_planet = 1;
   SetTeeth nearest;
   double least = std::numeric_limits<double>::infinity();
-  for (int sun = kLeastSun; sun < kLargestRing; ++sun) {
+  for (int sun = limits.least_sun; sun < kLargestRing; ++sun) {
     const int middle = static_cast<int>(std::lround(sun * ratio));
     for (int ring = std::max(sun + 2, middle - 3); ring <= middle + 9; ++ring) {
-      const auto set = set_of(kind, sun, ring, kPlanetCounts.front(), 1);
+      const auto set = set_within(kind, sun, ring, limits);
       const double error = std::abs(static_cast<double>(ring) / sun - ratio);
       if (set && error < least) {
         least = error;
@@ -116,16 +135,43 @@ SetTeeth nearest_set(SetKind kind, double ratio) {
 
 }  // namespace
 
-SetTeeth choose_teeth(SetKind kind, double stationary_ratio) {
+SetTeeth choose_teeth(SetKind kind,
+                      double stationary_ratio,
+                      const std::optional<TeethLimits>& limits) {
+  if (limits) {
+    return find_set(kind, stationary_ratio, kRangeSlack, *limits).value_or(SetTeeth{});
+  }
   for (const auto& [error, largest] :
        {std::pair(kRangeSlack, kLargestExactRing), std::pair(kNearRatio, kLargestRing)}) {
-    for (int ring = kLeastSun + 1; ring <= largest; ++ring) {
-      if (const auto set = set_with(kind, ring, stationary_ratio, error)) {
-        return *set;
-      }
+    if (const auto set = find_set(kind, stationary_ratio, error, usual_limits(largest))) {
+      return *set;
     }
   }
   return nearest_set(kind, stationary_ratio);
+}
+
+std::vector<double> ratios_of_teeth(SetKind kind, const TeethLimits& limits) {
+  std::vector<double> ratios;
+  for (int sun = limits.least_sun; sun <= limits.largest_sun; ++sun) {
+    for (int ring = std::max(sun + 1, limits.least_ring); ring <= limits.largest_ring; ++ring) {
+      if (set_within(kind, sun, ring, limits)) {
+        ratios.push_back(static_cast<double>(ring) / sun);
+      }
+    }
+  }
+  std::ranges::sort(ratios);
+  ratios.erase(std::unique(ratios.begin(), ratios.end()), ratios.end());
+  return ratios;
+}
+
+double sun_by_planet(SetKind kind,
+                     double stationary_ratio,
+                     const std::optional<TeethLimits>& limits) {
+  if (kind == SetKind::simple) {
+    return 2.0 / (stationary_ratio - 1.0);  // sun + 2 planets = ring
+  }
+  const SetTeeth teeth = choose_teeth(kind, stationary_ratio, limits);
+  return static_cast<double>(teeth.sun) / teeth.planet;
 }
 
 }  // namespace kinestat

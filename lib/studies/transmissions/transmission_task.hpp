@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "studies/transmissions/roles.hpp"
+#include "studies/transmissions/teeth_choice.hpp"
 
 namespace kinestat {
 
@@ -34,6 +35,7 @@ struct LadderTask {
 struct StationaryRatios {
   ClosedRange range = {};
   std::vector<double> values = {};  ///< ascending
+  bool tries_all = true;            ///< the values; too many of them are searched as a range is
 };
 
 /// What no gear of the ladder may exceed, torques over that of the input, speeds over its speed.
@@ -41,7 +43,8 @@ struct TransmissionLimits {
   std::optional<double> element_torque = {};
   std::optional<double> element_slip = {};
   std::optional<double> shaft_speed = {};
-  std::optional<double> efficiency = {};  ///< least, of each gear
+  std::optional<double> planet_speed = {};  ///< in its carrier
+  std::optional<double> efficiency = {};    ///< least, of each gear
   std::optional<int> rotating_clutches = {};
 };
 
@@ -69,7 +72,8 @@ struct TransmissionTask {
   int free_shafts = 0;             ///< that elements alone touch
   LadderTask ladder = {};
   std::array<StationaryRatios, 2> stationary_ratios = {};  ///< by SetKind
-  std::array<double, 2> losses{};                          ///< by SetKind, with the carrier at rest
+  std::optional<TeethLimits> teeth = {};
+  std::array<double, 2> losses{};  ///< by SetKind, with the carrier at rest
   TransmissionLimits limits = {};
   TransmissionRank rank = TransmissionRank::efficiency;
   SectionLayout layout = SectionLayout::any;

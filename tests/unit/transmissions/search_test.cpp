@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "studies/transmissions/found_text.hpp"
 
 namespace kinestat {
 namespace {
@@ -270,6 +273,44 @@ TEST(TransmissionSearch, DoesNotHangOnThreads) {
   }
 }
 
+TEST(TransmissionSearch, IsPutTogetherFromSharesThatWereWritten) {
+  const TransmissionTask task = reference_tasks()[2].task;
+  const TransmissionSearch whole = search_transmissions(task, one_after_another);
+  std::map<std::size_t, std::string> kept;
+  const SearchStore store = {
+      .find = [&](std::size_t structure) -> std::optional<TransmissionSearch> {
+        return kept.contains(structure) ? read_found(kept[structure]) : std::nullopt;
+      },
+      .keep = [&](std::size_t structure,
+                  const TransmissionSearch& found) { kept[structure] = write_found(found); }};
+  std::uint64_t structures = 0;
+  for (const std::size_t place : {2, 0, 1}) {
+    structures +=
+        search_transmissions(task, one_after_another, {.place = place, .count = 3}, &store)
+            .stages.structures;
+  }
+  EXPECT_EQ(structures, whole.stages.structures);
+  EXPECT_EQ(kept.size(), whole.stages.structures);
+  const auto is_never_searched = [](std::size_t, const TransmissionSearch&) { FAIL(); };
+  const SearchStore read_only = {.find = store.find, .keep = is_never_searched};
+  const TransmissionSearch joined = search_transmissions(task, one_after_another, {}, &read_only);
+  EXPECT_EQ(write_found(joined), write_found(whole));
+  ASSERT_EQ(joined.found.size(), whole.found.size());
+  for (std::size_t i = 0; i < joined.found.size(); ++i) {
+    EXPECT_TRUE(are_same(joined.found[i], whole.found[i]));
+  }
+}
+
+TEST(TransmissionSearch, OtherTextIsNoneOfASearch) {
+  const TransmissionTask task = reference_tasks()[0].task;
+  const std::string text = write_found(search_transmissions(task, one_after_another));
+  EXPECT_TRUE(read_found(text));
+  EXPECT_FALSE(read_found(""));
+  EXPECT_FALSE(read_found(text.substr(0, text.size() - 1)));
+  EXPECT_FALSE(read_found(text.substr(1 + text.find('\n') / 2)));
+  EXPECT_FALSE(read_found(text + "x"));
+}
+
 TEST(TransmissionSearch, InRangesFindsWhatAGridHas) {
   TransmissionTask task = reference_tasks()[2].task;
   const auto on_grid = search_transmissions(task, one_after_another).found;
@@ -285,16 +326,48 @@ TEST(TransmissionSearch, InRangesFindsWhatAGridHas) {
   }
 }
 
+// Values that are not all tried are still all looked at before a layout is refuted.
+TEST(TransmissionSearch, OfManyValuesFindsWhatAGridHas) {
+  TransmissionTask task = reference_tasks()[2].task;
+  std::vector<double> values;
+  for (int i = 0; i <= 24; ++i) {
+    values.push_back(1.6 + i / 20.0);
+  }
+  task.stationary_ratios[0] = {.range = {values.front(), values.back()}, .values = values};
+  const TransmissionSearch on_grid = search_transmissions(task, one_after_another);
+  task.stationary_ratios[0].tries_all = false;
+  const TransmissionSearch searched = search_transmissions(task, one_after_another);
+  EXPECT_EQ(searched.stages.undecided, 0U);
+  EXPECT_EQ(searched.stages.found, on_grid.stages.found);
+  EXPECT_EQ(searched.stages.layouts_found, on_grid.stages.layouts_found);
+  for (const FoundTransmission& one : searched.found) {
+    for (std::size_t s = 0; s < 2; ++s) {
+      EXPECT_TRUE(std::ranges::count(values, one.stationary_ratios[s]) == 1);
+    }
+  }
+}
+
 TEST(TransmissionSearch, KeepsLimits) {
   TransmissionTask task = reference_tasks()[2].task;
   const auto free = search_transmissions(task, one_after_another);
-  task.limits = {
-      .element_torque = 3.0, .element_slip = 3.0, .shaft_speed = 3.0, .rotating_clutches = 3};
+  task.limits = {.element_torque = 3.0,
+                 .element_slip = 3.0,
+                 .shaft_speed = 3.0,
+                 .planet_speed = 2.5,
+                 .rotating_clutches = 3};
   const auto limited = search_transmissions(task, one_after_another);
   EXPECT_GT(limited.stages.found, 0U);
   EXPECT_LT(limited.stages.found, free.stages.found);
   EXPECT_EQ(limited.stages.found + limited.stages.over_limits + limited.stages.not_buildable,
             free.stages.found);
+  constexpr double kSlack = 1.0 + 1e-8;
+  for (const FoundTransmission& one : limited.found) {
+    EXPECT_LE(one.figures.element_torque, 3.0 * kSlack);
+    EXPECT_LE(one.figures.element_slip, 3.0 * kSlack);
+    EXPECT_LE(one.figures.shaft_speed, 3.0 * kSlack);
+    EXPECT_LE(one.figures.planet_speed, 2.5 * kSlack);
+    EXPECT_LE(one.figures.rotating_clutches, 3U);
+  }
 }
 
 }  // namespace

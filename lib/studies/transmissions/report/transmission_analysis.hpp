@@ -16,13 +16,6 @@
 
 namespace kinestat {
 
-struct ListedGear {
-  std::string label;  ///< "1", "2", …, "R"
-  std::uint8_t engaged = 0;
-  double efficiency = 1.0;
-  GearFigures figures;
-};
-
 /// What becomes of the ladder when the mechanism in teeth is solved gear by gear, and what the
 /// search makes of the same teeth: the largest differences.
 struct TransmissionCheck {
@@ -36,7 +29,7 @@ struct TransmissionVariant {
   FoundTransmission found;
   std::vector<SetShafts> sets;
   int shafts = 0;
-  std::vector<ListedGear> gears = {};
+  std::vector<LadderGear> gears = {};
   std::vector<SetTeeth> teeth = {};  ///< by set
   std::string file = {};             ///< written for it; empty: none
   std::optional<TransmissionCheck> check = {};
@@ -55,6 +48,7 @@ struct TransmissionAnalysis {
   SearchStages stages;
   std::uint64_t ladder_count = 0;   ///< also of groups that are not listed
   std::vector<LadderGroup> groups;  ///< the best first
+  std::vector<LadderFigures> all;   ///< of all that were found, likewise
 };
 
 /// A, B, … by the place of the element.
@@ -65,6 +59,12 @@ std::string engaged_letters(std::uint8_t engaged);
 
 /// "housing", "in", "out", "x3", …
 std::string shaft_name(Shaft shaft);
+
+/// How many were found, and the best ladder, in a sentence.
+std::string transmission_sentence(const TransmissionAnalysis& analysis);
+
+/// Stages and ladders with their transmissions, as text.
+TextBlocks transmission_blocks(const TransmissionAnalysis& analysis);
 
 FileReport make_transmission_report(const TransmissionAnalysis& analysis,
                                     const ReportForms& forms,

@@ -145,8 +145,8 @@ const Record<ShaftPair>& element_record() {
   return record;
 }
 
-const Record<ListedGear>& listed_gear_record() {
-  using View = ListedGear;
+const Record<LadderGear>& listed_gear_record() {
+  using View = LadderGear;
   static const Record<View> record("A gear.", [](Record<View>& keys) {
     keys.text("engaged", "The letters of its elements.", [](const View& v) {
       return engaged_letters(v.engaged);
@@ -166,7 +166,8 @@ const Record<ListedGear>& listed_gear_record() {
                        each(element_letter(j), v.figures.torques[j], QuantityKind::dimensionless);
                      }
                    }
-                 });
+                 })
+        .in_tables_is(TableRole::element);
     keys.numbers("slips",
                  Bare::ratio,
                  "Of open elements, head against tail, by the speed of the input.",
@@ -176,7 +177,8 @@ const Record<ListedGear>& listed_gear_record() {
                        each(element_letter(j), v.figures.slips[j], QuantityKind::dimensionless);
                      }
                    }
-                 });
+                 })
+        .in_tables_is(TableRole::element);
     keys.numbers("speeds",
                  Bare::ratio,
                  "Of the shafts that turn, by the speed of the input.",
@@ -186,8 +188,60 @@ const Record<ListedGear>& listed_gear_record() {
                           v.figures.speeds[s],
                           QuantityKind::dimensionless);
                    }
-                 });
+                 })
+        .in_tables_is(TableRole::element);
+    keys.numbers("planet_speeds",
+                 Bare::ratio,
+                 "Of planets in their carriers, by set, by the speed of the input.",
+                 [](const View& v, const EachNumber& each) {
+                   for (std::size_t s = 0; s < v.planet_speeds.size(); ++s) {
+                     each(
+                         fmt::format("{}", s + 1), v.planet_speeds[s], QuantityKind::dimensionless);
+                   }
+                 })
+        .in_tables_is(TableRole::element);
   });
+  return record;
+}
+
+const Record<LadderFigures>& ladder_figures_record() {
+  using View = LadderFigures;
+  static const Record<View> record(
+      "What its ladder asks of it; torques and speeds are by those of the input.",
+      [](Record<View>& keys) {
+        keys.number(
+            "spread", Bare::ratio, "First ratio by last.", [](const View& v) { return v.spread; });
+        keys.number("mean_efficiency", Bare::ratio, "Of the forward gears.", [](const View& v) {
+          return v.mean_efficiency;
+        });
+        keys.number("least_efficiency", Bare::ratio, "Of all gears.", [](const View& v) {
+          return v.least_efficiency;
+        });
+        keys.number("unevenness",
+                    Bare::number,
+                    "Root mean square deviation of the logarithms of the steps from their mean.",
+                    [](const View& v) { return v.unevenness; })
+            .at_least(0);
+        keys.number("element_torque",
+                    Bare::ratio,
+                    "The largest of an element in any gear.",
+                    [](const View& v) { return v.element_torque; });
+        keys.number("element_slip",
+                    Bare::ratio,
+                    "The largest of an open element in any gear.",
+                    [](const View& v) { return v.element_slip; });
+        keys.number(
+            "shaft_speed", Bare::ratio, "The largest of a shaft in any gear.", [](const View& v) {
+              return v.shaft_speed;
+            });
+        keys.number("planet_speed",
+                    Bare::ratio,
+                    "The largest of a planet in its carrier in any gear.",
+                    [](const View& v) { return v.planet_speed; });
+        keys.count("rotating_clutches", "Elements between two turning shafts.", [](const View& v) {
+          return v.rotating_clutches;
+        });
+      });
   return record;
 }
 
@@ -225,11 +279,14 @@ const Record<TransmissionVariant>& variant_record() {
                  each(element_letter(j), v.found.elements[j]);
                }
              });
+    keys.part("figures", ladder_figures_record(), [](const View& v) -> const LadderFigures& {
+      return v.found.figures;
+    });
     keys.map("gears",
              listed_gear_record(),
              "The gears of its ladder by their labels.",
-             [](const View& v, const Each<ListedGear>& each) {
-               for (const ListedGear& gear : v.gears) {
+             [](const View& v, const Each<LadderGear>& each) {
+               for (const LadderGear& gear : v.gears) {
                  each(gear.label, gear);
                }
              });
@@ -252,7 +309,8 @@ const Record<LadderGroup>& group_record() {
                    for (std::size_t i = 0; i < v.variants.size(); ++i) {
                      each(fmt::format("{}", i), v.variants[i]);
                    }
-                 });
+                 })
+            .in_tables_is(TableRole::cases);
       });
   return record;
 }
@@ -263,8 +321,10 @@ const Record<TransmissionAnalysis>& transmissions_record() {
     keys.count("structure_count",
                "Structures that there are, also outside of a slice.",
                [](const View& v) { return v.structure_count; });
-    keys.part(
-        "stages", stages_record(), [](const View& v) -> const SearchStages& { return v.stages; });
+    keys.part("stages",
+              stages_record(),
+              [](const View& v) -> const SearchStages& { return v.stages; })
+        .in_tables_is(TableRole::element);
     keys.count("ladder_count",
                "Different ladders of ratios; the best of them are listed.",
                [](const View& v) { return v.ladder_count; });
@@ -276,7 +336,7 @@ const Record<TransmissionAnalysis>& transmissions_record() {
                  each(fmt::format("{}", i), v.groups[i]);
                }
              })
-        .in_tables_is(TableRole::table_of_cases);
+        .in_tables_is(TableRole::cases);
   });
   return record;
 }
@@ -291,7 +351,8 @@ const Record<TransmissionReportView>& transmission_report_record() {
         add_head(keys);
         keys.part("transmissions",
                   transmissions_record(),
-                  [](const View& v) -> const TransmissionAnalysis& { return v.analysis; });
+                  [](const View& v) -> const TransmissionAnalysis& { return v.analysis; })
+            .in_tables_is(TableRole::table);
         add_diagnostics(keys);
       });
   return record;

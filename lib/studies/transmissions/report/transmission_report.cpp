@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "core/text.hpp"
 #include "report/number_format.hpp"
 #include "report/report_parts.hpp"
 #include "studies/transmissions/report/transmission_record.hpp"
@@ -7,6 +8,11 @@
 namespace kinestat {
 
 namespace {
+
+// "1 ladder", "2 ladders".
+std::string several(std::uint64_t number, std::string_view noun) {
+  return fmt::format("{} {}{}", number, noun, number == 1 ? "" : "s");
+}
 
 std::string stages_text(const TransmissionAnalysis& analysis) {
   const SearchStages& stages = analysis.stages;
@@ -24,9 +30,11 @@ std::string stages_text(const TransmissionAnalysis& analysis) {
                                     std::pair(stages.undecided, "others undecided")}) {
     text += count > 0 ? fmt::format(", {} {}", count, what) : "";
   }
-  text += fmt::format("\n{} transmissions found, {} ladders", stages.found, analysis.ladder_count);
+  text += fmt::format("\n{}, {}",
+                      several(stages.found, "transmission") + " found",
+                      several(analysis.ladder_count, "ladder"));
   text += analysis.groups.size() < analysis.ladder_count
-              ? fmt::format(", of which {} are listed\n", analysis.groups.size())
+              ? fmt::format(", the best {} listed\n", analysis.groups.size())
               : "\n";
   return text;
 }
@@ -62,6 +70,26 @@ std::string elements_text(const TransmissionVariant& variant) {
   return text;
 }
 
+// A simple set and one with planets in pairs on one carrier and in one ring: ", 1 and 2 as a
+// Ravigneaux set".
+std::string ravigneaux_text(const TransmissionVariant& variant) {
+  const auto shafts = [&](std::size_t s, std::uint8_t SetRoles::*role) {
+    return variant.sets[s][set_roles(variant.found.roles.roles_of(static_cast<int>(s))).*role];
+  };
+  std::string text;
+  for (std::size_t a = 0; a < variant.sets.size(); ++a) {
+    for (std::size_t b = a + 1; b < variant.sets.size(); ++b) {
+      const bool are_one = shafts(a, &SetRoles::carrier) == shafts(b, &SetRoles::carrier) &&
+                           shafts(a, &SetRoles::ring) == shafts(b, &SetRoles::ring);
+      if (are_one && variant.found.roles.kind_of(static_cast<int>(a)) !=
+                         variant.found.roles.kind_of(static_cast<int>(b))) {
+        text += fmt::format(", {} and {} as a Ravigneaux set", a + 1, b + 1);
+      }
+    }
+  }
+  return text;
+}
+
 std::string sets_text(const TransmissionVariant& variant) {
   std::string text;
   for (std::size_t s = 0; s < variant.sets.size(); ++s) {
@@ -83,13 +111,13 @@ TextBlocks gears_table(const TransmissionVariant& variant) {
     columns.push_back({element_letter(j), {}});
   }
   for (std::size_t i = 0; i < variant.gears.size(); ++i) {
-    const ListedGear& gear = variant.gears[i];
-    const bool has_next = i + 1 < variant.gears.size() && variant.gears[i + 1].figures.ratio > 0.0;
+    const LadderGear& gear = variant.gears[i];
+    const bool has_step = i > 0 && gear.figures.ratio > 0.0;
     columns[0].cells.push_back(gear.label);
     columns[1].cells.push_back(engaged_letters(gear.engaged));
     columns[2].cells.push_back(format_short(gear.figures.ratio));
     columns[3].cells.push_back(
-        has_next ? format_short(gear.figures.ratio / variant.gears[i + 1].figures.ratio) : "");
+        has_step ? format_short(variant.gears[i - 1].figures.ratio / gear.figures.ratio) : "");
     columns[4].cells.push_back(format_short(gear.efficiency));
     for (std::size_t j = 0; j < variant.found.elements.size(); ++j) {
       const bool is_engaged = (gear.engaged >> j & 1U) != 0;
@@ -101,9 +129,39 @@ TextBlocks gears_table(const TransmissionVariant& variant) {
   return TextBlocks(std::move(columns));
 }
 
-TextBlocks transmission_text(const TransmissionAnalysis& analysis) {
-  TextBlocks text(title_text(analysis.file, analysis.description));
-  text += stages_text(analysis);
+std::string figures_text(const LadderFigures& figures) {
+  return fmt::format(
+      "  spread {}, mean efficiency of the forward gears {}, torque of an element up to {}, slip "
+      "{},\n"
+      "  speed of a shaft {}, of a planet in its carrier {}\n",
+      format_short(figures.spread),
+      format_short(figures.mean_efficiency),
+      format_short(figures.element_torque),
+      format_short(figures.element_slip),
+      format_short(figures.shaft_speed),
+      format_short(figures.planet_speed));
+}
+
+}  // namespace
+
+std::string transmission_sentence(const TransmissionAnalysis& analysis) {
+  if (analysis.groups.empty()) {
+    return "No transmission does what is asked.";
+  }
+  std::vector<std::string> ratios;
+  const TransmissionVariant& best = analysis.groups.front().variants.front();
+  for (const LadderGear& gear : best.gears) {
+    ratios.push_back(format_short(gear.figures.ratio));
+  }
+  return fmt::format("{} of {} found; the best: {}, mean efficiency of the forward gears {}.",
+                     several(analysis.stages.found, "transmission"),
+                     several(analysis.ladder_count, "ladder"),
+                     plain_list(ratios),
+                     format_short(best.found.figures.mean_efficiency));
+}
+
+TextBlocks transmission_blocks(const TransmissionAnalysis& analysis) {
+  TextBlocks text(stages_text(analysis));
   if (!analysis.groups.empty()) {
     text +=
         "Torques of engaged elements by that of the input; in brackets slips of open ones by\n"
@@ -111,8 +169,7 @@ TextBlocks transmission_text(const TransmissionAnalysis& analysis) {
   }
   for (std::size_t g = 0; g < analysis.groups.size(); ++g) {
     const std::vector<TransmissionVariant>& variants = analysis.groups[g].variants;
-    text += fmt::format(
-        "\nLadder {}, {} transmission{}\n", g, variants.size(), variants.size() == 1 ? "" : "s");
+    text += fmt::format("\nLadder {}, {}\n", g, several(variants.size(), "transmission"));
     for (std::size_t i = 0; i < variants.size(); ++i) {
       const TransmissionVariant& one = variants[i];
       text += fmt::format(
@@ -122,16 +179,15 @@ TextBlocks transmission_text(const TransmissionAnalysis& analysis) {
           g,
           i,
           one.found.structure,
-          sets_text(one),
+          sets_text(one) + ravigneaux_text(one),
           connections_text(one),
           elements_text(one));
     }
     text += gears_table(variants.front());
+    text += figures_text(variants.front().found.figures);
   }
   return text;
 }
-
-}  // namespace
 
 std::string element_letter(std::size_t element) {
   return std::string(1, static_cast<char>('A' + element));
@@ -162,7 +218,8 @@ FileReport make_transmission_report(const TransmissionAnalysis& analysis,
                                     .found = &found};
   add_forms(transmission_report_record, view, forms, report);
   if (forms.text) {
-    report.text = transmission_text(analysis);
+    report.text = TextBlocks(title_text(analysis.file, analysis.description));
+    report.text += transmission_blocks(analysis);
   }
   return report;
 }

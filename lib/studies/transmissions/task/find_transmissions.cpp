@@ -8,7 +8,9 @@
 
 #include <fmt/format.h>
 
+#include "files/output.hpp"
 #include "mechanism/bind/bind.hpp"
+#include "studies/transmissions/task/stored_search.hpp"
 #include "studies/transmissions/task/transmission_files.hpp"
 
 namespace kinestat {
@@ -31,8 +33,8 @@ TransmissionVariant variant_of(const FoundTransmission& found,
                                const TransmissionTask& task) {
   TransmissionVariant variant{.found = found, .sets = structure.sets, .shafts = structure.shafts};
   for (std::size_t s = 0; s < structure.sets.size(); ++s) {
-    variant.teeth.push_back(
-        choose_teeth(found.roles.kind_of(static_cast<int>(s)), found.stationary_ratios[s]));
+    variant.teeth.push_back(choose_teeth(
+        found.roles.kind_of(static_cast<int>(s)), found.stationary_ratios[s], task.teeth));
   }
   variant.gears = list_gears(task, variant, found.stationary_ratios);
   return variant;
@@ -60,6 +62,9 @@ void add_groups(const TransmissionSearch& search,
     }
   }
   analysis.ladder_count = keys.size();
+  for (const FoundTransmission& one : search.found) {
+    analysis.all.push_back(one.figures);
+  }
 }
 
 // A requirement that may be left out, and what the task is without it.
@@ -77,7 +82,7 @@ std::vector<Relaxation> relaxations(const TransmissionTask& task) {
   const LadderTask& ladder = task.ladder;
   const TransmissionLimits& limits = task.limits;
   const bool has_limits = limits.element_torque || limits.element_slip || limits.shaft_speed ||
-                          limits.efficiency || limits.rotating_clutches;
+                          limits.planet_speed || limits.efficiency || limits.rotating_clutches;
   return {
       {"first", is_asked(ladder.first), [](TransmissionTask& t) { t.ladder.first = {}; }},
       {"last", is_asked(ladder.last), [](TransmissionTask& t) { t.ladder.last = {}; }},
@@ -119,6 +124,26 @@ std::string relaxation_text(const TransmissionAnalysis& analysis, const ForEach&
                    : fmt::format("without '{}' there would be {}", best, most);
 }
 
+// Empty iff an error was added.
+std::optional<TransmissionSearch> search_stored(const TransmissionAnalysis& analysis,
+                                                const TransmissionOptions& options,
+                                                Diagnostics& found) {
+  const ForEach for_each = for_each_on_threads(options.jobs);
+  if (options.work.empty()) {
+    return search_transmissions(analysis.task, for_each);
+  }
+  StoredSearch stored(
+      options.work, report_stem(analysis.file), analysis.description, analysis.task.rank);
+  if (!stored.prepare(found)) {
+    return std::nullopt;
+  }
+  const SearchStore store = stored.store();
+  TransmissionSearch search =
+      search_transmissions(analysis.task, for_each, options.share.value_or(SearchShare{}), &store);
+  stored.tell(found);
+  return found.has_errors() ? std::nullopt : std::optional(std::move(search));
+}
+
 std::string last_stage_text(const SearchStages& stages) {
   if (stages.layouts == 0) {
     return "no layout of so many elements has as many gears of different ratio";
@@ -138,41 +163,19 @@ std::string last_stage_text(const SearchStages& stages) {
 
 }  // namespace
 
-std::vector<ListedGear> list_gears(const TransmissionTask& task,
+std::vector<LadderGear> list_gears(const TransmissionTask& task,
                                    const TransmissionVariant& variant,
                                    const StationaryPoint& stationary_ratios) {
   const FoundTransmission& found = variant.found;
   const TransmissionStructure structure{
       .shafts = variant.shafts, .sets = variant.sets, .automorphisms = {}};
   const GenericTrain train(structure, task.engaged);
-  const TransmissionTrain transmission{.train = &train,
-                                       .roles = found.roles,
-                                       .stationary_ratios = stationary_ratios,
-                                       .elements = found.elements};
-  std::vector<double> losses;
-  for (int s = 0; s < task.sets(); ++s) {
-    losses.push_back(task.losses[static_cast<std::size_t>(found.roles.kind_of(s))]);
-  }
-  std::vector<ListedGear> gears;
-  for (std::size_t i = 0; i < found.ladder.size(); ++i) {
-    ListedGear gear;
-    const bool is_reverse = static_cast<int>(i) >= task.ladder.forward;
-    gear.label = is_reverse ? "R" : fmt::format("{}", i + 1);
-    gear.engaged = found.ladder[i];
-    gear.figures = find_gear_figures(transmission, gear.engaged);
-    ClassMask engaged = 0;
-    for (std::size_t j = 0; j < found.elements.size(); ++j) {
-      if ((gear.engaged >> j & 1U) != 0) {
-        engaged |= ClassMask{1} << train.class_of(found.elements[j]);
-      }
-    }
-    const auto state = static_cast<std::uint32_t>(train.state_of(engaged));
-    gear.efficiency =
-        find_gear_losses(train, found.roles, stationary_ratios, losses, std::vector{state})[0]
-            .efficiency;
-    gears.push_back(std::move(gear));
-  }
-  return gears;
+  return find_ladder_gears(task,
+                           {.train = &train,
+                            .roles = found.roles,
+                            .stationary_ratios = stationary_ratios,
+                            .elements = found.elements},
+                           found.ladder);
 }
 
 std::optional<TransmissionAnalysis> find_transmissions(const std::string& path,
@@ -192,7 +195,11 @@ std::optional<TransmissionAnalysis> find_transmissions(const std::string& path,
   analysis.description = std::move(description);
   analysis.task = *std::move(task);
   const ForEach for_each = for_each_on_threads(options.jobs);
-  const TransmissionSearch search = search_transmissions(analysis.task, for_each);
+  const std::optional<TransmissionSearch> searched = search_stored(analysis, options, found);
+  if (!searched) {
+    return std::nullopt;
+  }
+  const TransmissionSearch& search = *searched;
   analysis.structure_count = search.structure_count;
   analysis.stages = search.stages;
   add_groups(search, options.top.value_or(kUsualLadders), analysis);
@@ -204,7 +211,7 @@ std::optional<TransmissionAnalysis> find_transmissions(const std::string& path,
         fmt::format("{} layouts are neither refuted nor solved", analysis.stages.undecided),
         "narrow 'stationary_ratio', or give its values as a list");
   }
-  if (analysis.stages.found == 0) {
+  if (analysis.stages.found == 0 && !options.share) {
     found.error("E0804",
                 where,
                 "no transmission does what is asked: " + last_stage_text(analysis.stages),

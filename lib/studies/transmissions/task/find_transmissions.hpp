@@ -14,9 +14,11 @@ namespace kinestat {
 inline constexpr std::uint64_t kUsualLadders = 20;
 
 struct TransmissionOptions {
-  std::uint64_t jobs = 0;                ///< threads; 0: as many as the machine has cores
-  std::optional<std::uint64_t> top;      ///< ladders that are listed
-  std::optional<TransmissionRank> rank;  ///< before what the file says
+  std::uint64_t jobs = 0;                 ///< threads; 0: as many as the machine has cores
+  std::optional<std::uint64_t> top;       ///< ladders that are listed
+  std::optional<TransmissionRank> rank;   ///< before what the file says
+  std::string work = {};                  ///< folder of a stored search; empty: none
+  std::optional<SearchShare> share = {};  ///< of a stored search: that share of its structures
 };
 
 /// The task of a description that is right by itself (check). Empty iff an error was added: E0803.

@@ -217,7 +217,7 @@ class TransmissionDrawing {
       letters.push_back(element_letter(j));
     }
     shift.elements = all_named(letters);
-    for (const ListedGear& gear : variant_.gears) {
+    for (const LadderGear& gear : variant_.gears) {
       std::vector<std::string> engaged;
       for (std::size_t j = 0; j < count; ++j) {
         if ((gear.engaged >> j & 1U) != 0) {

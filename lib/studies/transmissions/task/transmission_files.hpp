@@ -1,6 +1,7 @@
 // Transmissions that were found, as mechanism files: described, written, held against the search.
 #pragma once
 
+#include "cases/analysis.hpp"
 #include "core/diagnostic.hpp"
 #include "description/mechanism_description.hpp"
 #include "files/output.hpp"
@@ -14,6 +15,10 @@ namespace kinestat {
 MechanismDescription describe_transmission(const TransmissionAnalysis& analysis,
                                            const TransmissionVariant& variant);
 
+/// That mechanism with its gears solved, as of any file.
+Analysis solve_transmission(const TransmissionAnalysis& analysis,
+                            const TransmissionVariant& variant);
+
 /// Solves the gears of that mechanism as any file's and notes in the variants that are listed what
 /// comes of it. One that differs from the search is a warning, W0804.
 void check_transmissions(TransmissionAnalysis& analysis, Diagnostics& found);
@@ -26,7 +31,7 @@ bool write_transmissions(TransmissionAnalysis& analysis,
                          Diagnostics& found);
 
 /// What the search tells of the gears of a transmission, at any stationary ratios.
-std::vector<ListedGear> list_gears(const TransmissionTask& task,
+std::vector<LadderGear> list_gears(const TransmissionTask& task,
                                    const TransmissionVariant& variant,
                                    const StationaryPoint& stationary_ratios);
 

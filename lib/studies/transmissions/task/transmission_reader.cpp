@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "core/synthesis_tolerance.hpp"
 #include "expression/parameters.hpp"
 #include "report/number_format.hpp"
 #include "studies/transmissions/task/find_transmissions.hpp"
@@ -25,6 +26,7 @@ class TaskReader {
     if (found_.error_count() == errors) {
       check_counts();
       check_ladder();
+      apply_teeth();
     }
     return found_.error_count() == errors ? std::optional(task_) : std::nullopt;
   }
@@ -48,14 +50,16 @@ class TaskReader {
     found_.error("E0803", where, std::move(message), std::move(hint));
   }
 
-  ClosedRange range(const std::optional<RatioRange>& wanted, std::string_view key) {
+  ClosedRange range(const std::optional<ValueRange>& wanted,
+                    std::string_view key,
+                    std::string_view of = "ratios") {
     if (!wanted) {
       return {};
     }
     const ClosedRange result{.from = number(wanted->ends[0]), .to = number(wanted->ends[1])};
     if (result.from > result.to) {
       refuse(wanted->where,
-             fmt::format("'{}' of 'ratios' is empty: it begins above its end", key),
+             fmt::format("'{}' of '{}' is empty: it begins above its end", key, of),
              "write the least value first");
     }
     return result;
@@ -115,9 +119,13 @@ class TaskReader {
     task_.limits.element_torque = limit(wanted_.limits.element_torque);
     task_.limits.element_slip = limit(wanted_.limits.element_slip);
     task_.limits.shaft_speed = limit(wanted_.limits.shaft_speed);
+    task_.limits.planet_speed = limit(wanted_.limits.planet_speed);
     task_.limits.efficiency = limit(wanted_.limits.efficiency);
     if (wanted_.limits.rotating_clutches) {
       task_.limits.rotating_clutches = count(wanted_.limits.rotating_clutches, 0);
+    }
+    if (wanted_.teeth) {
+      read_teeth(*wanted_.teeth);
     }
     task_.rank = static_cast<TransmissionRank>(wanted_.rank);
     task_.layout = static_cast<SectionLayout>(wanted_.layout);
@@ -126,12 +134,90 @@ class TaskReader {
     }
   }
 
+  void read_teeth(const WantedTeeth& wanted) {
+    const ClosedRange sun = range(wanted.sun, "sun", "teeth");
+    const ClosedRange ring = range(wanted.ring, "ring", "teeth");
+    TeethLimits& limits = task_.teeth.emplace();
+    limits.least_sun = static_cast<int>(std::lround(sun.from));
+    limits.largest_sun = static_cast<int>(std::lround(sun.to));
+    limits.least_ring = static_cast<int>(std::lround(ring.from));
+    limits.largest_ring = static_cast<int>(std::lround(ring.to));
+    limits.least_planet = count(wanted.planet, kUsualLeastPlanet);
+    limits.planets.assign(kUsualPlanetCounts.begin(), kUsualPlanetCounts.end());
+    if (!wanted.planets.empty()) {
+      limits.planets.clear();
+      for (const Value& value : wanted.planets) {
+        limits.planets.push_back(count(value, 0));
+      }
+    }
+  }
+
+  // Stationary ratios become those that the teeth make: of a range those within it, of a list all
+  // must be among them.
+  void apply_teeth() {
+    if (!task_.teeth) {
+      return;
+    }
+    for (const SetKind kind : {SetKind::simple, SetKind::double_planet}) {
+      const bool is_simple = kind == SetKind::simple;
+      if ((is_simple ? task_.simple_sets : task_.double_planet_sets) > 0) {
+        apply_teeth(
+            kind,
+            is_simple ? "simple" : "double_planet",
+            is_simple ? wanted_.stationary_ratio.simple : wanted_.stationary_ratio.double_planet);
+      }
+    }
+  }
+
+  void apply_teeth(SetKind kind,
+                   std::string_view name,
+                   const std::optional<StationaryRange>& wanted) {
+    StationaryRatios& ratios = task_.stationary_ratios[static_cast<std::size_t>(kind)];
+    const std::vector<double> made = ratios_of_teeth(kind, *task_.teeth);
+    for (const double value : ratios.values) {
+      if (std::ranges::none_of(
+              made, [&](double one) { return std::abs(one - value) <= kRangeSlack * value; })) {
+        refuse(
+            wanted->where,
+            fmt::format(
+                "no {} set within 'teeth' has the stationary ratio {}", name, format_short(value)),
+            made.empty()
+                ? "widen 'teeth'"
+                : fmt::format("the nearest is {}",
+                              format_short(*std::ranges::min_element(
+                                  made, {}, [&](double one) { return std::abs(one - value); }))));
+        return;
+      }
+    }
+    if (!ratios.values.empty()) {
+      return;
+    }
+    for (const double one : made) {
+      if (one >= ratios.range.from && one <= ratios.range.to) {
+        ratios.values.push_back(one);
+      }
+    }
+    if (ratios.values.empty()) {
+      refuse(wanted_.teeth->where,
+             fmt::format("no {} set within 'teeth' has a stationary ratio from {} to {}",
+                         name,
+                         format_short(ratios.range.from),
+                         format_short(ratios.range.to)),
+             "planets must stand at equal angles without touching: widen 'sun' and 'ring', or "
+             "allow fewer 'planets'");
+      return;
+    }
+    ratios.range = {.from = ratios.values.front(), .to = ratios.values.back()};
+    ratios.tries_all = false;
+  }
+
   void check_counts() {
     const int sets = task_.sets();
     if (sets < 1 || sets > kMostGearSets) {
       refuse(wanted_.sets.where,
              fmt::format("the task has {} sets; a search takes 1 to {}", sets, kMostGearSets),
              "change 'sets'");
+      return;
     }
     if (task_.elements > kMostElements) {
       refuse(
@@ -151,8 +237,9 @@ class TaskReader {
     const int shafts = sets + task_.engaged + 2 - task_.free_shafts;
     if (shafts > 3 * sets + 3) {
       refuse(wanted_.engaged->where,
-             fmt::format("{} sets have terminals for {} shafts, and {} engaged elements need {}",
+             fmt::format("{} {} terminals for {} shafts, and {} engaged elements need {}",
                          sets,
+                         sets == 1 ? "set has" : "sets have",
                          3 * sets + 3,
                          task_.engaged,
                          shafts),
@@ -164,7 +251,7 @@ class TaskReader {
     }
     const int gears = task_.ladder.forward + task_.ladder.reverse;
     if (gears > std::lround(combinations)) {
-      refuse(wanted_.gears.where,
+      refuse(wanted_.gears.forward->where,
              fmt::format("{} gears are wanted, and {} of {} elements make {} at most",
                          gears,
                          task_.engaged,
@@ -210,7 +297,7 @@ class TaskReader {
              "widen 'step', 'first' or 'last'");
     }
     if (ladder.needs_direct && (ladder.first.to < 1.0 || ladder.last.from > 1.0)) {
-      refuse(wanted_.gears.where,
+      refuse(wanted_.gears.forward->where,
              "'direct' asks for a gear of ratio 1, and 'first' and 'last' exclude it",
              "let 'last' begin at 1 or below and 'first' end at 1 or above, or leave 'direct' out");
     }

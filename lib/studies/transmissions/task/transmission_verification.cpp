@@ -30,7 +30,7 @@ std::optional<Loaded> read_back(const MechanismDescription& description, Diagnos
 class TransmissionVerifier {
  public:
   TransmissionVerifier(const TransmissionAnalysis& analysis, const TransmissionVariant& variant)
-      : analysis_(solve(analysis, variant)) {
+      : analysis_(solve_transmission(analysis, variant)) {
     StationaryPoint teeth{};
     for (std::size_t s = 0; s < variant.teeth.size(); ++s) {
       teeth[s] = variant.teeth[s].stationary_ratio();
@@ -40,7 +40,7 @@ class TransmissionVerifier {
 
   TransmissionCheck run() const {
     TransmissionCheck check{.agrees = true};
-    for (const ListedGear& gear : gears_) {
+    for (const LadderGear& gear : gears_) {
       const bool is_known = compare(gear, check);
       check.agrees = check.agrees && is_known;
     }
@@ -50,15 +50,8 @@ class TransmissionVerifier {
   }
 
  private:
-  static Analysis solve(const TransmissionAnalysis& analysis, const TransmissionVariant& variant) {
-    Diagnostics ignored;
-    std::optional<Loaded> loaded = read_back(describe_transmission(analysis, variant), ignored);
-    KINESTAT_EXPECTS(loaded.has_value() && loaded->shift.has_value());
-    return solve_cases(analysis.file, *std::move(loaded));
-  }
-
   // False where the mechanism has no such gear, or a magnitude is missing.
-  bool compare(const ListedGear& gear, TransmissionCheck& check) const {
+  bool compare(const LadderGear& gear, TransmissionCheck& check) const {
     const auto& states = analysis_.shift->solution.states;
     const auto state = std::ranges::find(states, gear.label, &NamedShiftState::name);
     const auto one = std::ranges::find(
@@ -80,7 +73,7 @@ class TransmissionVerifier {
   }
 
   bool compare_torques(const GearValues& values,
-                       const ListedGear& gear,
+                       const LadderGear& gear,
                        TransmissionCheck& check) const {
     const std::optional<double> input = analysis_.shift->plan.inputs.front().action;
     KINESTAT_EXPECTS(input.has_value());
@@ -100,10 +93,18 @@ class TransmissionVerifier {
   }
 
   Analysis analysis_;
-  std::vector<ListedGear> gears_;
+  std::vector<LadderGear> gears_;
 };
 
 }  // namespace
+
+Analysis solve_transmission(const TransmissionAnalysis& analysis,
+                            const TransmissionVariant& variant) {
+  Diagnostics ignored;
+  std::optional<Loaded> loaded = read_back(describe_transmission(analysis, variant), ignored);
+  KINESTAT_EXPECTS(loaded.has_value() && loaded->shift.has_value());
+  return solve_cases(analysis.file, *std::move(loaded));
+}
 
 void check_transmissions(TransmissionAnalysis& analysis, Diagnostics& found) {
   for (std::size_t g = 0; g < analysis.groups.size(); ++g) {
