@@ -208,6 +208,30 @@ motion: {drive: A, from: %s deg, to: %s deg, steps: %s, case: c, report: [positi
             self.assertEqual(len(places), 1, f"{start} to {end} in {steps}: {motion.report['events']}")
             self.close(places[0], 110.0, 1e-8, f"{start} to {end} in {steps}")
 
+    IN_LINE = """\
+kinestat: 1
+space: planar
+ground: g
+bodies: [crank, rod, ram]
+couplings:
+  a: {type: revolute, bodies: [g, crank], at: [0, 0]}
+  b: {type: revolute, bodies: [crank, rod], at: [%s, %s]}
+  c: {type: revolute, bodies: [rod, ram], at: [%s, 0]}
+  d: {type: prismatic, bodies: [g, ram], at: [%s, 0], axis: x}
+actuators: {A: {coupling: a}}
+cases: {c: {motion: {A: 1 rad/s}}}
+motion: {drive: A, to: 0.1, steps: 4, case: c, report: [position]}
+"""
+
+    def test_in_a_row_are_no_nearer_than_its_rate_is_told_from_zero(self) -> None:
+        """The crank is in line with the rod at -atan(y/x); as drawn its rate is rounding."""
+        for x, y, end in ((9e9, -12, 14), (0.3, -1e-15, 1.3), (0.3, 0, 1.3), (3e6, 1e-6, 4e6)):
+            events = run(self.IN_LINE % (x, y, end, end)).report["events"]
+            (one,) = [event for event in events if event["element"] == "d.vx"]
+            self.assertLessEqual(abs(one["drive"][0] + math.atan2(y, x)), one["uncertainty"] + 1e-16,
+                                 f"{x} {one}")
+            self.assertLess(one["uncertainty"], 1e-3 if x > 1e9 else 1e-10, f"{x} {one}")
+
 
 class ChangePoints(MotionTest):
     LOCOMOTIVE = """\
