@@ -220,7 +220,8 @@ class PassiveSearch {
 
   void add(const std::vector<BodyId>& bodies, const VecX& twist, VecX rates) {
     PassiveFreedom one{.bodies = bodies,
-                       .twists = {bodies.size(), Twist::from_coordinates(basis_.screw_of(twist))},
+                       .twists = std::vector<Twist>(
+                           bodies.size(), Twist::from_coordinates(basis_.screw_of(twist))),
                        .rates = std::move(rates)};
     const bool is_felt = std::ranges::any_of(felt_, [&one](int f) { return one.moves(f); });
     if (!is_felt && is_new(one)) {
