@@ -179,6 +179,36 @@ class SpinOfARod(ReferenceTest):
         self.assertNotEqual(done.returncode, 0)
 
 
+# Two balls and a guide hold `held` and what is rigid with it; `rod` spins between a ball and a slide.
+HELD_BESIDE = """\
+kinestat: 1
+ground: base
+bodies: [held, lever, rod, arm]
+couplings:
+  c1: {type: spherical, bodies: [base, held], at: [0.7, -1, -2]}
+  c2: {type: revolute, bodies: [lever, base], at: [-1.6, 0.4, 3.1], axis: y}
+  c3: {type: spherical, bodies: [lever, rod], at: [0, -4, 1]}
+  c4: {type: spherical, bodies: [arm, base], at: [0, -1, -4]}
+  c5: {type: rigid, bodies: [held, arm], at: [-3.8, -2, -3]}
+  c6: {type: prismatic, bodies: [arm, base], at: [-1, 0.1, 3], axis: y}
+  c7: {type: sphere_in_tube, bodies: [arm, rod], at: [3.2, -1, 2.4], axis: y}
+actuators: {push: {coupling: c7, freedom: vy}}
+cases: {go: {motion: {push: 5}}}
+motion: {drive: push, to: 1e-6, steps: 1, case: go, report: [velocity]}
+"""
+
+
+class WhatRestsBesideIdleFreedoms(ReferenceTest):
+    def test_has_no_rounding_for_a_rate(self) -> None:
+        """The balls let it turn about their line, and the guide not at all."""
+        done = program.plain("motion", "--format", "csv", "--layout", "wide", "-", text=HELD_BESIDE)
+        for row in csv.DictReader(io.StringIO(done.stdout)):
+            found = {name: value for name, value in row.items()
+                     if name.startswith(("held/", "arm/", "c1.", "c4.", "c6."))}
+            self.assertEqual(len(found), 19)
+            self.assertEqual(set(found.values()), {"0.0"}, found)
+
+
 class SeveralIdleFreedomsOfOneBody(ReferenceTest):
     """Whatever basis their space has, what is given of them leaves the rest open, and no more."""
 

@@ -233,6 +233,33 @@ motion: {drive: A, to: 0.1, steps: 4, case: c, report: [position]}
             self.assertLess(one["uncertainty"], 1e-3 if x > 1e9 else 1e-10, f"{x} {one}")
 
 
+class CircuitsThatHoldTooMuch(MotionTest):
+    """As many equations as unknowns, but one circuit has one too many and the other too few."""
+
+    TEXT = """\
+kinestat: 1
+space: planar
+ground: base
+bodies: [arm, disk, link, bar, shoe]
+couplings:
+  c1: {type: revolute, bodies: [arm, base], at: [4, -4]}
+  c2: {type: revolute, bodies: [arm, link], at: [-4, -3]}
+  c3: {type: revolute, bodies: [arm, disk], at: [-3.4, -3]}
+  c4: {type: revolute, bodies: [link, bar], at: [-3, 0]}
+  c5: {type: prismatic, bodies: [bar, shoe], at: [-2, -3], axis: x}
+  c6: {type: revolute, bodies: [shoe, bar], at: [-2.1, 2.9]}
+  c7: {type: pin_in_slot, bodies: [bar, arm], at: [-4, 1], slot: y}
+actuators: {m1: {coupling: c3}, m2: {coupling: c1}}
+motion: {drives: [{drive: m1, to: 0.1}, {drive: m2, to: 0.1}], steps: 1}
+"""
+
+    def test_leave_a_freedom_open(self) -> None:
+        done = program.call("motion", "-", text=self.TEXT)
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertIn("E0508", done.stderr)
+        self.assertIn("c4.wz stays open", done.stderr)
+
+
 class ChangePoints(MotionTest):
     LOCOMOTIVE = """\
 kinestat: 1
