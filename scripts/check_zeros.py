@@ -37,7 +37,6 @@ DECISIONS = {
     "lib/studies/motion/internal/path_tracker.cpp": "search: steps of a branch are near each other",
     "lib/network/primary_check.cpp": "rank: which magnitudes a relation holds",
     "lib/cases/free_parameters.cpp": "search: changes so small that their bounds are asked for",
-    "lib/cases/idle_freedoms.cpp": "rank: what an idle freedom moves",
     "lib/cases/report/results_text.cpp": "words: couplings that bear the same largest action",
     "lib/draw/linkage/drawn_case.cpp": "drawing: an arrow shorter than a hair is none",
     "lib/power/efficiency.cpp": "consistency: the powers of a case balance within kPowerBalance",

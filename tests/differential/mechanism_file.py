@@ -136,13 +136,13 @@ class MechanismFile:
         yield from (self.tree.get("couplings") or {}).items()
 
     def text(self) -> str:
-        return _written(self.tree) + "\n"
+        return written(self.tree) + "\n"
 
 
-def _written(tree: Tree) -> str:
+def written(tree: Tree) -> str:
     if isinstance(tree, dict):
-        return "{" + ", ".join(f"{json.dumps(k)}: {_written(v)}" for k, v in tree.items()) + "}"
+        return "{" + ", ".join(f"{json.dumps(k)}: {written(v)}" for k, v in tree.items()) + "}"
     if isinstance(tree, list):
-        return "[" + ", ".join(map(_written, tree)) + "]"
+        return "[" + ", ".join(map(written, tree)) + "]"
     is_plain = re.fullmatch(r"true|false|[+-]?\d+(\.\d+)?|", tree)
     return (tree or "null") if is_plain else json.dumps(tree, ensure_ascii=False)

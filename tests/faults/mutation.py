@@ -6,6 +6,7 @@ import json
 from dataclasses import dataclass, field
 
 import oracles
+import sweeps
 from program import Command, Program, Run
 from promises import Promises
 
@@ -77,5 +78,23 @@ class Judge:
         motion = self._report(verdict, text, "motion")
         if motion is not None:
             verdict.add("motion as analyze", list(oracles.first_row(report, motion)))
+        self._sweep(verdict, text)
 
+    def _sweep(self, verdict: Verdict, text: str) -> None:
+        varied = sweeps.with_sweep(text)
+        rows, analyses = self.swept(verdict, varied) if varied else ([], [])
+        if rows:
+            verdict.add("sweep as analyze", list(sweeps.compare(rows, analyses)))
 
+    def swept(self, verdict: Verdict, text: str) -> tuple[list[dict], list[sweeps.Analysed]]:
+        """The rows of a sweep, and what analyze says of each of its states."""
+        run = self._run(verdict, text, ["sweep", "--quiet", "--format", "json"])
+        rows = [oracles.strict(line) for line in run.out.splitlines()]
+        analyses = []
+        for state in sweeps.STATES if rows else ():
+            done = self._run(verdict, text, ["analyze", "--format", "json", "--diagnostics",
+                                             "json", "--set", f"{sweeps.PARAMETER}={state}"])
+            said = [json.loads(line) for line in done.said.splitlines()]
+            analyses.append((oracles.strict(done.out) if done.out else None,
+                             [one for file in said for one in file["diagnostics"]]))
+        return rows, analyses

@@ -20,6 +20,7 @@ from pathlib import Path
 
 import mutate
 import oracles
+import sweeps
 from mutation import Judge, Verdict
 from program import Program
 
@@ -53,7 +54,7 @@ class Mutation(unittest.TestCase):
         print(f"{len(seeds)} files, {program.count} runs; judged: {counts}", flush=True)
         if not program.has_sanitizers:
             for name in ("CSV as JSON", "text as JSON", "auto as fast", "auto as exact",
-                         "motion as analyze"):
+                         "motion as analyze", "sweep as analyze"):
                 self.assertIn(name, counts)
 
     def test_of_the_corpus_breaks_no_promise(self) -> None:
@@ -108,6 +109,20 @@ class Oracles(unittest.TestCase):
         for name in freedoms:
             freedoms[name] *= 1.001
         self.assertNotEqual(list(oracles.first_row(*reports)), [])
+
+    def test_of_sweeps(self) -> None:
+        file = mutate.MechanismFile.read(mutate.ROOT / "mechanisms" / "planar" / "slider_crank.yaml")
+        judge, text = Judge(program), sweeps.with_sweep(file.text())
+        assert text
+        rows, analyses = judge.swept(Verdict(), text)
+        self.assertEqual(len(rows), len(sweeps.STATES) * len(analyses[0][0]["cases"]))
+        self.assertEqual(list(sweeps.compare(rows, analyses)), [])
+        for row in rows:
+            self.assertNotEqual(list(sweeps.compare([{**row, "status": "singular"}], analyses)), [])
+            name = next(one for one, value in row.items() if isinstance(value, float) and value and
+                        not one.startswith(sweeps.PARAMETER))
+            spoiled = {**row, name: 1.001 * row[name]}
+            self.assertNotEqual(list(sweeps.compare([spoiled], analyses)), [])
 
     def test_of_json(self) -> None:
         for text in (b'{"a": NaN}', b'{"a": 1', b"Infinity"):

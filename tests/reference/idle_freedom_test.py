@@ -15,6 +15,43 @@ import unittest
 import program
 from reference_test_case import ReferenceTest
 
+# What lies between a plane of the frame and one of the lid, or round a shaft, with two or three idle
+# freedoms; the lid and the shaft turn about (4, 4, 7)/9 and (1, 2, 2)/3.
+PAD = """\
+kinestat: 1
+ground: base
+bodies: [pad, lid]
+couplings:
+  below: {type: planar, bodies: [base, pad], at: [1, 2, -3], normal: [4, 4, 7]}
+  above: {type: planar, bodies: [pad, lid], at: [3, 4, 5], normal: [4, 4, 7]}
+  turn: {type: revolute, bodies: [base, lid], at: [2, 1, 0], axis: [4, 4, 7]}
+actuators: {motor: {coupling: turn}}
+cases: {go: {motion: {motor: 1, KNOWN}}}
+"""
+SLEEVE = """\
+kinestat: 1
+ground: base
+bodies: [sleeve, shaft]
+couplings:
+  outer: {type: cylindrical, bodies: [base, sleeve], at: [1, 2, -3], axis: [1, 2, 2]}
+  inner: {type: cylindrical, bodies: [sleeve, shaft], at: [1, 2, -3], axis: [1, 2, 2]}
+  turn: {type: revolute, bodies: [base, shaft], at: [1, 2, -3], axis: [1, 2, 2]}
+actuators: {motor: {coupling: turn}}
+cases: {go: {motion: {motor: 1, KNOWN}}}
+"""
+
+# A plate on a plane, its point on a slide whose surface has the same normal.
+PLATE = """\
+kinestat: 1
+ground: base
+bodies: [slide, plate]
+couplings:
+  guide: {type: prismatic, bodies: [slide, base], at: [-2, -1, -2], axis: x}
+  table: {type: planar, bodies: [base, plate], at: [0, 2, 4], normal: [4, 4, 7]}
+  touch: {type: point_contact, bodies: [plate, slide], at: [0.8, -2, 0], normal: [4, 4, 7]}
+cases: {go: {motion: {touch.wz: 2}}}
+"""
+
 # The crank turns about z through the origin, the lever about x through (150, 0, 50).
 TEXT = """\
 kinestat: 1
@@ -140,6 +177,101 @@ class SpinOfARod(ReferenceTest):
                             "bodies: [crank, rod], at: [r, 0, 0], friction: 0.1")
         done = program.call("analyze", "-", text=text)
         self.assertNotEqual(done.returncode, 0)
+
+
+# Two balls and a guide hold `held` and what is rigid with it; `rod` spins between a ball and a slide.
+HELD_BESIDE = """\
+kinestat: 1
+ground: base
+bodies: [held, lever, rod, arm]
+couplings:
+  c1: {type: spherical, bodies: [base, held], at: [0.7, -1, -2]}
+  c2: {type: revolute, bodies: [lever, base], at: [-1.6, 0.4, 3.1], axis: y}
+  c3: {type: spherical, bodies: [lever, rod], at: [0, -4, 1]}
+  c4: {type: spherical, bodies: [arm, base], at: [0, -1, -4]}
+  c5: {type: rigid, bodies: [held, arm], at: [-3.8, -2, -3]}
+  c6: {type: prismatic, bodies: [arm, base], at: [-1, 0.1, 3], axis: y}
+  c7: {type: sphere_in_tube, bodies: [arm, rod], at: [3.2, -1, 2.4], axis: y}
+actuators: {push: {coupling: c7, freedom: vy}}
+cases: {go: {motion: {push: 5}}}
+motion: {drive: push, to: 1e-6, steps: 1, case: go, report: [velocity]}
+"""
+
+
+class WhatRestsBesideIdleFreedoms(ReferenceTest):
+    def test_has_no_rounding_for_a_rate(self) -> None:
+        """The balls let it turn about their line, and the guide not at all."""
+        done = program.plain("motion", "--format", "csv", "--layout", "wide", "-", text=HELD_BESIDE)
+        for row in csv.DictReader(io.StringIO(done.stdout)):
+            found = {name: value for name, value in row.items()
+                     if name.startswith(("held/", "arm/", "c1.", "c4.", "c6."))}
+            self.assertEqual(len(found), 19)
+            self.assertEqual(set(found.values()), {"0.0"}, found)
+
+
+class SeveralIdleFreedomsOfOneBody(ReferenceTest):
+    """Whatever basis their space has, what is given of them leaves the rest open, and no more."""
+
+    def rates(self, text: str, expected: dict[str, float | None]) -> None:
+        for accuracy in ("auto", "fast", "high", "exact"):
+            done = program.call("analyze", "--accuracy", accuracy, "-", text=text)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn("W0506", done.stderr)
+            self.holds(program.report(done)["cases"]["go"]["kinematics"]["freedoms"], expected)
+        rows = list(csv.DictReader(io.StringIO(self.motion(text))))
+        self.assertEqual({row["status"] for row in rows}, {"solved"})
+        for row in rows:
+            found = {name.split("/velocity")[0]: value for name, value in row.items()}
+            self.holds({name: float(found[name]) if found[name] else None for name in expected},
+                       expected)
+
+    def holds(self, found: dict[str, float | None], expected: dict[str, float | None]) -> None:
+        for name, value in expected.items():
+            if value is None:
+                self.assertIsNone(found[name], name)
+            else:
+                self.near(found[name], value, name)
+
+    def motion(self, text: str) -> str:
+        text += "motion: {drive: motor, to: 0.5, steps: 4, case: go, report: [velocity]}\n"
+        done = program.plain("motion", "--format", "csv", "--layout", "wide", "-", text=text)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("W0506", done.stderr)
+        return done.stdout
+
+    def test_a_pad_that_turns_by_itself(self) -> None:
+        for normal in ("[4, 4, 7]", "[0, 3, 4]", "[0, 0, 1]"):
+            text = PAD.replace("KNOWN", "below.w: 0.25").replace("[4, 4, 7]", normal)
+            self.rates(text, {"below.w": 0.25, "above.w": 0.75, "below.v1": None,
+                              "below.v2": None, "above.v1": None, "above.v2": None})
+
+    def test_a_pad_that_shifts_one_way(self) -> None:
+        self.rates(PAD.replace("KNOWN", "below.v1: 0.5"),
+                   {"below.v1": 0.5, "below.v2": None, "below.w": None, "above.w": None})
+
+    def test_a_sleeve_that_turns(self) -> None:
+        self.rates(SLEEVE.replace("KNOWN", "outer.w: 0.25"),
+                   {"outer.w": 0.25, "inner.w": 0.75, "outer.v": None, "inner.v": None})
+
+    def test_a_sleeve_that_shifts(self) -> None:
+        self.rates(SLEEVE.replace("KNOWN", "inner.v: 0.5"),
+                   {"inner.v": 0.5, "outer.v": -0.5, "outer.w": None, "inner.w": None})
+
+    def test_a_plate_that_turns_is_held_in_two_ways_that_differ(self) -> None:
+        """The spin 2 about z is that of a turn of 18/7 about (4, 4, 7)/9; the slide rests."""
+        for accuracy in ("auto", "fast", "high", "exact"):
+            done = program.call("analyze", "--accuracy", accuracy, "-", text=PLATE)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.holds(program.report(done)["cases"]["go"]["kinematics"]["freedoms"],
+                       {"guide.vx": 0.0, "table.w": -18 / 7, "touch.wx": 8 / 7, "touch.wy": 8 / 7,
+                        "touch.wz": 2.0, "table.v1": None, "table.v2": None, "touch.v1": None,
+                        "touch.v2": None})
+
+    def test_what_a_drive_holds_of_them_leaves_the_others_passive(self) -> None:
+        text = PAD.replace("motor: {coupling: turn}",
+                           "motor: {coupling: turn}, push: {coupling: above, freedom: v1}")
+        done = program.plain("mobility", "-", text=text.replace(", KNOWN", ", push: 1"))
+        self.assertEqual(done.stdout.count("passive: only pad moves"), 2, done.stdout)
 
 
 if __name__ == "__main__":

@@ -208,6 +208,57 @@ motion: {drive: A, from: %s deg, to: %s deg, steps: %s, case: c, report: [positi
             self.assertEqual(len(places), 1, f"{start} to {end} in {steps}: {motion.report['events']}")
             self.close(places[0], 110.0, 1e-8, f"{start} to {end} in {steps}")
 
+    IN_LINE = """\
+kinestat: 1
+space: planar
+ground: g
+bodies: [crank, rod, ram]
+couplings:
+  a: {type: revolute, bodies: [g, crank], at: [0, 0]}
+  b: {type: revolute, bodies: [crank, rod], at: [%s, %s]}
+  c: {type: revolute, bodies: [rod, ram], at: [%s, 0]}
+  d: {type: prismatic, bodies: [g, ram], at: [%s, 0], axis: x}
+actuators: {A: {coupling: a}}
+cases: {c: {motion: {A: 1 rad/s}}}
+motion: {drive: A, to: 0.1, steps: 4, case: c, report: [position]}
+"""
+
+    def test_in_a_row_are_no_nearer_than_its_rate_is_told_from_zero(self) -> None:
+        """The crank is in line with the rod at -atan(y/x); as drawn its rate is rounding."""
+        for x, y, end in ((9e9, -12, 14), (0.3, -1e-15, 1.3), (0.3, 0, 1.3), (3e6, 1e-6, 4e6)):
+            events = run(self.IN_LINE % (x, y, end, end)).report["events"]
+            (one,) = [event for event in events if event["element"] == "d.vx"]
+            self.assertLessEqual(abs(one["drive"][0] + math.atan2(y, x)), one["uncertainty"] + 1e-16,
+                                 f"{x} {one}")
+            self.assertLess(one["uncertainty"], 1e-3 if x > 1e9 else 1e-10, f"{x} {one}")
+
+
+class CircuitsThatHoldTooMuch(MotionTest):
+    """As many equations as unknowns, but one circuit has one too many and the other too few."""
+
+    TEXT = """\
+kinestat: 1
+space: planar
+ground: base
+bodies: [arm, disk, link, bar, shoe]
+couplings:
+  c1: {type: revolute, bodies: [arm, base], at: [4, -4]}
+  c2: {type: revolute, bodies: [arm, link], at: [-4, -3]}
+  c3: {type: revolute, bodies: [arm, disk], at: [-3.4, -3]}
+  c4: {type: revolute, bodies: [link, bar], at: [-3, 0]}
+  c5: {type: prismatic, bodies: [bar, shoe], at: [-2, -3], axis: x}
+  c6: {type: revolute, bodies: [shoe, bar], at: [-2.1, 2.9]}
+  c7: {type: pin_in_slot, bodies: [bar, arm], at: [-4, 1], slot: y}
+actuators: {m1: {coupling: c3}, m2: {coupling: c1}}
+motion: {drives: [{drive: m1, to: 0.1}, {drive: m2, to: 0.1}], steps: 1}
+"""
+
+    def test_leave_a_freedom_open(self) -> None:
+        done = program.call("motion", "-", text=self.TEXT)
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertIn("E0508", done.stderr)
+        self.assertIn("c4.wz stays open", done.stderr)
+
 
 class ChangePoints(MotionTest):
     LOCOMOTIVE = """\

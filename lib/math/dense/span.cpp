@@ -57,6 +57,27 @@ std::vector<int> independent_columns(const Eigen::Ref<const MatX>& A) {
   return find_echelon(with_unit_columns(A)).pivot_columns;
 }
 
+std::vector<int> deciding_columns(MatX rows) {
+  std::vector<int> columns;
+  std::vector<Eigen::Index> chosen;
+  for (Eigen::Index r = 0; r < rows.rows(); ++r) {
+    const double size = rows.row(r).cwiseAbs().maxCoeff();
+    for (std::size_t j = 0; j < chosen.size(); ++j) {
+      const double share = rows(r, columns[j]) / rows(chosen[j], columns[j]);
+      if (share != 0.0) {
+        rows.row(r) -= share * rows.row(chosen[j]);
+        rows(r, columns[j]) = 0.0;
+      }
+    }
+    Eigen::Index column = 0;
+    if (rows.row(r).cwiseAbs().maxCoeff(&column) > kRankZero * size) {
+      columns.push_back(static_cast<int>(column));
+      chosen.push_back(r);
+    }
+  }
+  return columns;
+}
+
 VecX coordinates_in(const Eigen::Ref<const MatX>& A, const VecX& b) {
   if (A.cols() == 0) {
     return {};

@@ -18,6 +18,10 @@ MatX intersect_spans(std::span<const MatX> spans, Eigen::Index size);
 /// The columns, from the left, that do not depend on those before them.
 std::vector<int> independent_columns(const Eigen::Ref<const MatX>& A);
 
+/// For each row, from the top, that does not depend on those before it, one column: where what is
+/// left beside these is largest. Zeros in these columns leave no sum of the rows but zero.
+std::vector<int> deciding_columns(MatX rows);
+
 /// x of A x = b for b in the span of A, whose columns are independent.
 VecX coordinates_in(const Eigen::Ref<const MatX>& A, const VecX& b);
 

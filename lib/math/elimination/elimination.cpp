@@ -49,9 +49,10 @@ std::vector<Relation> Elimination::relations(std::span<const double> rhs) const 
       relation.constant = at(right.values, pivot.row);
       relation.constant_size = at(right.sizes, pivot.row);
     }
+    // A short row is chosen even where its pivot is small: what is as large is no rounding of it.
+    const double zero = std::min(kRankZero, kPivotShare * std::abs(pivot.value));
     for (const Cell& cell : at(rows_, pivot.row)) {
-      const bool counts = std::abs(cell.value) > kRankZero;
-      if (counts && std::ranges::find(last_, cell.column) != last_.end()) {
+      if (std::abs(cell.value) > zero && std::ranges::find(last_, cell.column) != last_.end()) {
         relation.terms.push_back({.row = 0,
                                   .column = cell.column,
                                   .value = cell.value / at(scaling_.columns, cell.column)});

@@ -62,8 +62,9 @@ class MotionRows {
     for (Eigen::Index i = 0; i < freedoms(); ++i) {
       row[i] = passive.rates[order_[static_cast<std::size_t>(i)]];
     }
-    for (const BodyId body : passive.bodies) {
-      row.segment<6>(freedoms() + 6 * (body.value - 1)) = passive.twist.coordinates();
+    for (std::size_t i = 0; i < passive.bodies.size(); ++i) {
+      row.segment<6>(freedoms() + 6 * (passive.bodies[i].value - 1)) =
+          passive.twists[i].coordinates();
     }
     return row;
   }

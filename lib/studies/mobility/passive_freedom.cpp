@@ -1,6 +1,7 @@
 #include "studies/mobility/passive_freedom.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/tolerance.hpp"
 #include "math/dense/span.hpp"
@@ -18,14 +19,62 @@ struct Border {
   int sign = 1;
 };
 
+// Lengths count in that of the mechanism.
+double unit_of(const Mechanism& mechanism, int freedom) {
+  const bool is_rotation =
+      mechanism.topology.freedoms[static_cast<std::size_t>(freedom)].is_rotation;
+  return is_rotation ? 1.0 : mechanism.geometry.length;
+}
+
+// What is rounding beside the largest becomes zero.
+void snap(const Mechanism& mechanism, VecX& rates) {
+  VecX sizes = rates.cwiseAbs();
+  for (int f = 0; f < mechanism.topology.freedom_count(); ++f) {
+    sizes[f] /= unit_of(mechanism, f);
+  }
+  const double zero = kRankZero * sizes.maxCoeff();
+  rates = (sizes.array() <= zero).select(0.0, rates);
+}
+
+// Columns: sums of motions, whose rates those of the matrix are, in which the freedoms rest.
+MatX sums_at_rest(const MatX& rates, std::span<const int> freedoms) {
+  MatX felt(static_cast<Eigen::Index>(freedoms.size()), rates.cols());
+  Eigen::Index rows = 0;
+  for (const int f : freedoms) {
+    felt.row(rows) = rates.row(f);
+    rows += (felt.row(rows).array() != 0.0).any() ? 1 : 0;
+  }
+  return rows == 0 ? MatX::Identity(rates.cols(), rates.cols()) : null_space(felt.topRows(rows));
+}
+
+PassiveFreedom sum_of(const std::vector<PassiveFreedom>& passive, const VecX& shares) {
+  PassiveFreedom sum{.bodies = {}, .twists = {}, .rates = VecX::Zero(passive.front().rates.size())};
+  for (std::size_t p = 0; p < passive.size(); ++p) {
+    const double share = shares[static_cast<Eigen::Index>(p)];
+    if (share == 0.0) {
+      continue;
+    }
+    sum.rates += share * passive[p].rates;
+    for (std::size_t i = 0; i < passive[p].bodies.size(); ++i) {
+      const auto at = std::ranges::find(sum.bodies, passive[p].bodies[i]);
+      const auto body = static_cast<std::size_t>(at - sum.bodies.begin());
+      if (at == sum.bodies.end()) {
+        sum.bodies.push_back(passive[p].bodies[i]);
+        sum.twists.emplace_back();
+      }
+      sum.twists[body] = sum.twists[body] + share * passive[p].twists[i];
+    }
+  }
+  return sum;
+}
+
 class PassiveSearch {
  public:
   PassiveSearch(const Mechanism& mechanism, const CoordinateBasis& basis)
       : mechanism_(mechanism),
         topology_(mechanism.topology),
         basis_(basis),
-        at_body_(topology_.bodies.size()),
-        is_felt_(topology_.freedoms.size()) {
+        at_body_(topology_.bodies.size()) {
     for (int e = 0; e < topology_.coupling_count(); ++e) {
       const CouplingTopology& coupling = topology_.coupling({e});
       at_body_[static_cast<std::size_t>(coupling.tail.value)].push_back({e});
@@ -48,13 +97,13 @@ class PassiveSearch {
  private:
   void note_felt() {
     for (const ActuatorTopology& actuator : topology_.actuators) {
-      is_felt_[static_cast<std::size_t>(actuator.freedom)] = true;
+      felt_.push_back(actuator.freedom);
     }
     for (const Case& which : mechanism_.cases) {
       for (const Primary& primary : which.motions) {
         const auto f = static_cast<std::size_t>(primary.index);
         if (topology_.coupling(topology_.freedoms[f].coupling).freedom_count == 1) {
-          is_felt_[f] = true;
+          felt_.push_back(primary.index);
         }
       }
     }
@@ -136,18 +185,23 @@ class PassiveSearch {
       }
     }
     const MatX common = intersect_spans(spans, basis_.order());
+    if (common.cols() == 0) {
+      return;
+    }
+    MatX rates(topology_.freedom_count(), common.cols());
     for (Eigen::Index j = 0; j < common.cols(); ++j) {
-      add(bodies, border, spans, common.col(j));
+      rates.col(j) = rates_of(border, spans, common.col(j));
+    }
+    const MatX unfelt = common * sums_at_rest(rates, felt_);
+    for (Eigen::Index j = 0; j < unfelt.cols(); ++j) {
+      add(bodies, unfelt.col(j), rates_of(border, spans, unfelt.col(j)));
     }
   }
 
-  void add(const std::vector<BodyId>& bodies,
-           const std::vector<Border>& border,
-           const std::vector<MatX>& spans,
-           const VecX& twist) {
-    PassiveFreedom one{.bodies = bodies,
-                       .twist = Twist::from_coordinates(basis_.screw_of(twist)),
-                       .rates = VecX::Zero(topology_.freedom_count())};
+  VecX rates_of(const std::vector<Border>& border,
+                const std::vector<MatX>& spans,
+                const VecX& twist) const {
+    VecX all = VecX::Zero(topology_.freedom_count());
     for (std::size_t i = 0; i < border.size(); ++i) {
       const int first = topology_.coupling(border[i].coupling).first_freedom;
       const std::vector<int> columns = independent_columns(spans[i]);
@@ -157,34 +211,22 @@ class PassiveSearch {
       }
       const VecX rates = coordinates_in(chosen, twist);
       for (std::size_t c = 0; c < columns.size(); ++c) {
-        one.rates[first + columns[c]] = border[i].sign * rates[static_cast<Eigen::Index>(c)];
+        all[first + columns[c]] = border[i].sign * rates[static_cast<Eigen::Index>(c)];
       }
     }
-    snap(one.rates);
-    if (!is_felt(one.rates) && is_new(one)) {
+    snap(mechanism_, all);
+    return all;
+  }
+
+  void add(const std::vector<BodyId>& bodies, const VecX& twist, VecX rates) {
+    PassiveFreedom one{.bodies = bodies,
+                       .twists = std::vector<Twist>(
+                           bodies.size(), Twist::from_coordinates(basis_.screw_of(twist))),
+                       .rates = std::move(rates)};
+    const bool is_felt = std::ranges::any_of(felt_, [&one](int f) { return one.moves(f); });
+    if (!is_felt && is_new(one)) {
       found_.push_back(std::move(one));
     }
-  }
-
-  // What is rounding beside the largest, lengths counted in that of the mechanism.
-  void snap(VecX& rates) const {
-    VecX sizes = rates.cwiseAbs();
-    for (int f = 0; f < topology_.freedom_count(); ++f) {
-      if (!topology_.freedoms[static_cast<std::size_t>(f)].is_rotation) {
-        sizes[f] /= mechanism_.geometry.length;
-      }
-    }
-    const double zero = kRankZero * sizes.maxCoeff();
-    rates = (sizes.array() <= zero).select(0.0, rates);
-  }
-
-  bool is_felt(const VecX& rates) const {
-    for (std::size_t f = 0; f < is_felt_.size(); ++f) {
-      if (is_felt_[f] && rates[static_cast<Eigen::Index>(f)] != 0.0) {
-        return true;
-      }
-    }
-    return false;
   }
 
   // A longer chain tells nothing if a part of it can move so by itself.
@@ -201,7 +243,7 @@ class PassiveSearch {
   const Topology& topology_;
   const CoordinateBasis& basis_;
   std::vector<std::vector<CouplingId>> at_body_;
-  std::vector<bool> is_felt_;
+  std::vector<int> felt_;  ///< freedoms
   std::vector<PassiveFreedom> found_;
 };
 
@@ -210,6 +252,37 @@ class PassiveSearch {
 std::vector<PassiveFreedom> find_passive_freedoms(const Mechanism& mechanism,
                                                   const CoordinateBasis& basis) {
   return PassiveSearch(mechanism, basis).run();
+}
+
+std::vector<PassiveFreedom> passive_freedoms_beside(std::vector<PassiveFreedom> passive,
+                                                    const Mechanism& mechanism,
+                                                    std::span<const int> given) {
+  MatX rates(mechanism.topology.freedom_count(), static_cast<Eigen::Index>(passive.size()));
+  for (std::size_t p = 0; p < passive.size(); ++p) {
+    rates.col(static_cast<Eigen::Index>(p)) = passive[p].rates;
+  }
+  std::vector<PassiveFreedom> beside;
+  const MatX sums = sums_at_rest(rates, given);
+  for (Eigen::Index j = 0; j < sums.cols(); ++j) {
+    beside.push_back(sum_of(passive, sums.col(j)));
+    snap(mechanism, beside.back().rates);
+    for (const int f : given) {
+      beside.back().rates[f] = 0.0;
+    }
+  }
+  return beside;
+}
+
+std::vector<int> deciding_freedoms(const std::vector<PassiveFreedom>& passive,
+                                   const Mechanism& mechanism) {
+  MatX rows(static_cast<Eigen::Index>(passive.size()), mechanism.topology.freedom_count());
+  for (Eigen::Index p = 0; p < rows.rows(); ++p) {
+    rows.row(p) = passive[static_cast<std::size_t>(p)].rates.transpose();
+  }
+  for (int f = 0; f < mechanism.topology.freedom_count(); ++f) {
+    rows.col(f) /= unit_of(mechanism, f);
+  }
+  return deciding_columns(std::move(rows));
 }
 
 }  // namespace kinestat

@@ -1,6 +1,7 @@
 // Freedoms that no other body feels: a rod that spins between two ball joints.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "mechanism/mechanism.hpp"
@@ -8,18 +9,31 @@
 
 namespace kinestat {
 
-/// Some bodies that turn or shift as one while all others rest: only the couplings between the two
-/// move, and these join it to two bodies at least. So neither of them feels it.
+/// Some bodies that turn or shift while all others rest: only the couplings between the two move,
+/// and these join them to two bodies at least. So neither of them feels it.
 struct PassiveFreedom {
   std::vector<BodyId> bodies;  ///< those that move
-  Twist twist;                 ///< of all of them [SI]
-  VecX rates;                  ///< one a freedom of the mechanism [SI]
+  std::vector<Twist> twists;   ///< of each of them [SI]
+  VecX rates;                  ///< one a freedom of the mechanism [SI]; 0 of those that it rests in
+
+  bool moves(int freedom) const { return rates[freedom] != 0.0; }
 };
 
 /// Those of single bodies and of short chains of bodies with two couplings each, which do not
 /// follow from each other. What an actuator moves is felt, and so is a coupling of one freedom that
-/// a case drives or holds.
+/// a case drives or holds. Those of the same bodies turn or shift them as one.
 std::vector<PassiveFreedom> find_passive_freedoms(const Mechanism& mechanism,
                                                   const CoordinateBasis& basis);
+
+/// What is left of them where some freedoms have given rates: a basis of the motions that they are
+/// made of and in which these freedoms rest, whatever basis they are.
+std::vector<PassiveFreedom> passive_freedoms_beside(std::vector<PassiveFreedom> passive,
+                                                    const Mechanism& mechanism,
+                                                    std::span<const int> given);
+
+/// One freedom of each of them that does not follow from those before, which it turns or shifts
+/// fastest beside these: where they have rates, all is known of them.
+std::vector<int> deciding_freedoms(const std::vector<PassiveFreedom>& passive,
+                                   const Mechanism& mechanism);
 
 }  // namespace kinestat

@@ -205,9 +205,9 @@ class StateSolver {
 
   int open_count() const { return static_cast<int>(unknown_.size()) - qr_.rank(); }
 
-  bool is_singular() const {
-    return open_count() > static_cast<int>(network_.passive_motions.size()) || is_too_flat();
-  }
+  int passive_count() const { return static_cast<int>(network_.passive_motions.size()); }
+
+  bool is_singular() const { return open_count() > passive_count() || is_too_flat(); }
 
   void factor() {
     const int rows = system_.row_count();
@@ -221,7 +221,7 @@ class StateSolver {
 
   // A closure by least squares misses something everywhere.
   bool is_too_flat() const {
-    const double reciprocal_condition = unknown_.empty() ? 1.0 : qr_.reciprocal_condition();
+    const double reciprocal_condition = qr_.reciprocal_condition_beside(passive_count());
     const bool is_square = system_.row_count() == static_cast<int>(unknown_.size());
     return reciprocal_condition < kFlatVelocity ||
            (is_square && system_.largest_residual() >
@@ -328,7 +328,8 @@ class StateSolver {
       state.twists.push_back(moving.twist);
       state.twist_rates.push_back(moving.rate);
     }
-    if (detail == StateDetail::velocity || qr_.reciprocal_condition() < kFlatAcceleration) {
+    if (detail == StateDetail::velocity ||
+        qr_.reciprocal_condition_beside(passive_count()) < kFlatAcceleration) {
       state.twist_rates.clear();
       state.rate_rates.clear();
     }

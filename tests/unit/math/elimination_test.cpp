@@ -181,6 +181,21 @@ TEST(Elimination, FindsTheRelationBetweenKnownColumns) {
   EXPECT_DOUBLE_EQ(relations[0].terms[1].value / relations[0].terms[0].value, -6.0);
 }
 
+// Less the first row the others are (0, 40, 35) and (0, 15, 0) in units of 1e-11: that column
+// counts, and the last row is the shorter.
+TEST(Elimination, HasATermInEveryRelationHoweverSmallItsPivot) {
+  const Elimination elimination(
+      sparse(rows_of({{1, 1, 1}, {1, 1 + 4e-10, 1 + 3.5e-10}, {1, 1 + 1.5e-10, 1}})),
+      std::vector<int>{1, 2});
+
+  const std::vector<Relation> relations = elimination.relations();
+
+  ASSERT_EQ(relations.size(), 2U);
+  for (const Relation& relation : relations) {
+    EXPECT_EQ(relation.terms.size(), 1U);
+  }
+}
+
 TEST(Elimination, FindsTheConstantOfARelationFromTheRightHandSide) {
   // x_0 = 2 x_2 + 1 and x_2 = 3 x_1 + 2, so x_0 - 6 x_1 = 5.
   const Elimination elimination(sparse(rows_of({{1, 0, -2}, {0, -3, 1}})), std::vector<int>{0, 1});

@@ -46,5 +46,21 @@ TEST(OrthonormalRange, OfNoColumnsIsEmpty) {
   EXPECT_EQ(orthonormal_range(MatX(6, 0)).cols(), 0);
 }
 
+// The second row has its largest entry where it is three times the first: beside that only 1 is
+// left.
+TEST(DecidingColumns, AreWhereRowsDifferFromThoseBefore) {
+  MatX rows(3, 3);
+  rows << 2.0, 1.0, 0.0,  //
+      6.0, 3.0, 1.0,      //
+      8.0, 4.0, 1.0;
+
+  EXPECT_EQ(deciding_columns(rows), (std::vector<int>{0, 2}));
+}
+
+TEST(DecidingColumns, AreNoneOfZeros) {
+  EXPECT_TRUE(deciding_columns(MatX::Zero(2, 3)).empty());
+  EXPECT_TRUE(deciding_columns(MatX(0, 3)).empty());
+}
+
 }  // namespace
 }  // namespace kinestat

@@ -133,6 +133,20 @@ double JointErrors::misplaced(const Sums& sums) const {
   return closure_.spread * sums.joints + closure_.reach * sums.frames;
 }
 
+// Open motions are found by reflections that mix the rows: what all of them round may be in each.
+double JointErrors::mixed(const std::vector<double>& sizes) const {
+  if (closure_.qr.rank() == closure_.qr.columns()) {
+    return 0.0;
+  }
+  double sum = 0.0;
+  for (std::size_t rate = 0; rate < sizes.size(); ++rate) {
+    for (const double factor : closure_.jacobian.subspan(rate * at(rows_), at(rows_))) {
+      sum += std::abs(factor) * sizes[rate];
+    }
+  }
+  return kRoundingOfFrame * sum;
+}
+
 // J φ = 0 and J ψ = -dJ/dt φ, whose coefficients are off as far as the joints between the sides of
 // a row are. Teeth have constant ones.
 void JointErrors::follow(std::span<const double> rates,
@@ -160,9 +174,10 @@ void JointErrors::follow(std::span<const double> rates,
     return kRoundingOfFrame * sum;
   };
   std::vector<double> of_rows(at(rows_));
+  const double mixed_rates = mixed(rates_);
   for (int r = 0; r < rows_; ++r) {
     const Sums sums = sums_of(closure_.rates_of_rows[at(r)]);
-    of_rows[at(r)] = driven_part(r, driven_errors) +
+    of_rows[at(r)] = mixed_rates + driven_part(r, driven_errors) +
                      (is_rolling(r) ? rolling_part(r, rates_) : misplaced(sums) * sums.rate);
   }
   rate_errors_ = carried(of_rows);
@@ -170,9 +185,10 @@ void JointErrors::follow(std::span<const double> rates,
   for (std::size_t d = 0; d < driven_errors.size(); ++d) {
     rate_errors_[at(closure_.network.driven_rates[d])] = driven_errors[d];
   }
+  const double mixed_bends = mixed(bends_);
   for (int r = 0; r < rows_; ++r) {
     const Sums sums = sums_of(closure_.rates_of_rows[at(r)]);
-    of_rows[at(r)] = driven_part(r, driven_bend_errors) +
+    of_rows[at(r)] = mixed_bends + driven_part(r, driven_bend_errors) +
                      (is_rolling(r) ? rolling_part(r, bends_)
                                     : misplaced(sums) * (sums.bend + sums.rate * sums.rate) +
                                           closure_.spread * 2.0 * sums.rate * sums.rate_error);

@@ -52,6 +52,7 @@ class JointErrors {
   std::vector<double> carried(const std::vector<double>& rows) const;
   void find_places(std::span<const double> coordinates, bool is_singular);
   void add_open(std::vector<double>& errors, const std::vector<double>& sizes) const;
+  double mixed(const std::vector<double>& sizes) const;
   double misplaced(const Sums& sums) const;
   Sums sums_of(std::span<const int> rates) const;
   std::vector<Sums> sums_of_frames() const;

@@ -108,9 +108,12 @@ void PathTracker<Frames>::find_block_signs(PathPoint& point) {
                                           rows[1]);
       continue;
     }
+    if (rows.size() != columns.size()) {
+      point.block_signs[b] = 0.0;  // One holds too much, so that another is open, always.
+      continue;
+    }
     gather_block(matrix_, row_count, blocks_[b], augmented_);
-    point.block_signs[b] =
-        sign_of_determinant(augmented_, static_cast<int>(blocks_[b].columns.size()));
+    point.block_signs[b] = sign_of_determinant(augmented_, static_cast<int>(columns.size()));
   }
 }
 

@@ -141,7 +141,7 @@ bool PathTracker<Frames>::close(PathPoint& point, double& moved) {
   }
   point.sign = qr_.sign();
   find_block_signs(point);
-  point.reciprocal_condition = qr_.reciprocal_condition();
+  point.reciprocal_condition = qr_.reciprocal_condition_beside(passive_count_);
   if (!(point.closure_error <= accepted_ ||
         point.closure_error <= rounding_of(point.coordinates))) {
     return false;
@@ -396,7 +396,7 @@ void PathTracker<Frames>::land(const ArcPoint& arc, PathPoint& now) {
   qr_.factor(matrix_, system_.row_count(), static_cast<int>(unknown_.size()), kSize);
   now.sign = qr_.sign();
   find_block_signs(now);
-  now.reciprocal_condition = qr_.reciprocal_condition();
+  now.reciprocal_condition = qr_.reciprocal_condition_beside(passive_count_);
   now.is_singular = open_count() > passive_count_;
   now.matrix = matrix_;
   const double by_share = line_.scale / arc.tangent.back();

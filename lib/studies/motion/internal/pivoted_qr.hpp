@@ -26,6 +26,11 @@ class PivotedQr {
   /// The shortest column that counted, as share of the longest: how near the rank is to fall.
   double reciprocal_condition() const { return reciprocal_condition_; }
 
+  /// The same where so many columns may be left out: if these are all, there is nothing to fall.
+  double reciprocal_condition_beside(int left_out) const {
+    return rank_ == 0 && columns_ <= left_out ? 1.0 : reciprocal_condition_;
+  }
+
   /// The sign of the determinant; of a square system of full rank, otherwise 0.
   double sign() const;
 

@@ -1,9 +1,9 @@
 #include "studies/motion/task/idle_rates.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "core/tolerance.hpp"
 
@@ -28,7 +28,7 @@ bool moves_element(const PassiveFreedom& one,
   const Topology& topology = mechanism.topology;
   for (int f = 0; f < topology.freedom_count(); ++f) {
     if (topology.freedom_name(f) == element) {
-      return moves_freedom(one, f);
+      return one.moves(f);
     }
   }
   for (const TracedPoint& point : plan.trace) {
@@ -43,28 +43,33 @@ bool moves_element(const PassiveFreedom& one,
 
 }  // namespace
 
-bool moves_freedom(const PassiveFreedom& one, int freedom) {
-  return std::abs(one.rates[freedom]) > kRankZero * one.rates.cwiseAbs().maxCoeff();
-}
-
 bool moves_point(const PassiveFreedom& one,
                  BodyId body,
                  const Vec3& drawn,
                  const Mechanism& mechanism) {
-  const Vec3 velocity = velocity_at(one.twist, drawn);
-  const double fastest =
-      std::max(one.twist.angular.norm() * mechanism.geometry.length, velocity.norm());
-  return has_body(one, body) && velocity.norm() > kRankZero * fastest;
-}
-
-bool is_rate_open(const PassiveFreedom& one, const MotionPlan& plan, const Mechanism& mechanism) {
-  if (plan.which < 0) {
+  const auto at = std::ranges::find(one.bodies, body);
+  if (at == one.bodies.end()) {
     return false;
   }
-  const std::vector<Primary>& known = mechanism.cases[static_cast<std::size_t>(plan.which)].motions;
-  return !known.empty() && std::ranges::none_of(known, [&](const Primary& given) {
-    return moves_freedom(one, given.index);
-  });
+  const Twist& twist = one.twists[static_cast<std::size_t>(at - one.bodies.begin())];
+  const Vec3 velocity = velocity_at(twist, drawn);
+  const double fastest =
+      std::max(twist.angular.norm() * mechanism.geometry.length, velocity.norm());
+  return velocity.norm() > kRankZero * fastest;
+}
+
+std::vector<PassiveFreedom> freedoms_of_open_rate(std::vector<PassiveFreedom> passive,
+                                                  const MotionPlan& plan,
+                                                  const Mechanism& mechanism) {
+  if (plan.which < 0) {
+    return {};
+  }
+  std::vector<int> known;
+  for (const Primary& one : mechanism.cases[static_cast<std::size_t>(plan.which)].motions) {
+    known.push_back(one.index);
+  }
+  return known.empty() ? std::vector<PassiveFreedom>()
+                       : passive_freedoms_beside(std::move(passive), mechanism, known);
 }
 
 void leave_out_idle_rates(const FoundMotion& motion,
@@ -73,10 +78,10 @@ void leave_out_idle_rates(const FoundMotion& motion,
   if (motion.network.passive_motions.empty()) {
     return;
   }
-  std::vector<PassiveFreedom> idle =
-      find_passive_freedoms(mechanism, spatial_basis(ScrewKind::twist, mechanism.geometry.length));
-  std::erase_if(
-      idle, [&](const PassiveFreedom& one) { return !is_rate_open(one, motion.plan, mechanism); });
+  const std::vector<PassiveFreedom> idle = freedoms_of_open_rate(
+      find_passive_freedoms(mechanism, spatial_basis(ScrewKind::twist, mechanism.geometry.length)),
+      motion.plan,
+      mechanism);
   for (MotionReading& reading : readings) {
     const bool is_open =
         is_of_time(reading.kind) && std::ranges::any_of(idle, [&](const PassiveFreedom& one) {

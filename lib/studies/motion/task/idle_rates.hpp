@@ -9,17 +9,16 @@
 
 namespace kinestat {
 
-/// Whether it turns or shifts the freedom.
-bool moves_freedom(const PassiveFreedom& one, int freedom);
-
 /// Whether it moves a point of the body [m], drawn there.
 bool moves_point(const PassiveFreedom& one,
                  BodyId body,
                  const Vec3& drawn,
                  const Mechanism& mechanism);
 
-/// Whether the case of the plan knows speeds, and none that says how fast this one goes.
-bool is_rate_open(const PassiveFreedom& one, const MotionPlan& plan, const Mechanism& mechanism);
+/// What the case of the plan, if it knows speeds, leaves open of them.
+std::vector<PassiveFreedom> freedoms_of_open_rate(std::vector<PassiveFreedom> passive,
+                                                  const MotionPlan& plan,
+                                                  const Mechanism& mechanism);
 
 /// Takes the value from every reading of a rate that such a freedom moves: `is_idle` is set.
 void leave_out_idle_rates(const FoundMotion& motion,

@@ -78,9 +78,13 @@ class DeadPointFinder {
     double share = 0.0;
     Configuration configuration;
     std::vector<double> rates;
-    std::vector<double> bends;  // their derivatives; empty where they would be rounding
-    std::vector<bool> rests;    // by the bound of each rate; empty where all are far above it
-    double fastest = 0.0;       // of the rates [rad, or sizes of the mechanism]
+    std::vector<double> bends;   // their derivatives; empty where they would be rounding
+    std::vector<double> bounds;  // of each rate; empty where all are far above it
+    double fastest = 0.0;        // of the rates [rad, or sizes of the mechanism]
+
+    bool rests(std::size_t freedom) const {
+      return !bounds.empty() && std::abs(rates[freedom]) <= bounds[freedom];
+    }
   };
 
   // Empty where the rates are not determined.
@@ -93,7 +97,7 @@ class DeadPointFinder {
                  .configuration = std::move(configuration),
                  .rates = {},
                  .bends = {},
-                 .rests = {}};
+                 .bounds = {}};
     for (std::size_t f = 0; f < state.rates.size(); ++f) {
       result.rates.push_back(state.rates[f].value_or(0.0));
       result.fastest = std::max(result.fastest, std::abs(result.rates.back()) / unit_of(f));
@@ -104,14 +108,12 @@ class DeadPointFinder {
     return result;
   }
 
-  // The same, with what rests by the bounds of its rates.
+  // The same, with the bounds of its rates if one may rest by them.
   std::optional<Place> judged(std::optional<Place> place) {
     if (place && may_rest(*place)) {
       const MotionState state =
           states_.solve_bounded(place->configuration, per_share_, StateDetail::velocity);
-      for (std::size_t f = 0; f < state.rates.size(); ++f) {
-        place->rests.push_back(std::abs(state.rates[f].value_or(0.0)) <= state.bounds.rates[f]);
-      }
+      place->bounds = state.bounds.rates;
     }
     return place;
   }
@@ -126,8 +128,7 @@ class DeadPointFinder {
 
   // -1, 0 or 1.
   static int sense(const Place& place, std::size_t freedom) {
-    const bool rests = !place.rests.empty() && place.rests[freedom];
-    return rests ? 0 : place.rates[freedom] < 0.0 ? -1 : 1;
+    return place.rests(freedom) ? 0 : place.rates[freedom] < 0.0 ? -1 : 1;
   }
 
   double unit_of(std::size_t freedom) const {
@@ -294,11 +295,21 @@ class DeadPointFinder {
     return std::nullopt;
   }
 
+  // How far from a place where a rate rests by its bound it may be zero indeed.
+  static double share_of_rounding(const Place& place, std::size_t freedom) {
+    const bool has_slope = !place.bends.empty() && place.bends[freedom] != 0.0;
+    return place.rests(freedom) && has_slope
+               ? place.bounds[freedom] / std::abs(place.bends[freedom])
+               : 0.0;
+  }
+
   void add(int freedom, Place low, Place high) {
     const auto f = static_cast<std::size_t>(freedom);
+    double rounding = 0.0;
     const bool is_low_negative = std::signbit(low.rates[f]);
     if (std::signbit(high.rates[f]) == is_low_negative) {
       low = high;  // It rests there to rounding.
+      rounding = share_of_rounding(low, f);
     }
     for (int round = 0; (high.share - low.share) * reach_ > kDeadPointBracket; ++round) {
       std::optional<Place> middle = place_within(low, high, next_share(low, high, f, round));
@@ -311,7 +322,7 @@ class DeadPointFinder {
     found_.push_back({.freedom = freedom,
                       .step = last_position_before(share),
                       .share = share,
-                      .uncertainty = (high.share - low.share) / 2.0,
+                      .uncertainty = std::max(rounding, (high.share - low.share) / 2.0),
                       .configuration = std::move(low.configuration)});
   }
 

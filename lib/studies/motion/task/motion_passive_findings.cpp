@@ -19,8 +19,8 @@ namespace {
 class PassiveFindings {
  public:
   PassiveFindings(const FoundMotion& motion, const Mechanism& mechanism)
-      : plan_(motion.plan),
-        report_(motion.plan.report),
+      : report_(motion.plan.report),
+        trace_(motion.plan.trace),
         mechanism_(mechanism),
         has_position_(
             freedom_positions(motion.network, mechanism, motion.solution.configuration_at(0))) {}
@@ -29,15 +29,14 @@ class PassiveFindings {
     return shows_body(one) || shows(one, true);
   }
 
-  bool shows_open_rate(const PassiveFreedom& one) const {
-    return (report_.velocity || report_.acceleration || shows(one, false)) &&
-           is_rate_open(one, plan_, mechanism_);
+  bool shows_rate(const PassiveFreedom& one) const {
+    return report_.velocity || report_.acceleration || shows(one, false);
   }
 
  private:
   // A report of all positions has the turns of all bodies.
   bool shows_body(const PassiveFreedom& one) const {
-    return report_.position || std::ranges::any_of(plan_.trace, [&](const TracedPoint& point) {
+    return report_.position || std::ranges::any_of(trace_, [&](const TracedPoint& point) {
              return moves_point(one, point.body, point.at, mechanism_);
            });
   }
@@ -49,7 +48,7 @@ class PassiveFindings {
         return std::ranges::find(some, static_cast<int>(f)) != some.end();
       };
       const bool is_named = names(report_.freedoms) || (has_position && names(report_.positions));
-      if ((report_.is_default || is_named) && moves_freedom(one, static_cast<int>(f)) &&
+      if ((report_.is_default || is_named) && one.moves(static_cast<int>(f)) &&
           (!has_position || has_position_[f].has_value())) {
         return true;
       }
@@ -57,8 +56,8 @@ class PassiveFindings {
     return false;
   }
 
-  const MotionPlan& plan_;
   const MotionReport& report_;
+  const std::vector<TracedPoint>& trace_;
   const Mechanism& mechanism_;
   std::vector<std::optional<double>> has_position_;
 };
@@ -85,10 +84,16 @@ void add_motion_passive_findings(const FoundMotion& motion,
   const PassiveFindings findings(motion, mechanism);
   std::vector<std::string> names;
   bool has_position = false;
-  for (const PassiveFreedom& one : find_passive_freedoms(
-           mechanism, spatial_basis(ScrewKind::twist, mechanism.geometry.length))) {
-    if (findings.shows_position(one) || findings.shows_open_rate(one)) {
-      has_position = has_position || findings.shows_position(one);
+  const std::vector<PassiveFreedom> passive =
+      find_passive_freedoms(mechanism, spatial_basis(ScrewKind::twist, mechanism.geometry.length));
+  for (const PassiveFreedom& one : passive) {
+    if (findings.shows_position(one)) {
+      has_position = true;
+      add_names(one, mechanism.topology, names);
+    }
+  }
+  for (const PassiveFreedom& one : freedoms_of_open_rate(passive, motion.plan, mechanism)) {
+    if (findings.shows_rate(one)) {
       add_names(one, mechanism.topology, names);
     }
   }
