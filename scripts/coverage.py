@@ -60,7 +60,10 @@ def counted(objects: list[Path]) -> Iterator[dict]:
     def one(file: Path) -> list[dict]:
         done = subprocess.run(["gcov", "--json-format", "--stdout", "--branch-probabilities", file.name],
                               cwd=file.parent, capture_output=True, text=True, check=True)
-        return [row for line in done.stdout.splitlines() for row in json.loads(line)["files"]]
+        told = [json.loads(line) for line in done.stdout.splitlines()]
+        # ccache makes paths relative to the build.
+        return [row | {"file": os.path.normpath(Path(part["current_working_directory"], row["file"]))}
+                for part in told for row in part["files"]]
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         for rows in pool.map(one, objects):
             yield from rows
@@ -135,7 +138,10 @@ def main() -> int:
     known = parser.parse_args()
     modules = check_layers.read_modules(ROOT)
     sources: dict[str, Source] = defaultdict(Source)
-    for row in counted(sorted((known.build / "lib").rglob("*.gcno"))):
+    # Where the compiler was interrupted there is no object.
+    objects = [file for file in sorted((known.build / "lib").rglob("*.gcno"))
+               if file.with_suffix(".o").exists()]
+    for row in counted(objects):
         module = module_of(row["file"], modules)
         if module and re.fullmatch(known.only, module):
             sources[row["file"]].add(row)

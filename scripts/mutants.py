@@ -8,7 +8,8 @@ Usage: mutants.py [--seed S] [--first N] [--count N] [--minutes M] [--only MODUL
 Mutants are numbered: seed and number always make the same one of the same sources. Each is compiled
 alone, put among the objects of its module and linked into the unit tests of the module and into the
 program; tests run the fastest first until one fails. What came of it is a line of
-build/mutants/log.jsonl, and what stands there is not done again. --report tells the score of each
+build/mutants/log.jsonl, and what stands there is not done again, but for what survived with other
+labels. --report tells the score of each
 module and the survivors, --write puts the score into RELIABILITY.md. Needs build/release, with its
 tests built.
 """
@@ -297,10 +298,16 @@ class Suite:
         return program
 
 
+def key(row: dict) -> tuple:
+    return row["seed"], row["number"], row["file"], row["before"], row["after"]
+
+
 def logged() -> list[dict]:
+    """Of each mutant what was written last."""
     if not LOG.exists():
         return []
-    return [json.loads(line) for line in LOG.read_text(encoding="utf-8").splitlines()]
+    rows = [json.loads(line) for line in LOG.read_text(encoding="utf-8").splitlines()]
+    return list({key(row): row for row in rows}.values())
 
 
 def sample(known: argparse.Namespace) -> None:
@@ -311,7 +318,9 @@ def sample(known: argparse.Namespace) -> None:
     suite = Suite(known.labels)
     modules: dict[str, Module] = {}
     begin = time.monotonic()
-    done = {(row["seed"], row["number"], row["file"], row["before"], row["after"]) for row in logged()}
+    # What survived other tests has to survive these too.
+    done = {key(row) for row in logged()
+            if row["outcome"] != "survived" or row["labels"] == known.labels}
     for mutant in mutants(known.seed):
         if mutant.number < known.first or not re.fullmatch(known.only, mutant.module):
             continue
@@ -319,7 +328,7 @@ def sample(known: argparse.Namespace) -> None:
                 known.minutes and time.monotonic() - begin > 60 * known.minutes):
             break
         told = mutant.told()
-        if (mutant.seed, mutant.number, mutant.file, told["before"], mutant.after) in done:
+        if key(told) in done:
             continue
         if mutant.module not in modules:
             modules[mutant.module] = Module(mutant.module)
