@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import argparse
 import gzip
+import io
 import os
 import re
 import shutil
@@ -14,6 +15,7 @@ import tarfile
 import tempfile
 import time
 import unittest
+from datetime import datetime, timezone
 from email.utils import parsedate_to_datetime
 from pathlib import Path
 
@@ -216,6 +218,33 @@ class Packages(unittest.TestCase):
                          ["libc6", "libgmp10", "libmpfr6"])
         self.assertEqual(field("libkinestat-dev", "Depends"), same)
         self.assertEqual(field("python3-kinestat", "Depends"), f"python3:any (>= 3.9), {same}")
+
+    def test_no_file_is_younger_than_the_version(self) -> None:
+        """So that packages of two builds have the same bytes, and none has the name of who built it."""
+        dates = {version: date for version, date, _ in versions()}
+        epoch = int(os.environ.get("SOURCE_DATE_EPOCH") or datetime.fromisoformat(
+            max(dates.values())).replace(tzinfo=timezone.utc).timestamp())
+        with tarfile.open(Made.archive) as archive:
+            self.assertEqual({member.mtime for member in archive}, {epoch})
+        for name, deb in Made.debs.items():
+            for what in ("--fsys-tarfile", "--ctrl-tarfile"):
+                content = subprocess.run(["dpkg-deb", what, str(deb)], capture_output=True, check=True)
+                with tarfile.open(fileobj=io.BytesIO(content.stdout)) as archive:
+                    self.assertEqual({(member.mtime, member.uid, member.gid) for member in archive},
+                                     {(epoch, 0, 0)}, f"{name} {what}")
+
+    def test_copyrights_name_what_others_wrote(self) -> None:
+        ours = ROOT.joinpath("LICENSE").read_text(encoding="utf-8")
+        noted = (options.build / "packaging/copyright").read_text(encoding="utf-8")
+        root = unpacked_debs()
+        for name in Made.debs:
+            file = root / f"usr/share/doc/{name}/copyright"
+            is_own = name.startswith(("python3-", "libkinestat-dev"))
+            self.assertEqual(file.read_text(encoding="utf-8"), ours if is_own else noted, name)
+        doc = unpacked_archive() / "share/doc/kinestat"
+        self.assertEqual((doc / "copyright").read_text(encoding="utf-8"), noted)
+        for licence in ("LGPL-3", "LGPL-2.1", "GPL-3", "MPL-2.0"):
+            self.assertTrue((doc / "licences" / licence).is_file(), licence)
 
     def test_changelogs_say_what_that_of_the_project_says(self) -> None:
         root = unpacked_debs()

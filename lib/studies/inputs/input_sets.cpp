@@ -15,9 +15,21 @@ namespace kinestat {
 
 namespace {
 
-constexpr std::uint64_t kMostCounted = 10'000'000;
-constexpr std::size_t kMostRanked = 100'000;
-constexpr double kMostRankingWork = 4e8;  // of which a set takes the cube of its magnitudes
+// What all groups may take together, some seconds.
+struct Allowance {
+  std::uint64_t counted = 10'000'000;   // sets
+  std::uint64_t work = 4'000'000'000;   // entries of the search
+  std::uint64_t ranked = 1'000'000;     // sets, of one group a tenth
+  std::uint64_t ranking = 400'000'000;  // of which a set takes the cube of its magnitudes
+
+  // For one of so many groups that are still to be searched: what it leaves is for the others.
+  Allowance share(std::size_t groups) const {
+    return {counted / groups,
+            work / groups,
+            std::min<std::uint64_t>(ranked / groups, 100'000),
+            ranking / groups};
+  }
+};
 
 // Magnitudes that occur in solutions of the echelon form together, and these solutions.
 struct Part {
@@ -90,16 +102,21 @@ bool is_better(const InputSet& a, const InputSet& b) {
 // The sets of one part; its rows of the echelon form are made orthonormal first.
 class GroupSearch {
  public:
-  GroupSearch(const MatX& echelon, const Part& part, const InputChoice& choice)
+  GroupSearch(const MatX& echelon,
+              const Part& part,
+              const InputChoice& choice,
+              const Allowance& most)
       : choice_(choice),
+        most_(most),
         rows_(orthonormal_range(echelon(part.solutions, part.magnitudes).transpose()).transpose()) {
     group_.magnitudes = part.magnitudes;
     group_.needed = static_cast<int>(part.solutions.size());
-    const double work = std::pow(group_.needed, 3);
-    most_ranked_ = std::min(static_cast<double>(kMostRanked), kMostRankingWork / work);
+    const auto needed = static_cast<std::uint64_t>(group_.needed);
+    ranking_of_a_set_ = needed * needed * needed;
   }
 
-  InputGroup run() {
+  // Takes from the allowance of all what it takes.
+  InputGroup run(Allowance& left) {
     std::vector<int> required;
     std::vector<int> allowed;
     for (std::size_t i = 0; i < group_.magnitudes.size(); ++i) {
@@ -111,10 +128,14 @@ class GroupSearch {
       }
     }
     CobasisSearch search(rows_, std::move(required), std::move(allowed));
-    group_.is_complete = search.run([this](const std::vector<int>& columns) {
+    group_.is_complete = search.run(most_.work, [this](const std::vector<int>& columns) {
       note(columns);
-      return group_.count < kMostCounted;
+      return group_.count < most_.counted;
     });
+    left.counted -= std::min(left.counted, group_.count);
+    left.work -= std::min(left.work, search.work());
+    left.ranked -= group_.best.size();
+    left.ranking -= group_.best.size() * ranking_of_a_set_;
     keep_best();
     return std::move(group_);
   }
@@ -122,7 +143,9 @@ class GroupSearch {
  private:
   void note(const std::vector<int>& columns) {
     ++group_.count;
-    if (choice_.listed == 0 || static_cast<double>(group_.count) > most_ranked_) {
+    const std::uint64_t ranked = group_.best.size() + 1;
+    if (choice_.listed == 0 || ranked > most_.ranked ||
+        ranked * ranking_of_a_set_ > most_.ranking) {
       return;
     }
     InputSet set;
@@ -140,9 +163,10 @@ class GroupSearch {
   }
 
   const InputChoice& choice_;
+  Allowance most_;
   MatX rows_;
   InputGroup group_;
-  double most_ranked_ = 0.0;
+  std::uint64_t ranking_of_a_set_ = 0;
 };
 
 }  // namespace
@@ -173,8 +197,11 @@ InputSets find_input_sets(const MatX& solutions, const InputChoice& choice) {
     }
   }
   const MatX echelon = find_echelon(solutions.transpose()).matrix;
-  for (const Part& part : find_parts(echelon)) {
-    result.groups.push_back(GroupSearch(echelon, part, choice).run());
+  const std::vector<Part> parts = find_parts(echelon);
+  Allowance left;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const Allowance most = left.share(parts.size() - i);
+    result.groups.push_back(GroupSearch(echelon, parts[i], choice, most).run(left));
   }
   return result;
 }

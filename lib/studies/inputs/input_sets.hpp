@@ -53,8 +53,9 @@ struct InputChoice {
 };
 
 /// `solutions` has one row a magnitude and a column for each independent solution. Counts up to ten
-/// million sets a group, fewer where they are found slowly; the first hundred thousand in the order
-/// of their magnitudes are ranked, of large sets fewer.
+/// million sets, fewer where they are found slowly; the first hundred thousand of a group in the
+/// order of their magnitudes are ranked, of large sets fewer. Several groups share these bounds, so
+/// that many take little longer than one.
 InputSets find_input_sets(const MatX& solutions, const InputChoice& choice = {});
 
 /// The smallest singular value described at InputSet, of any choice of as many magnitudes as there

@@ -167,6 +167,40 @@ TEST(InputSets, OfIndependentPartsAreGroups) {
   EXPECT_FALSE(found.is_complete());
 }
 
+// Whoever writes one gearbox forty times into a file does not wait forty times as long: groups
+// share what may be counted, and a small one among large ones is counted all the same.
+TEST(InputSets, OfManyLargeGroupsAreCountedAsFarAsOfOne) {
+  constexpr int kLarge = 7;
+  constexpr int kHalf = 12;
+  MatX solutions = MatX::Zero(kLarge * 2 * kHalf + 3, kLarge * kHalf + 1);
+  std::mt19937 random(5);
+  std::uniform_int_distribution<int> digits(-9, 9);
+  for (int i = 0; i < kLarge; ++i) {
+    for (int r = 0; r < 2 * kHalf; ++r) {
+      for (int c = 0; c < kHalf; ++c) {
+        solutions(2 * kHalf * i + r, kHalf * i + c) = digits(random);
+      }
+    }
+  }
+  solutions.col(kLarge * kHalf).tail(3).setOnes();
+
+  const InputSets found = find_input_sets(solutions, {.among = {}, .required = {}, .listed = 0});
+
+  ASSERT_EQ(found.groups.size(), static_cast<std::size_t>(kLarge) + 1);
+  std::uint64_t counted = 0;
+  for (const InputGroup& group : found.groups) {
+    counted += group.count;
+  }
+  EXPECT_LE(counted, 10'000'000U);  // of 24 over 12, 2 704 156, seven times
+  for (int i = 0; i < kLarge; ++i) {
+    EXPECT_GT(found.groups[static_cast<std::size_t>(i)].count, 1'000'000U) << i;
+    EXPECT_FALSE(found.groups[static_cast<std::size_t>(i)].is_complete) << i;
+  }
+  EXPECT_EQ(found.groups.back().count, 3U);
+  EXPECT_TRUE(found.groups.back().is_complete);
+  EXPECT_FALSE(found.is_complete());
+}
+
 TEST(InputSets, OfAMechanismThatCannotMoveAreOneThatIsEmpty) {
   const InputSets found = find_input_sets(MatX::Zero(3, 0));
 

@@ -7,13 +7,6 @@
 
 namespace kinestat {
 
-namespace {
-
-// Choices that cannot be completed are found late: their number has no bound but the binomial.
-constexpr std::uint64_t kMostWork = 4'000'000'000;
-
-}  // namespace
-
 CobasisSearch::CobasisSearch(const MatX& rows, std::vector<int> required, std::vector<int> allowed)
     : columns_(std::move(required)),
       required_(columns_.size()),
@@ -36,8 +29,10 @@ CobasisSearch::CobasisSearch(const MatX& rows, std::vector<int> required, std::v
   chosen_.reserve(height_);
 }
 
-bool CobasisSearch::run(const std::function<bool(const std::vector<int>&)>& found) {
+bool CobasisSearch::run(std::uint64_t most_work,
+                        const std::function<bool(const std::vector<int>&)>& found) {
   found_ = &found;
+  most_work_ = most_work;
   chosen_.clear();
   work_ = 0;
   if (required_ > height_) {
@@ -88,12 +83,13 @@ bool CobasisSearch::take(std::size_t depth, std::size_t column) {
 }
 
 // Whether every row that is left has a column left.
-bool CobasisSearch::can_be_completed(std::size_t depth, std::size_t next) const {
+bool CobasisSearch::can_be_completed(std::size_t depth, std::size_t next) {
   const std::vector<double>& values = levels_[depth].values;
   for (std::size_t r = 0; r < height_ - depth; ++r) {
     bool has_entry = false;
     for (std::size_t c = next; c < width_ && !has_entry; ++c) {
       has_entry = !is_zero(values[r * width_ + c], c);
+      ++work_;
     }
     if (!has_entry) {
       return false;
@@ -126,7 +122,7 @@ bool CobasisSearch::extend(std::size_t depth, std::size_t next) {
     if (!can_be_completed(depth, c)) {
       return true;
     }
-    if (work_ > kMostWork) {
+    if (work_ > most_work_) {
       return false;
     }
     if (!take(depth, c)) {

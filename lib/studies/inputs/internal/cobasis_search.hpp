@@ -18,9 +18,13 @@ class CobasisSearch {
   CobasisSearch(const MatX& rows, std::vector<int> required, std::vector<int> allowed);
 
   /// Calls `found` for each choice in lexicographic order of the columns that are not required,
-  /// those first, until it returns false, or the search has taken as much work as some seconds
-  /// hold. Whether all were found.
-  bool run(const std::function<bool(const std::vector<int>&)>& found);
+  /// those first, until it returns false, or the search has looked at more entries than
+  /// `most_work`: choices that cannot be completed are found late, and their number has no bound
+  /// but the binomial. Whether all were found.
+  bool run(std::uint64_t most_work, const std::function<bool(const std::vector<int>&)>& found);
+
+  /// Entries that the last run looked at.
+  std::uint64_t work() const { return work_; }
 
  private:
   // The rows that are left after some columns were chosen, one after the other.
@@ -30,7 +34,7 @@ class CobasisSearch {
 
   bool take(std::size_t depth, std::size_t column);
   bool extend(std::size_t depth, std::size_t next);
-  bool can_be_completed(std::size_t depth, std::size_t next) const;
+  bool can_be_completed(std::size_t depth, std::size_t next);
   bool is_zero(double value, std::size_t column) const;
 
   std::vector<int> columns_;  ///< required first, then allowed: index of each in the matrix
@@ -40,7 +44,8 @@ class CobasisSearch {
   std::vector<double> least_;  ///< of each of columns_: the size that counts
   std::vector<Level> levels_;
   std::vector<int> chosen_;
-  std::uint64_t work_ = 0;  ///< entries that were worked on
+  std::uint64_t work_ = 0;
+  std::uint64_t most_work_ = 0;
   const std::function<bool(const std::vector<int>&)>* found_ = nullptr;
 };
 
