@@ -9,9 +9,8 @@ Mutants are numbered: seed and number always make the same one of the same sourc
 alone, put among the objects of its module and linked into the unit tests of the module and into the
 program; tests run the fastest first until one fails. What came of it is a line of
 build/mutants/log.jsonl, and what stands there is not done again, but for what survived with other
-labels. --report tells the score of each
-module and the survivors, --write puts the score into RELIABILITY.md. Needs build/release, with its
-tests built.
+labels. --report tells the score of each module and the survivors, --write puts the score into
+RELIABILITY.md. Needs build/release, with its tests built.
 """
 
 from __future__ import annotations

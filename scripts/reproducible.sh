@@ -23,7 +23,7 @@ made_in() {  # of a checkout, in its build folder
     (cd "${1%/build/release}" && cmake --preset release -DBUILD_TESTING=OFF) >"$folder/log" ||
     { cat "$folder/log" >&2; exit 4; }
   cmake --build "$1" --target packages >"$folder/log" || { tail -n 50 "$folder/log" >&2; exit 4; }
-  (cd "$1" && sha256sum app/kinestat lib/*.a lib/libkinestat.so.*.*.* packages/*)
+  (cd "$1" && sha256sum app/kinestat lib/*.a lib/libkinestat.so.*.*.* packages/*.{deb,tar.gz})
 }
 
 # Another name, another length, another depth.
