@@ -187,6 +187,13 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "infinite acceleration and an infinite force there. The rows at both ends have the values of "
      "the steady motion between them. The laws polynomial_345 and cycloidal begin and end at rest "
      "and without a jump of the acceleration; 'kinestat help motion' lists all."},
+    {"W0513",
+     done,
+     "a simulation ends before its goal",
+     "'until' says where a simulation ends; it came to the end of 'time' without that. The message "
+     "has the row that came nearest. Where the value still grows there, give more 'time'; where it "
+     "has been higher before, or settles, what drives is too weak, or the goal is another than "
+     "meant: a speed in the unit of the file, a position counted from the drawn one."},
     {"W0601",
      done,
      "actions are statically indeterminate",
