@@ -98,6 +98,14 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "accelerations change nothing",
      "A case has the key 'acceleration', so that the forces of inertia act, but no body has a mass "
      "or an inertia. Give bodies 'mass', 'centre_of_mass' and 'inertia', or remove the key."},
+    {"W0313",
+     done,
+     "damping counts by the unit of speed",
+     "A damping is a couple by an angular velocity, or a force by a velocity, and a bare number "
+     "counts in these units of the file: with 'units: {angular_velocity: rpm}' in N*m/rpm, which "
+     "is "
+     "9.55 N*m*s/rad, with 'units: {length: mm}' in N/(mm/s), a thousand N*s/m. Write the unit; "
+     "with it, any value is taken without a word."},
     {"W0501",
      done,
      "rounding decides on a rank",
