@@ -92,6 +92,7 @@ void add_synthesize(CLI::App& command, Job& job) {
       "there are cores. The result does not depend\n"
       "on it");
   add_strict(command, options->files);
+  add_quiet(command, options->files);
   command.callback([options, &command, &job] {
     check_together(command, *options);
     job = [options] {

@@ -43,6 +43,9 @@ void add_fail_fast(CLI::App& command, FileOptions& options);
 /// Declares --strict.
 void add_strict(CLI::App& command, FileOptions& options);
 
+/// Declares --quiet.
+void add_quiet(CLI::App& command, FileOptions& options);
+
 /// Declares --accuracy and --digits, by which the user trades time for accuracy.
 void add_accuracy(CLI::App& command, AccuracyRequest& request);
 
