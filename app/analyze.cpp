@@ -20,11 +20,7 @@ void add_analyze(CLI::App& command, Job& job) {
              "folder for <name>.report.json and one CSV\n"
              "table a pass; it must exist");
   add_strict(command, *options);
-  add_flag(
-      command,
-      "-q,--quiet",
-      [&analyse] { analyse.is_quiet = true; },
-      "print no report on standard output");
+  add_quiet(command, *options);
   add_fail_fast(command, *options);
   run_when_chosen(
       command, job, [options] { return analyse_files(options->paths, options->analyse); });

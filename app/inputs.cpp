@@ -52,6 +52,7 @@ void add_inputs(CLI::App& command, Job& job) {
   add_files(command, options->files);
   add_format(command, options->files);
   add_strict(command, options->files);
+  add_quiet(command, options->files);
   add_choice_options(command, options->choice);
   run_when_chosen(command, job, [options] {
     return inputs_files(options->files.paths, options->choice, options->files.analyse);

@@ -13,6 +13,7 @@ void add_mobility(CLI::App& command, Job& job) {
   add_format(command, *options);
   add_accuracy(command, options->analyse.accuracy);
   add_strict(command, *options);
+  add_quiet(command, *options);
   run_when_chosen(
       command, job, [options] { return mobility_of_files(options->paths, options->analyse); });
 }

@@ -60,11 +60,7 @@ void add_motion(CLI::App& command, Job& job) {
              "folder for <name>.motion.json and\n"
              "<name>.motion.csv; it must exist");
   add_strict(command, flags->files);
-  add_flag(
-      command,
-      "-q,--quiet",
-      [&analyse] { analyse.is_quiet = true; },
-      "print no report on standard output");
+  add_quiet(command, flags->files);
   add_fail_fast(command, flags->files);
   run_when_chosen(command, job, [flags] {
     return motion_of_files(flags->files.paths, flags->choice, flags->files.analyse);

@@ -42,6 +42,7 @@ void add_sensitivity(CLI::App& command, Job& job) {
   add_curves(command, options->files.analyse.load);
   add_format(command, options->files);
   add_strict(command, options->files);
+  add_quiet(command, options->files);
   add_choice_options(command, options->choice);
   run_when_chosen(command, job, [options] {
     return sensitivity_files(options->files.paths, options->choice, options->files.analyse);

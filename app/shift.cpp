@@ -24,6 +24,7 @@ void add_shift(CLI::App& command, Job& job) {
   add_layout(command, flags->files);
   add_accuracy(command, flags->files.analyse.accuracy);
   add_strict(command, flags->files);
+  add_quiet(command, flags->files);
   add_flag(
       command,
       "--one-more",

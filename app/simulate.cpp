@@ -27,6 +27,7 @@ void add_simulate(CLI::App& command, Job& job) {
                "columns by their name, 'a.Rx'; may be repeated",
                "QUANTITY");
   add_strict(command, files);
+  add_quiet(command, files);
   run_when_chosen(command, job, [flags] {
     return simulate_files(flags->files.paths, flags->report, flags->files.analyse);
   });

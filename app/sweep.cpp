@@ -131,6 +131,12 @@ void check_together(CLI::App& command, SweepCommand& sweep) {
                        "an array begins with the number of its rows, and the words for its numbers "
                        "stand beside it: name the folder for both, as in --out results");
   }
+  if (is_given("--top") && is_given("--pareto")) {
+    throw ForeignOption(
+        "--top",
+        "--pareto",
+        "give --top for the best by one criterion, or --pareto for the front of several");
+  }
   if (is_given("--top") != is_given("--by")) {
     throw LonelyOption(is_given("--top") ? "--top" : "--by",
                        is_given("--top") ? "--by" : "--top",
@@ -142,12 +148,6 @@ void check_together(CLI::App& command, SweepCommand& sweep) {
                        is_given("--pareto")
                            ? "write for example --pareto 'efficiency, smallest ratio'"
                            : "write for example --top 20 --by ratio --order smallest");
-  }
-  if (is_given("--top") && is_given("--pareto")) {
-    throw WrongValue(
-        "--pareto",
-        command["--pareto"]->as<std::string>(),
-        "give --top for the best by one criterion, or --pareto for the front of several");
   }
   if (is_given("--top")) {
     sweep.options.best = sweep.top;

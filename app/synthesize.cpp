@@ -61,21 +61,16 @@ void add_digits(CLI::App& command, SynthesisOptions& options) {
 }
 
 void add_rank(CLI::App& command, TransmissionOptions& options) {
-  const auto choose = [&options](const std::string& word) {
-    const auto at = std::ranges::find(kTransmissionOrders, word);
-    if (at == kTransmissionOrders.end()) {
-      throw WrongValue("--by", word, std::vector<std::string>(kTransmissionOrders.begin(), at));
-    }
-    options.rank = static_cast<TransmissionRank>(at - kTransmissionOrders.begin());
-  };
-  with_value(
-      command,
-      command.add_option_function<std::string>("--by",
-                                               choose,
-                                               "efficiency, steps, torque or speed: what\n"
-                                               "transmissions are ranked by, instead of 'rank'\n"
-                                               "of the file"),
-      "WORD");
+  Choices<TransmissionRank> ranks;
+  for (std::size_t i = 0; i < kTransmissionOrders.size(); ++i) {
+    ranks.emplace_back(kTransmissionOrders[i], static_cast<TransmissionRank>(i));
+  }
+  add_choice<TransmissionRank>(command,
+                               "--by",
+                               ranks,
+                               options.rank,
+                               "what transmissions are ranked by, instead of\n"
+                               "'rank' of the file");
 }
 
 void add_stored_search(CLI::App& command, TransmissionOptions& options) {
@@ -155,6 +150,7 @@ void add_synthesize(CLI::App& command, Job& job) {
   add_rank(command, options->transmissions);
   add_stored_search(command, options->transmissions);
   add_strict(command, options->files);
+  add_quiet(command, options->files);
   command.callback([options, &command, &job] {
     check_together(command, *options);
     job = [options] {

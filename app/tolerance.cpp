@@ -59,6 +59,7 @@ void add_tolerance(CLI::App& command, Job& job) {
   add_files(command, options->files);
   add_format(command, options->files);
   add_strict(command, options->files);
+  add_quiet(command, options->files);
   add_choice_options(command, options->choice);
   run_when_chosen(command, job, [options] {
     return tolerance_of_files(options->files.paths, options->choice, options->files.analyse);

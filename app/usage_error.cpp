@@ -69,6 +69,9 @@ UsageMessage message_of(const CLI::ParseError& problem,
   if (const auto* lonely = dynamic_cast<const LonelyOption*>(&problem)) {
     return {problem.what(), lonely->hint()};
   }
+  if (const auto* foreign = dynamic_cast<const ForeignOption*>(&problem)) {
+    return {problem.what(), foreign->hint()};
+  }
   if (dynamic_cast<const MissingValue*>(&problem) != nullptr) {
     return missing_value(command, problem.what());
   }
@@ -103,6 +106,11 @@ WrongValue::WrongValue(const std::string& option, const std::string& value, std:
 
 LonelyOption::LonelyOption(const std::string& option, const std::string& needed, std::string hint)
     : CLI::ParseError("LonelyOption", option + " needs " + needed, CLI::ExitCodes::RequiresError),
+      hint_(std::move(hint)) {}
+
+ForeignOption::ForeignOption(const std::string& option, const std::string& other, std::string hint)
+    : CLI::ParseError(
+          "ForeignOption", option + " does not go with " + other, CLI::ExitCodes::ExcludesError),
       hint_(std::move(hint)) {}
 
 MissingValue::MissingValue(const std::string& option)

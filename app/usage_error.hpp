@@ -41,6 +41,17 @@ class LonelyOption : public CLI::ParseError {
   std::string hint_;
 };
 
+/// Two options of which each says that the other is not meant.
+class ForeignOption : public CLI::ParseError {
+ public:
+  ForeignOption(const std::string& option, const std::string& other, std::string hint);
+
+  const std::string& hint() const { return hint_; }
+
+ private:
+  std::string hint_;
+};
+
 /// The message and the status 2; texts of the parser itself are never shown. `words` are those that
 /// were parsed.
 Outcome usage_error(const CLI::ParseError& problem,

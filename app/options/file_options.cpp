@@ -138,6 +138,14 @@ void add_strict(CLI::App& command, FileOptions& options) {
       "exit with status 1 if there are warnings");
 }
 
+void add_quiet(CLI::App& command, FileOptions& options) {
+  add_flag(
+      command,
+      "-q,--quiet",
+      [&options] { options.analyse.is_quiet = true; },
+      "print no report on standard output");
+}
+
 void add_accuracy(CLI::App& command, AccuracyRequest& request) {
   using enum Accuracy;
   add_choice<Accuracy>(command,

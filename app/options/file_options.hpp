@@ -43,6 +43,9 @@ void add_fail_fast(CLI::App& command, FileOptions& options);
 /// Declares --strict.
 void add_strict(CLI::App& command, FileOptions& options);
 
+/// Declares --quiet.
+void add_quiet(CLI::App& command, FileOptions& options);
+
 /// Declares --accuracy and --digits, by which the user trades time for accuracy.
 void add_accuracy(CLI::App& command, AccuracyRequest& request);
 
@@ -94,11 +97,11 @@ std::vector<std::string> words_of(const Choices<Choice>& choices) {
 }
 
 /// Declares an option whose value is one of some words.
-template <class Choice>
+template <class Choice, class Chosen>
 void add_choice(CLI::App& command,
                 const std::string& name,
                 const Choices<Choice>& choices,
-                Choice& chosen,
+                Chosen& chosen,
                 const std::string& description) {
   const auto choose = [name, choices, &chosen](const std::string& word) {
     const auto at = std::ranges::find(choices, word, &Choices<Choice>::value_type::first);

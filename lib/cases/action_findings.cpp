@@ -245,20 +245,29 @@ void add_friction_at_rest(const JudgedFile& file, const CaseAnalysis& one, CaseF
         "write an expression that is not negative at any speed, for example with max(0 N*m, …)");
     return;
   }
-  found.error("E0604",
+  const std::string names = names_of(one.action->at_rest, file.mechanism.topology);
+  if (!has_motion) {
+    found.error("E0604",
+                one.which.where,
+                fmt::format("case '{}': the friction of {} has no direction, because the case "
+                            "gives no motion",
+                            one.which.label,
+                            names),
+                "add 'motion:' to the case; its direction decides, and its size where there is "
+                "viscous friction");
+    return;
+  }
+  found.error("E0606",
               one.which.where,
-              fmt::format("case '{}': the friction of {} has no direction, because {}",
+              fmt::format("case '{}': the friction of {} has no direction, because nothing moves "
+                          "there",
                           one.which.label,
-                          names_of(one.action->at_rest, file.mechanism.topology),
-                          has_motion ? "nothing moves there" : "the case gives no motion"),
-              has_motion
-                  ? is_of_cable(*one.action, file.mechanism)
-                        ? "friction at rest may have any size up to its limit: declare an actuator "
-                          "on this coupling, which then holds the cable, or let the cable slip"
-                        : "friction at rest may have any size up to its limit: remove it from this "
-                          "coupling, or give a motion in which it moves"
-                  : "add 'motion:' to the case; its direction decides, and its size where there is "
-                    "viscous friction");
+                          names),
+              is_of_cable(*one.action, file.mechanism)
+                  ? "friction at rest may have any size up to its limit: declare an actuator on "
+                    "this coupling, which then holds the cable, or let the cable slip"
+                  : "friction at rest may have any size up to its limit: draw a position, or "
+                    "give a motion, in which this coupling moves, or remove its friction");
 }
 
 // What has no value, neither from equilibrium nor from what completes it.

@@ -345,7 +345,7 @@ CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const CaseRe
                                                         .graph = *result.power_graph});
     }
   }
-  if (is_solved(result.motion) && !which.inputs.empty() && which.outputs.size() == 1) {
+  if (is_solved(result.motion) && has_ratio_ends(which)) {
     result.ratios = find_ratios(
         mechanism, which, *result.motion, has_answer(result.action) ? &*result.action : nullptr);
   }

@@ -170,7 +170,8 @@ GuideLayout lay_out_guides(const std::vector<ChartGuide>& guides, const ChartFra
   return layout;
 }
 
-// Lines first, so that no label has one across it.
+// Lines first, and paper behind labels that stand in several rows, so that no label has the line of
+// another across it.
 void draw_guides(const std::vector<ChartGuide>& guides,
                  const ChartFrame& frame,
                  const GuideLayout& layout,
@@ -186,6 +187,9 @@ void draw_guides(const std::vector<ChartGuide>& guides,
              {.stroke = Ink::ink, .width = 1.0, .dash = "4 3"});
   }
   for (std::size_t i = 0; i < guides.size(); ++i) {
+    if (layout.row_count > 1) {
+      svg.rectangle(text_box(place(i), guides[i].label, layout.styles[i]), {.fill = Ink::paper});
+    }
     svg.text(place(i), guides[i].label, layout.styles[i]);
   }
 }

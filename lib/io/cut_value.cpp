@@ -75,4 +75,26 @@ std::string whole_entry(const YamlEntry& before, const YamlEntry& rest) {
                 : std::string();
 }
 
+std::string listed_entry(std::span<const YamlEntry> entries, std::size_t index) {
+  const auto is_number = [](std::string_view text) {
+    return !text.empty() && text.find_first_of("0123456789") <= 1 &&
+           std::string_view("0123456789+-.").find(text.front()) != std::string_view::npos;
+  };
+  const auto is_component = [&](const YamlEntry& entry) {
+    return entry.value.kind == YamlKind::null && is_number(entry.key);
+  };
+  std::size_t first = index;
+  while (first > 0 && is_component(entries[first])) {
+    --first;
+  }
+  if (first == index || !is_piece(entries[first].value) || !is_number(entries[first].value.text)) {
+    return {};
+  }
+  std::string listed = entries[first].value.text;
+  for (std::size_t i = first + 1; i < entries.size() && is_component(entries[i]); ++i) {
+    listed += ", " + entries[i].key;
+  }
+  return fmt::format("{}: [{}]", entries[first].key, listed);
+}
+
 }  // namespace kinestat

@@ -1,6 +1,8 @@
 // Expressions that YAML has cut at a comma: max(1, 2) in a list without quotes.
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <string>
 
 #include "core/diagnostic.hpp"
@@ -15,5 +17,9 @@ bool report_cut_value(const YamlNode& list, Diagnostics& found);
 /// What to type if an entry of a mapping is the rest of the one before it: 'free: "max(1, 2)"' for
 /// the key '2)' of {free: max(1, 2)}; else empty.
 std::string whole_entry(const YamlEntry& before, const YamlEntry& rest);
+
+/// "at: [0, 40]" of {at: 0, 40}, whose entry at `index` is a number for a key: components without
+/// their brackets. Empty if it is none.
+std::string listed_entry(std::span<const YamlEntry> entries, std::size_t index);
 
 }  // namespace kinestat

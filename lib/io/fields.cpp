@@ -71,6 +71,7 @@ void Fields::refuse(std::size_t index) {
   const YamlEntry& entry = node_->entries[index];
   const std::string whole =
       index == 0 ? std::string() : whole_entry(node_->entries[index - 1], entry);
+  const std::string listed = listed_entry(node_->entries, index);
   std::vector<std::string> missing;
   for (const Missing& one : missing_) {
     missing.push_back(one.key);
@@ -95,9 +96,10 @@ void Fields::refuse(std::size_t index) {
                            entry.key,
                            foreign.empty() ? "" : ": it holds ",
                            foreign),
-               !whole.empty()  ? fmt::format("put the value in quotes: {}", whole)
-               : guess.empty() ? others
-                               : fmt::format("did you mean '{}'? {}", guess, others));
+               !whole.empty()    ? fmt::format("put the value in quotes: {}", whole)
+               : !listed.empty() ? fmt::format("components stand in brackets: {}", listed)
+               : guess.empty()   ? others
+                                 : fmt::format("did you mean '{}'? {}", guess, others));
 }
 
 }  // namespace kinestat

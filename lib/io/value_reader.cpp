@@ -159,12 +159,12 @@ std::optional<std::vector<Value>> read_components(const YamlNode& node,
 }  // namespace
 
 std::string with_commas(const YamlNode& node) {
-  if (node.kind != YamlKind::scalar || node.text.find(' ') == std::string::npos) {
+  if (node.kind != YamlKind::scalar || node.text.find_first_of(" ;") == std::string::npos) {
     return {};
   }
   std::string listed;
   for (const char c : node.text) {
-    listed += c == ' ' ? (listed.ends_with(", ") ? "" : ", ") : std::string(1, c);
+    listed += c == ' ' || c == ';' ? (listed.ends_with(", ") ? "" : ", ") : std::string(1, c);
   }
   return listed;
 }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -90,19 +91,26 @@ bool is_solved(const CaseAnalysis& one) {
          (!one.action || one.action->status == SolveStatus::solved);
 }
 
+std::string in_words(std::string_view word) {
+  std::string text(word);
+  std::ranges::replace(text, '_', ' ');
+  return text;
+}
+
 // "M3 (actions indeterminate)"
 std::string open_text(const CaseAnalysis& one) {
   std::vector<std::string> parts;
   if (one.motion && one.motion->status != SolveStatus::solved) {
-    parts.push_back(fmt::format("motions {}", word_of(one.motion->status)));
+    parts.push_back(fmt::format("motions {}", in_words(word_of(one.motion->status))));
   }
   if (one.action && one.action->status != SolveStatus::solved) {
-    parts.push_back(fmt::format("actions {}", word_of(one.action->status)));
+    parts.push_back(fmt::format("actions {}", in_words(word_of(one.action->status))));
   }
   return fmt::format("{} ({})", printable(one.which.label), fmt::join(parts, ", "));
 }
 
-void add_cases(const std::vector<CaseAnalysis>& cases, Sentences& sentences) {
+// A motion has positions of its own, so that it may be solved where the drawn one is not.
+void add_cases(const std::vector<CaseAnalysis>& cases, bool moves, Sentences& sentences) {
   if (cases.empty()) {
     return;
   }
@@ -118,7 +126,7 @@ void add_cases(const std::vector<CaseAnalysis>& cases, Sentences& sentences) {
   sentences.push_back(
       open.empty() ? fmt::format("{} solved.", counted(count, "case is", "cases are"))
       : solved == 0
-          ? fmt::format("No case is solved: {}.", list)
+          ? fmt::format("{} case is solved: {}.", moves ? "In the drawn position no" : "No", list)
           : fmt::format(
                 "Of {} cases {} solved; not so: {}.", count, counted(solved, "is", "are"), list));
 }
@@ -234,7 +242,7 @@ std::vector<std::string> result_sentences(const FilePage& page) {
     sentences.push_back(transmission_sentence(*page.transmissions));
   }
   if (page.analysis) {
-    add_cases(page.analysis->cases, sentences);
+    add_cases(page.analysis->cases, page.motion.has_value(), sentences);
   }
   return sentences;
 }

@@ -2,16 +2,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "core/contract.hpp"
+#include "core/text.hpp"
 #include "core/tolerance.hpp"
+#include "core/utf8.hpp"
 #include "power/internal/bounded_magnitude.hpp"
 #include "power/rate_ratio.hpp"
 
 namespace kinestat {
 
 namespace {
+
+// Loads that follow curves come behind the others.
+const std::string& name_of_load(const Case& which, std::size_t index) {
+  return index < which.loads.size() ? which.loads[index].name
+                                    : which.moving_loads[index - which.loads.size()].name;
+}
 
 std::vector<double> input_rates(const Mechanism& mechanism,
                                 const Case& which,
@@ -71,11 +82,50 @@ std::optional<double> share_of(std::optional<double> above, std::optional<double
   return above && below && *below != 0.0 ? std::optional(*above / *below) : std::nullopt;
 }
 
+bool has_ratio_ends(const Case& which) {
+  return !which.inputs.empty() && which.outputs.size() == 1;
+}
+
+MissingEnds missing_ratio_ends(const Mechanism& mechanism, const Case& which) {
+  KINESTAT_EXPECTS(!has_ratio_ends(which));
+  const bool has_input = !which.inputs.empty();
+  if (which.outputs.size() > 1) {
+    std::vector<std::string> names;
+    for (const int i : which.outputs) {
+      names.push_back(mechanism.topology.actuators[static_cast<std::size_t>(i)].name);
+    }
+    return {.what = fmt::format("has several outputs, {}", plain_list(names)),
+            .hint = fmt::format("name one of them, output: {}", names.front())};
+  }
+  for (const bool is_input : {true, false}) {
+    const std::vector<std::size_t>& loads = is_input ? which.input_loads : which.output_loads;
+    if (!loads.empty() && (is_input ? which.inputs : which.outputs).empty()) {
+      const std::string& name = name_of_load(which, loads.front());
+      const std::string_view end = is_input ? "input" : "output";
+      return {
+          .what = fmt::format(
+              "has the load '{}' for its {}, which has no speed of its own", printable(name), end),
+          .hint = fmt::format("declare an actuator on the coupling that '{0}' moves, and let "
+                              "the case give its action, 0 beside the load, and name it: "
+                              "action: {{ACTUATOR: 0}}, {1}: [ACTUATOR, {0}]",
+                              printable(name),
+                              end)};
+    }
+  }
+  const bool has_output = !which.outputs.empty();
+  return {.what = has_input    ? "lacks 'output'"
+                  : has_output ? "lacks 'input'"
+                               : "lacks 'input' and 'output'",
+          .hint = has_input    ? "add output: NAME, an actuator of the case"
+                  : has_output ? "add input: NAME, an actuator of the case"
+                               : "add input: NAME and output: NAME, actuators of the case"};
+}
+
 Ratios find_ratios(const Mechanism& mechanism,
                    const Case& which,
                    const KinematicSolution& motion,
                    const StaticSolution* action) {
-  KINESTAT_EXPECTS(!which.inputs.empty() && which.outputs.size() == 1);
+  KINESTAT_EXPECTS(has_ratio_ends(which));
   KINESTAT_EXPECTS(motion.status == SolveStatus::solved);
   const auto& actuators = mechanism.topology.actuators;
   const ActuatorTopology& output = actuators[static_cast<std::size_t>(which.outputs.front())];

@@ -25,9 +25,22 @@ struct Ratios {
   std::optional<double> torque_ratio_bound;
 };
 
+/// Whether the case names what ratios are of: inputs and one output that are actuators.
+bool has_ratio_ends(const Case& which);
+
+/// Why a case has no ratio, "has the load 'rope' for its output, which has no speed", and what to
+/// type.
+struct MissingEnds {
+  std::string what;
+  std::string hint;
+};
+
+/// Of a case without `has_ratio_ends`.
+MissingEnds missing_ratio_ends(const Mechanism& mechanism, const Case& which);
+
 /// Ratios of the case (Cazangi 2008, eqs. 5.1 and 5.2). `action` may be null: no torque ratio then.
 /// Several inputs count as one if they have the same rate; their actions add up (both clutches of
-/// a direct gear). The case must name an input and one output, and `motion` must be solved.
+/// a direct gear). `has_ratio_ends` must hold, and `motion` must be solved.
 Ratios find_ratios(const Mechanism& mechanism,
                    const Case& which,
                    const KinematicSolution& motion,

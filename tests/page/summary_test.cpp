@@ -99,6 +99,13 @@ TEST(Summary, TellsWhichCasesAreOpen) {
   one.action.reset();
 
   EXPECT_TRUE(has(summary_sentences(page), "No case is solved: drawn (motions indeterminate)."));
+
+  one.motion->status = SolveStatus::solved;
+  one.action.emplace().status = SolveStatus::at_rest;
+  page.motion.emplace();
+
+  EXPECT_TRUE(has(summary_sentences(page),
+                  "In the drawn position no case is solved: drawn (actions at rest)."));
 }
 
 TEST(Summary, IsEmptyForAFileThatCannotBeRead) {

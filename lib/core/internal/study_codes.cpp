@@ -175,8 +175,9 @@ constexpr auto kStudyCodes = std::to_array<Code>({
      wrong_input,
      "friction has no direction",
      "Friction acts against the motion of its coupling, so the case must say how that moves: "
-     "give 'motion:'. Where the coupling rests, friction may have any size up to its limit, and "
-     "statics alone cannot tell: leave it out of such a coupling. See 'kinestat help friction'."},
+     "give 'motion:'. Its numbers must have a value there, too: 'tau' at each speed, the tables of "
+     "a "
+     "torque converter at its speed ratio. See 'kinestat help friction'."},
     {"E0605",
      no_answer,
      "friction leaves open how it is pressed",
@@ -185,6 +186,13 @@ constexpr auto kStudyCodes = std::to_array<Code>({
      "press holds them; but a bearing has as much friction pressed one way as the other, so that "
      "the sign of these actions does not follow. The message has the equilibria that were found. "
      "Give an action of the other member instead, or another position."},
+    {"E0606",
+     no_answer,
+     "friction at rest",
+     "A coupling with friction stands still in the case, as the ram of a press does at its dead "
+     "centre: friction may have any size up to its limit there, and statics alone cannot tell. "
+     "Actions in the positions around it are those of 'kinestat motion'. Draw another position, or "
+     "leave the friction out of a coupling that always rests. See 'kinestat help friction'."},
     {"E0701",
      no_answer,
      "power balance is violated",

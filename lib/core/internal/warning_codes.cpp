@@ -98,6 +98,14 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "accelerations change nothing",
      "A case has the key 'acceleration', so that the forces of inertia act, but no body has a mass "
      "or an inertia. Give bodies 'mass', 'centre_of_mass' and 'inertia', or remove the key."},
+    {"W0313",
+     done,
+     "damping counts by the unit of speed",
+     "A damping is a couple by an angular velocity, or a force by a velocity, and a bare number "
+     "counts in these units of the file: with 'units: {angular_velocity: rpm}' in N*m/rpm, which "
+     "is "
+     "9.55 N*m*s/rad, with 'units: {length: mm}' in N/(mm/s), a thousand N*s/m. Write the unit; "
+     "with it, any value is taken without a word."},
     {"W0501",
      done,
      "rounding decides on a rank",
@@ -187,6 +195,13 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "infinite acceleration and an infinite force there. The rows at both ends have the values of "
      "the steady motion between them. The laws polynomial_345 and cycloidal begin and end at rest "
      "and without a jump of the acceleration; 'kinestat help motion' lists all."},
+    {"W0513",
+     done,
+     "a simulation ends before its goal",
+     "'until' says where a simulation ends; it came to the end of 'time' without that. The message "
+     "has the row that came nearest. Where the value still grows there, give more 'time'; where it "
+     "has been higher before, or settles, what drives is too weak, or the goal is another than "
+     "meant: a speed in the unit of the file, a position counted from the drawn one."},
     {"W0601",
      done,
      "actions are statically indeterminate",

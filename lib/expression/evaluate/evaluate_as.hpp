@@ -125,6 +125,7 @@ std::variant<Number, ExpressionError> evaluate_as(
   auto fitted = fit<Number>(std::get<BasicQuantity<Number>>(value), kind, units);
   if (auto* error = std::get_if<ExpressionError>(&fitted)) {
     error->length = static_cast<int>(expression.text().size());
+    hint_at_units(expression, kind, *error);
     hint_at_grouping<Number>(expression, lookup, *error, [&](const BasicQuantity<Number>& better) {
       return std::holds_alternative<Number>(fit<Number>(better, kind, units));
     });

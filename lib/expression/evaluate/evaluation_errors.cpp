@@ -1,5 +1,7 @@
 #include "expression/evaluate/evaluation_errors.hpp"
 
+#include <algorithm>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -9,6 +11,41 @@
 #include "expression/parse/suggestion.hpp"
 
 namespace kinestat {
+
+namespace {
+
+constexpr std::string_view kOr = " or ";  // between the examples of a kind
+
+// "-500" of -500 Nm; empty of what is more than one number with units.
+std::string number_with_units(const Expression& expression) {
+  std::string number;
+  bool has_unit = false;
+  bool is_negative = false;
+  for (const Node& node : expression.nodes()) {
+    switch (node.kind) {
+      case NodeKind::number:
+        if (!number.empty()) {
+          return {};
+        }
+        number = expression.text_of(node);
+        break;
+      case NodeKind::unit:
+        has_unit = true;
+        break;
+      case NodeKind::negate:
+        is_negative = !is_negative;
+        break;
+      case NodeKind::multiply:
+      case NodeKind::divide:
+        break;
+      default:
+        return {};
+    }
+  }
+  return has_unit && !number.empty() ? (is_negative ? "-" : "") + number : std::string();
+}
+
+}  // namespace
 
 Fault unknown_name(std::string_view name) {
   const std::string word = in_small_letters(name);
@@ -43,6 +80,28 @@ ExpressionError misfit(const Dimension& dimension, QuantityKind kind) {
           .message =
               fmt::format("{} stands where {} is expected", phrase_of(dimension), phrase_of(kind)),
           .hint = fmt::format("write {}", example_of(kind))};
+}
+
+void hint_at_units(const Expression& expression, QuantityKind kind, ExpressionError& error) {
+  const std::string number = number_with_units(expression);
+  std::string_view example = example_of(kind);
+  if (error.code != "E0309" || number.empty()) {
+    return;
+  }
+  std::string hint = "write";
+  while (!example.empty()) {
+    const std::string_view one = example.substr(0, example.find(kOr));
+    example.remove_prefix(std::min(example.size(), one.size() + kOr.size()));
+    const std::size_t space = one.find(' ');
+    if (!is_digit(one.front()) || space == std::string_view::npos) {
+      return;  // no example of a number with a unit
+    }
+    hint += fmt::format("{}{}{}",
+                        hint.size() > std::string_view("write").size() ? kOr : " ",
+                        number,
+                        one.substr(space));
+  }
+  error.hint = std::move(hint);
 }
 
 ExpressionError too_large() {

@@ -21,6 +21,10 @@ ExpressionError located(const Expression& expression,
 /// A dimension where another one is expected.
 ExpressionError misfit(const Dimension& dimension, QuantityKind kind);
 
+/// Where the expression of a misfit is a number with a wrong unit, the hint has that number with
+/// the units of the kind's example.
+void hint_at_units(const Expression& expression, QuantityKind kind, ExpressionError& error);
+
 /// A value that a unit of the file makes infinite.
 ExpressionError too_large();
 

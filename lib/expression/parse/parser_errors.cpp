@@ -180,6 +180,18 @@ int Parser::fail_leftover() {
 // For two values side by side, of which the second is at the token.
 std::string Parser::product_hint() const {
   const Token& before = tokens_[at_ - 1];
+  if (before.kind == TokenKind::number && text_of(token()) == "1" &&
+      is_symbol(tokens_[at_ + 1], "/")) {
+    const std::string_view name = text_of(tokens_[at_ + 2]);
+    const Unit* const unit = find_unit(name);
+    if (unit != nullptr && unit->dimension == dimension_of(QuantityKind::time)) {
+      const std::string turns = name == "min" ? "rpm" : fmt::format("rev/{}", name);
+      return fmt::format("write {0} {1} for a speed of turns, {0}*1/{2} for a product",
+                         text_of(before),
+                         turns,
+                         name);
+    }
+  }
   return before.kind == TokenKind::symbol
              ? fmt::format("write * before '{}' for a product", text_of(token()))
              : fmt::format("write {}*{} for a product", text_of(before), factor());

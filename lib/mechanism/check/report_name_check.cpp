@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/text.hpp"
+#include "mechanism/cases/load.hpp"
 #include "mechanism/motion_column_names.hpp"
 #include "mechanism/motion_figure.hpp"
 #include "mechanism/motion_plan.hpp"
@@ -16,12 +17,27 @@ namespace {
 
 constexpr std::string_view kMotionSection = "motion";
 
-// What has columns in a motion under its own name: its bodies and traced points, and the whole.
+// What has columns in a motion under its own name: its bodies, loads and traced points, and the
+// whole.
 std::vector<std::string> elements_of_motion(const SectionContext& context) {
   const auto bodies = context.names.bodies.names();
   std::vector<std::string> all(bodies.begin(), bodies.end());
   all.insert(all.end(), {std::string(kTimeColumn), std::string(kClosureErrorColumn)});
   all.insert(all.end(), kColumnsOfDynamics.begin(), kColumnsOfDynamics.end());
+  const auto add_loads = [&all](const std::vector<LoadDescription>& loads) {
+    for (const LoadDescription& load : loads) {
+      all.push_back(load.name.text);
+    }
+  };
+  add_loads(context.description.loads);
+  for (const CaseDescription& one : context.description.cases) {
+    add_loads(one.loads);
+  }
+  for (const BodyDescription& body : context.description.bodies) {
+    if (body.mass && context.description.gravity) {
+      all.push_back(std::string(kWeightPrefix) + body.name.text);
+    }
+  }
   const std::vector<TracePoint>& trace = context.description.motion->trace;
   for (std::size_t i = 0; i < trace.size(); ++i) {
     all.push_back(name_of_trace(trace, i));

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/text.hpp"
+#include "mechanism/bind/bare_damping.hpp"
 #include "mechanism/curves/moving_number_binder.hpp"
 
 namespace kinestat {
@@ -93,9 +94,8 @@ class SpringBinder {
     const QuantityKind rate = turns ? QuantityKind::angular_velocity : QuantityKind::velocity;
     Dimension dimension = value->dimension;
     dimension.angle = 0;
-    const double si = is_bare(value->dimension)
-                          ? value->value * units.factor(action) / units.factor(rate)
-                          : value->value;
+    const double si =
+        is_bare(value->dimension) ? value->value * bare_damping_unit(units, turns) : value->value;
     if (!is_bare(value->dimension) && dimension != (turns ? kCouplePerSpeed : kForcePerVelocity)) {
       context_.found.error(
           "E0309",
@@ -111,6 +111,9 @@ class SpringBinder {
                            spring_.damping->where,
                            fmt::format("{} is negative", title("damping")),
                            "write a number of at least 0");
+    } else {
+      warn_of_bare_damping(
+          *spring_.damping, title("damping"), turns, units, context_.evaluator, context_.found);
     }
     return si;
   }

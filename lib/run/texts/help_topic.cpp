@@ -1,6 +1,7 @@
 #include "run/texts/help_topic.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 #include <fmt/format.h>
 
@@ -111,7 +112,86 @@ std::string page_of_kind(const CouplingKind* kind) {
   return coupling_page(*kind, example != nullptr ? example->text : std::string_view());
 }
 
-// Of what is no topic: a type of coupling, a key, what a type is called elsewhere, or a code.
+bool is_of_term(std::string_view word, std::string_view terms) {
+  while (!terms.empty()) {
+    const std::string_view one = terms.substr(0, terms.find(", "));
+    if (one == word) {
+      return true;
+    }
+    terms.remove_prefix(std::min(terms.size(), one.size() + 2));
+  }
+  return false;
+}
+
+// The lines of the glossary on a term: two spaces, the term or several with commas, more spaces,
+// and what it means, in lines that are indented further. Empty of what is none.
+std::string glossary_lines(const std::string& word) {
+  constexpr std::string_view kIndent = "  ";
+  const EmbeddedText* const page = find_text(embedded_topics(), "glossary");
+  KINESTAT_EXPECTS(page != nullptr);
+  std::string term = word;
+  std::ranges::replace(term, '_', ' ');
+  std::string lines;
+  for (std::string_view rest = page->text; !rest.empty();) {
+    const std::string_view line = rest.substr(0, rest.find('\n'));
+    rest.remove_prefix(std::min(rest.size(), line.size() + 1));
+    const std::size_t begin = line.find_first_not_of(' ');
+    if (begin == kIndent.size()) {
+      if (!lines.empty()) {
+        break;
+      }
+      const std::string_view from_term = line.substr(begin);
+      lines = is_of_term(term, from_term.substr(0, from_term.find(kIndent)))
+                  ? fmt::format("{}\n", line)
+                  : "";
+    } else if (begin > kIndent.size() && begin != line.npos && !lines.empty()) {
+      lines += fmt::format("{}\n", line);
+    } else if (!lines.empty()) {
+      break;
+    }
+  }
+  return lines;
+}
+
+bool has_word(std::string_view text, std::string_view word) {
+  const auto is_letter = [&](std::size_t at) {
+    return at < text.size() && (std::isalnum(static_cast<unsigned char>(text[at])) != 0);
+  };
+  for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1)) {
+    if ((at == 0 || !is_letter(at - 1)) && !is_letter(at + word.size())) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Topics in which the word stands, but for the glossary, which has lines on all of them.
+std::vector<std::string> topics_with(const std::string& word) {
+  std::string plain = word;
+  std::ranges::replace(plain, '_', ' ');
+  std::vector<std::string> topics;
+  for (const EmbeddedText& page : embedded_topics()) {
+    if (page.name != "glossary" && has_word(page.text, plain)) {
+      topics.emplace_back(page.name);
+    }
+  }
+  return topics;
+}
+
+std::string glossary_page(const std::string& word) {
+  std::string text = glossary_lines(word);
+  if (!text.empty()) {
+    const std::vector<std::string> topics = topics_with(word);
+    text += topics.empty()
+                ? "\n'kinestat help glossary' has the other terms.\n"
+                : page_lines(
+                      "\nMore with 'kinestat help TOPIC': ", plain_list(topics, topics.size()), 2);
+  }
+  return text;
+}
+
+// Of what is no topic: a type of coupling, a key, what a type is called elsewhere, a term of the
+// glossary, or a code.
 Outcome word_page(const std::string& word) {
   const auto is_it = [&](const CouplingKind& kind) { return kind.word == word; };
   const auto is_also_it = [&](const CouplingKind& kind) {
@@ -124,6 +204,9 @@ Outcome word_page(const std::string& word) {
   }
   if (outcome.out.empty()) {
     outcome.out = page_of_kind(find_kind(is_also_it));
+  }
+  if (outcome.out.empty()) {
+    outcome.out = glossary_page(word);
   }
   return outcome.out.empty() && is_code(word) ? explain(word) : outcome;
 }
@@ -174,12 +257,18 @@ Outcome help_topic(const std::string& word, std::span<const std::string> command
   if (Outcome page = word_page(word); !page.out.empty() || !page.err.plain().empty()) {
     return page;
   }
+  const std::vector<std::string> topics = topics_with(word);
+  const std::vector<std::string> all = help_topics();
   const std::string guess = did_you_mean_word(word, all_words(commands));
+  const std::string rest =
+      topics.empty()
+          ? fmt::format("topics are {}", plain_list(all, all.size()))
+          : fmt::format("topics in which it stands are {}", plain_list(topics, topics.size()));
   add_message("E0101",
               fmt::format("there is no help on '{}'", printable(word)),
-              guess.empty()
-                  ? fmt::format("topics are {}", plain_list(help_topics(), help_topics().size()))
-                  : guess,
+              guess.empty()    ? rest
+              : topics.empty() ? guess
+                               : fmt::format("{} {}", guess, rest),
               outcome);
   return outcome;
 }

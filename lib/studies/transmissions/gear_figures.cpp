@@ -1,5 +1,6 @@
 #include "studies/transmissions/gear_figures.hpp"
 
+#include <algorithm>
 #include <cstddef>
 
 #include "core/tolerance.hpp"
@@ -96,7 +97,8 @@ GearFigures find_gear_figures(const TransmissionTrain& transmission, std::uint8_
   GearFigures figures;
   const std::vector<BoundedNumber> motion = motion_of(transmission, minors, joined);
   const double input = motion[kInput].value;
-  figures.ratio = input / motion[kOutput].value;
+  const bool is_direct = slip(motion, {kInput, kOutput}).zeroed() == 0.0;
+  figures.ratio = is_direct ? 1.0 : input / motion[kOutput].value;
   for (const BoundedNumber& speed : motion) {
     figures.speeds.push_back(quotient(speed, input));
   }
@@ -160,7 +162,7 @@ std::vector<GearLosses> find_gear_losses(const GenericTrain& train,
     }
     const double with_losses =
         corners[i * table.blocks() + corner / kRatioLanes].at[corner % kRatioLanes];
-    losses[i].efficiency = with_losses / (input[0] / output[0]);
+    losses[i].efficiency = std::min(1.0, with_losses / (input[0] / output[0]));
   }
   return losses;
 }

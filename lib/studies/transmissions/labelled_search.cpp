@@ -287,9 +287,10 @@ bool LabelledSearch::try_ratios(const StationaryPoint& point, std::span<const do
 bool LabelledSearch::try_ladder(const StationaryPoint& point,
                                 std::span<const double> ratios,
                                 const Ladder& ladder) {
-  const std::optional<double> least = task_.limits.efficiency;
-  if (least && std::ranges::any_of(ladder, [&](std::uint8_t gear) {
-        return losses_[gear].efficiency < *least * (1.0 - kRangeSlack);
+  // A gear that its losses lock is none.
+  const double least = task_.limits.efficiency.value_or(0.0) * (1.0 - kRangeSlack);
+  if (std::ranges::any_of(ladder, [&](std::uint8_t gear) {
+        return losses_[gear].efficiency <= 0.0 || losses_[gear].efficiency < least;
       })) {
     return false;
   }
@@ -330,14 +331,13 @@ double LabelledSearch::mean_loss(const Ladder& ladder) const {
   return sum / static_cast<double>(forward_gears());
 }
 
-double LabelledSearch::planet_speed(const StationaryPoint& point, const GearFigures& gear) const {
-  double largest = 0.0;
+std::vector<double> LabelledSearch::planet_turns(const StationaryPoint& point) const {
+  std::vector<double> turns;
   for (int s = 0; s < task_.sets(); ++s) {
-    const auto set = static_cast<std::size_t>(s);
-    const double planet = sun_by_planet(choice_.kind_of(s), point[set], task_.teeth);
-    largest = std::max(largest, std::abs(gear.rolling[set] * planet));
+    turns.push_back(
+        sun_by_planet(choice_.kind_of(s), point[static_cast<std::size_t>(s)], task_.teeth));
   }
-  return largest;
+  return turns;
 }
 
 // The placement that keeps the limits and of which the elements bear least; false if none keeps
@@ -347,6 +347,8 @@ bool LabelledSearch::choose_placement(FoundTransmission& candidate) const {
     return limit && value > *limit * (1.0 + kRangeSlack);
   };
   const TransmissionLimits& limits = task_.limits;
+  const std::vector<double> turns =
+      limits.planet_speed ? planet_turns(candidate.stationary_ratios) : std::vector<double>();
   double least = std::numeric_limits<double>::infinity();
   for (const ElementPlacement& placement : *placements_) {
     double torque = 0.0;
@@ -362,8 +364,8 @@ bool LabelledSearch::choose_placement(FoundTransmission& candidate) const {
       torque = std::max(torque, largest_size(figures.torques));
       slip = std::max(slip, largest_size(figures.slips));
       speed = std::max(speed, largest_size(figures.speeds));
-      if (limits.planet_speed) {
-        planets = std::max(planets, planet_speed(candidate.stationary_ratios, figures));
+      for (std::size_t set = 0; set < turns.size(); ++set) {
+        planets = std::max(planets, std::abs(figures.rolling[set] * turns[set]));
       }
     }
     if (torque < least && !exceeds(torque, limits.element_torque) &&

@@ -57,7 +57,7 @@ class LabelledSearch {
 
   std::size_t forward_gears() const { return static_cast<std::size_t>(task_.ladder.forward); }
 
-  double planet_speed(const StationaryPoint& point, const GearFigures& gear) const;
+  std::vector<double> planet_turns(const StationaryPoint& point) const;
   StationaryPoint neighbour(StationaryPoint point, std::size_t set, double step) const;
   void find_placements();
   void find_losses(const StationaryPoint& point);

@@ -92,6 +92,23 @@ TEST(Chart, WritesLabelsOfMarksAndGuides) {
   EXPECT_TRUE(has(picture, ">dead point<"));
 }
 
+// A guide whose label stands in the second row runs through the first.
+TEST(Chart, LaysPaperBetweenALabelAndTheGuideOfAnother) {
+  const auto papers = [](std::vector<ChartGuide> guides) {
+    Chart chart = line_chart();
+    chart.guides = std::move(guides);
+    const std::string text = draw_figure(figure_of(chart)).elements;
+    std::size_t count = 0;
+    for (std::size_t at = text.find("<rect"); at != text.npos; at = text.find("<rect", at + 1)) {
+      ++count;
+    }
+    return count;
+  };
+  const std::size_t none = papers({{.x = 45.0, .label = "one"}});
+
+  EXPECT_EQ(papers({{.x = 45.0, .label = "one"}, {.x = 46.0, .label = "two"}}), none + 2);
+}
+
 TEST(Chart, LeavesOutGuidesBesideTheAxis) {
   Chart chart = line_chart();
   chart.guides = {{.x = 500.0, .label = "far off"}};

@@ -86,6 +86,29 @@ INSTANTIATE_TEST_SUITE_P(
             .file = "tests/cli/motion_in_time/file.yaml",
             .words = {"position", "velocity", "acceleration", "action", "power", "dynamics"}}));
 
+TEST(MotionGuides, HaveOneLabelAPlaceInTheOrderOfNames) {
+  MotionTable table;
+  table.columns = {{.element = "motor", .quantity = "drive", .unit = "deg"},
+                   {.element = "d", .quantity = "velocity", .unit = "rad/s"}};
+  for (int step = 0; step < 3; ++step) {
+    table.rows.push_back({.step = step, .values = {90.0 * step, 1.0 * step}, .status = {}});
+  }
+  const auto event = [](const char* kind, const char* element, double place) {
+    return MotionEvent{.kind = kind, .element = element, .drive = {place}, .places = {}};
+  };
+  table.events = {event("dead_point", "G", 60.0),
+                  event("dead_point", "D", 60.0 + 1e-9),
+                  event("dead_point", "D", 120.0 - 1e-9),
+                  event("dead_point", "G", 120.0),
+                  event("limit", "motor", 120.0)};
+
+  const std::vector<ChartGuide> guides = motion_figure(table, "").charts.at(0).guides;
+
+  ASSERT_EQ(guides.size(), 2U);
+  EXPECT_EQ(guides[0].label, "dead point of D, G at 60°");
+  EXPECT_EQ(guides[1].label, "dead point of D, G, limit of motor at 120°");
+}
+
 TEST(MotionColumnNames, StandForAllThatBeginsWithThem) {
   const MotionTable table =
       *motion_with("mechanisms/planar/slider_crank.yaml", {"rod/linear", "Tin.velocity", "rod/y"});

@@ -11,6 +11,7 @@
 #include "core/tolerance.hpp"
 #include "couplings/kinds.hpp"
 #include "math/numbers/dual.hpp"
+#include "mechanism/bind/bare_damping.hpp"
 
 namespace kinestat {
 
@@ -94,7 +95,7 @@ class FrictionReader {
     const QuantityKind rate = slides ? QuantityKind::velocity : QuantityKind::angular_velocity;
     Scalar number = quantity->value;
     if (is_bare(quantity->dimension)) {
-      number = number * Scalar(units_.factor(action) / units_.factor(rate));
+      number = number * Scalar(bare_damping_unit(units_, !slides));
     } else if (quantity->dimension != dimension_of(action) / dimension_of(rate)) {
       found_.error("E0309",
                    value->where,
@@ -293,6 +294,14 @@ std::optional<CouplingFriction> bind_friction(const CouplingDescription& couplin
   const CouplingFriction result = read_friction(coupling, id, units, evaluator, found);
   if (found.error_count() == errors_before) {
     FrictionCheck(coupling, screws, found).check(result);
+    if (const std::optional<Value>& c = coupling.friction->c) {
+      warn_of_bare_damping(*c,
+                           fmt::format("'c' of the friction of {}", title_of(coupling)),
+                           kind_of(coupling.type).friction != FrictionKind::guide,
+                           units,
+                           evaluator,
+                           found);
+    }
   }
   return has_friction_law(coupling) && found.error_count() == errors_before ? std::optional(result)
                                                                             : std::nullopt;

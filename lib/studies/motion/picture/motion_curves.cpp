@@ -3,19 +3,24 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
+#include <set>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "core/text.hpp"
 #include "core/tolerance.hpp"
 
 namespace kinestat {
 
 namespace {
 
-constexpr std::size_t kMostSeries = 6;  // of one chart; more go into the next
-constexpr std::size_t kMostMarked = 2;  // series of a chart whose extremes are marked
+constexpr std::size_t kMostSeries = 6;    // of one chart; more go into the next
+constexpr std::size_t kMostMarked = 2;    // series of a chart whose extremes are marked
+constexpr std::size_t kMostOfAGuide = 4;  // freedoms that its label names
 constexpr const char* kPlace = "at/";
 
 std::vector<double> values_of(const MotionTable& motion, std::size_t column) {
@@ -52,22 +57,44 @@ std::string words_of(std::string quantity) {
   return quantity;
 }
 
-std::string words_of_event(const MotionEvent& event, const std::string& unit) {
-  const std::string where =
-      event.drive.empty() ? "" : label_number(event.drive.front(), 5) + (unit == "deg" ? "°" : "");
-  return fmt::format("{}{}{}",
-                     words_of(event.kind),
-                     event.element.empty() ? "" : " of " + event.element,
-                     where.empty() ? "" : " at " + where);
+// "90°", as the label of an event says where it is.
+std::string place_of_event(const MotionEvent& event, const std::string& unit) {
+  return label_number(event.drive.front(), 5) + (unit == "deg" ? "°" : "");
 }
 
+// Events of one place share a guide: "dead point of D, G at 90°". The order is that of the names,
+// for rounding decides which of them was found first.
 std::vector<ChartGuide> guides_of(const MotionTable& motion) {
-  std::vector<ChartGuide> guides;
+  struct Place {
+    double x = 0.0;
+    std::map<std::string, std::set<std::string>> elements;  // by kinds of events
+  };
+
+  std::vector<std::string> order;
+  std::map<std::string, Place> places;
   for (const MotionEvent& event : motion.events) {
-    if (!event.drive.empty() && std::isfinite(event.drive.front())) {
-      guides.push_back(
-          {.x = event.drive.front(), .label = words_of_event(event, motion.columns.front().unit)});
+    if (event.drive.empty() || !std::isfinite(event.drive.front())) {
+      continue;
     }
+    const std::string where = place_of_event(event, motion.columns.front().unit);
+    const auto [at, is_new] =
+        places.try_emplace(where, Place{.x = event.drive.front(), .elements = {}});
+    if (is_new) {
+      order.push_back(where);
+    }
+    at->second.elements[words_of(event.kind)].insert(event.element);
+  }
+  std::vector<ChartGuide> guides;
+  for (const std::string& where : order) {
+    const Place& place = places.at(where);
+    std::string label;
+    for (const auto& [kind, elements] : place.elements) {
+      std::vector<std::string> named(elements.begin(), elements.end());
+      std::erase(named, "");
+      label += (label.empty() ? "" : ", ") + kind + (named.empty() ? "" : " of ") +
+               plain_list(named, kMostOfAGuide);
+    }
+    guides.push_back({.x = place.x, .label = fmt::format("{} at {}", label, where)});
   }
   return guides;
 }

@@ -60,6 +60,9 @@ class ColumnChoice {
 
   bool run() {
     const std::vector<Name> names = std::exchange(plan_.report.columns, {});
+    if (!check_report(plan_, mechanism_, found_)) {
+      return false;  // columns of the words can be made only where the case has what they need
+    }
     ChosenColumns chosen;
     for (const MotionReading& one : motion_readings(description_, mechanism_, plan_, first_)) {
       chosen.usual.push_back(one.column.name());

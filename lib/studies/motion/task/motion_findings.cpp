@@ -13,6 +13,7 @@
 #include "core/text.hpp"
 #include "core/utf8.hpp"
 #include "expression/file_units.hpp"
+#include "power/ratio.hpp"
 #include "report/number_format.hpp"
 
 namespace kinestat {
@@ -405,32 +406,32 @@ bool check_report(const MotionPlan& plan,
     return false;
   }
   const Case& which = mechanism.cases[static_cast<std::size_t>(plan.which)];
-  const auto refuse = [&](std::string_view what, std::string_view key, std::string hint) {
+  const auto refuse = [&](std::string_view what, std::string_view why, std::string hint) {
     found.error(
         "E0303",
         which.where,
-        fmt::format(
-            "'motion' asks for {}, and case '{}' lacks {}", what, printable(which.label), key),
+        fmt::format("'motion' asks for {}, and case '{}' {}", what, printable(which.label), why),
         std::move(hint));
     return false;
   };
-  if (needs_ends && (which.inputs.empty() || which.outputs.size() != 1)) {
-    return refuse("what passes from input to output",
-                  "'input' or 'output'",
-                  "add input: NAME and output: NAME, actuators of the case");
+  if (needs_ends && !has_ratio_ends(which)) {
+    MissingEnds missing = missing_ratio_ends(mechanism, which);
+    return refuse("what passes from input to output", missing.what, std::move(missing.hint));
   }
   if ((report.velocity || report.acceleration) && which.motions.empty() && !plan.schedule) {
-    return refuse("velocities", "'motion'", "add motion: {DRIVE: SPEED}, the speed of the drive");
+    return refuse(
+        "velocities", "lacks 'motion'", "add motion: {DRIVE: SPEED}, the speed of the drive");
   }
   if (report.dynamics && !which.has_inertia()) {
     return refuse(
         "the effects of inertia",
-        "'acceleration'",
+        "lacks 'acceleration'",
         "add acceleration: {}, or acceleration: {DRIVE: NUMBER} of a drive that speeds up; or "
         "report something else, --report position");
   }
   if (needs_action && !which.asks_actions) {
-    return refuse("actions", "'action'", "add action: {NAME: VALUE}, what is known of the actions");
+    return refuse(
+        "actions", "lacks 'action'", "add action: {NAME: VALUE}, what is known of the actions");
   }
   return true;
 }

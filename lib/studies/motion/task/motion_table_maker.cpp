@@ -218,7 +218,7 @@ class TableMaker {
     for (std::size_t r = 0; r < said_.size(); ++r) {
       CaseFindings kept;
       for (const CaseFinding& one : said_[r].items()) {
-        if (table_.rows[r].status != kDeadPointEvent || one.code != "E0604") {
+        if (table_.rows[r].status != kDeadPointEvent || one.code != "E0606") {
           kept.add(one);
         }
       }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/contract.hpp"
 #include "expression/unit_quotient.hpp"
 
 namespace kinestat {
@@ -124,6 +125,7 @@ std::vector<MotionReading> quotient_readings(const FileUnits& units,
   if (!plan.report.ratio && !plan.report.mechanical_advantage) {
     return readings;
   }
+  KINESTAT_EXPECTS(plan.which >= 0);
   const QuotientList list(units, mechanism, mechanism.cases[static_cast<std::size_t>(plan.which)]);
   if (plan.report.ratio) {
     readings.push_back(list.ratio());

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
+#include "core/contract.hpp"
 #include "core/index.hpp"
 #include "description/simulation_report_words.hpp"
 #include "mechanism/label_kind.hpp"
@@ -49,11 +51,38 @@ class SimulationText {
     return number(kind, si) + " " + units_.text(kind);
   }
 
+  // What stands before the time.
+  std::string ending() const {
+    switch (v_.solution.end) {
+      case SimulationEnd::complete:
+        return "complete to";
+      case SimulationEnd::stuck:
+        return "stuck after";
+      case SimulationEnd::goal:
+        break;
+    }
+    const SimulationEvent& event =
+        *std::ranges::find(v_.solution.events, SimulationEvent::Kind::goal, &SimulationEvent::kind);
+    const auto distance = [&](const SimulationGoal& goal) {
+      return std::abs((goal.is_speed ? event.speed : event.position) - goal.value);
+    };
+    const SimulationGoal* met = nullptr;
+    for (const SimulationGoal& goal : v_.plan.goals) {
+      if (goal.of.name == event.element && (met == nullptr || distance(goal) < distance(*met))) {
+        met = &goal;
+      }
+    }
+    KINESTAT_EXPECTS(met != nullptr);
+    const QuantityKind kind =
+        met->is_speed ? rate_kind(event.is_rotation) : position_kind(event.is_rotation);
+    return fmt::format("{} reached {} after", event.element, with_unit(kind, met->value));
+  }
+
   std::string head() const {
     const SimulationSolution& one = v_.solution;
     const double time = one.rows.empty() ? 0.0 : one.rows.back().time;
-    std::string text = fmt::format(
-        "Simulation: {} to {}\n", word_of(one.end), with_unit(QuantityKind::time, time));
+    std::string text =
+        fmt::format("Simulation: {} {}\n", ending(), with_unit(QuantityKind::time, time));
     std::string names;
     for (const int freedom : one.coordinates) {
       names += (names.empty() ? "" : ", ") + v_.mechanism.topology.freedom_name(freedom);

@@ -1,6 +1,7 @@
 #include "studies/simulation/task/find_simulation.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -10,6 +11,7 @@
 #include "dynamics/inertial_motion.hpp"
 #include "mechanism/bind/bind.hpp"
 #include "mechanism/couplings/drawn_coupling_binder.hpp"
+#include "mechanism/label_kind.hpp"
 #include "report/number_format.hpp"
 #include "studies/motion/configuration.hpp"
 #include "studies/motion/motion.hpp"
@@ -366,6 +368,61 @@ std::string_view hint_of(const SimulationObstacle& obstacle) {
   return "";
 }
 
+// How near a simulation came to a goal that lies beyond all of its rows.
+struct NearestRow {
+  bool is_greatest = true;
+  double value = 0.0;
+  double time = 0.0;
+};
+
+std::optional<NearestRow> nearest_row(const SimulationGoal& goal, const SimulationSolution& of) {
+  std::optional<NearestRow> nearest;
+  for (const SimulationRow& row : of.rows) {
+    const std::optional<double>& value =
+        goal.is_speed ? row.rates[at(goal.of.freedom)] : row.positions[at(goal.of.freedom)];
+    if (!value) {
+      continue;
+    }
+    if (*value == goal.value) {
+      return std::nullopt;  // it began there
+    }
+    const bool is_below = *value < goal.value;
+    if (nearest && nearest->is_greatest != is_below) {
+      return std::nullopt;  // rows on both sides of it
+    }
+    if (!nearest || std::abs(*value - goal.value) < std::abs(nearest->value - goal.value)) {
+      nearest = {.is_greatest = is_below, .value = *value, .time = row.time};
+    }
+  }
+  return nearest;
+}
+
+void warn_of_missed_goals(const FoundSimulation& simulation,
+                          const FileUnits& units,
+                          Diagnostics& found) {
+  const auto with_unit = [&](QuantityKind kind, double si) {
+    return fmt::format("{} {}", format_short(units.from_si(kind, si)), units.text(kind));
+  };
+  for (const SimulationGoal& goal : simulation.plan.goals) {
+    const bool turns = simulation.mechanism.topology.freedoms[at(goal.of.freedom)].is_rotation;
+    const QuantityKind kind = goal.is_speed ? rate_kind(turns) : position_kind(turns);
+    const std::optional<NearestRow> nearest = nearest_row(goal, simulation.solution);
+    found.warning(
+        "W0513",
+        goal.of.where,
+        fmt::format("'{}' did not reach {} in {}{}",
+                    goal.of.name,
+                    with_unit(kind, goal.value),
+                    with_unit(QuantityKind::time, simulation.plan.duration),
+                    nearest ? fmt::format(": {} of the rows {} at {}",
+                                          nearest->is_greatest ? "greatest" : "least",
+                                          with_unit(kind, nearest->value),
+                                          with_unit(QuantityKind::time, nearest->time))
+                            : ""),
+        "raise 'time' if it is still on its way; else change the value, or what drives it");
+  }
+}
+
 }  // namespace
 
 std::optional<FoundSimulation> find_simulation(const MechanismDescription& description,
@@ -413,6 +470,9 @@ std::optional<FoundSimulation> find_simulation(const MechanismDescription& descr
                                      begin->configuration,
                                      begin->coordinates,
                                      begin->rates);
+  if (result.solution.end == SimulationEnd::complete) {
+    warn_of_missed_goals(result, description.units, found);
+  }
   if (result.solution.end == SimulationEnd::stuck) {
     const double time = result.solution.rows.empty() ? 0.0 : result.solution.rows.back().time;
     const FileUnits& units = description.units;

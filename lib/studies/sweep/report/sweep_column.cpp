@@ -8,9 +8,11 @@
 #include "cases/gear_answer.hpp"
 #include "cases/report/ratio_in_units.hpp"
 #include "core/contract.hpp"
+#include "core/utf8.hpp"
 #include "kinematics/bounded_motion.hpp"
 #include "mechanism/label_kind.hpp"
 #include "mechanism/motion_figure.hpp"
+#include "power/ratio.hpp"
 #include "report/in_units.hpp"
 #include "statics/coupling_wrenches.hpp"
 #include "studies/shift/gear_limits.hpp"
@@ -20,10 +22,6 @@ namespace kinestat {
 namespace {
 
 using enum SweepColumnKind;
-
-bool has_ratio(const Case& which) {
-  return !which.inputs.empty() && which.outputs.size() == 1;
-}
 
 // Of the two that the columns may show.
 const RatioInUnits& ratio_in(const RatiosInUnits& ratios, SweepColumnKind kind) {
@@ -157,7 +155,7 @@ class ColumnSearch {
   std::vector<std::string> units_of_ratio(SweepColumnKind kind) const {
     std::vector<std::string> units;
     for (const Case& one : cases_) {
-      if (has_ratio(one)) {
+      if (has_ratio_ends(one)) {
         const RatioEnds ends{.input = one.inputs.front(), .output = one.outputs.front()};
         units.push_back(ratio_in(ratios_in_units({}, ends, mechanism_, units_), kind).unit);
         if (std::ranges::count(units, units.back()) > 1) {
@@ -168,9 +166,25 @@ class ColumnSearch {
     return units;
   }
 
+  // Every row would be without it.
+  void refuse_ratio(const Name& name) {
+    const Case& first = cases_.front();
+    MissingEnds missing = missing_ratio_ends(mechanism_, first);
+    found_.error("E0303",
+                 name.where,
+                 fmt::format("'sweep' asks for '{}', and case '{}' {}",
+                             name.text,
+                             printable(first.label),
+                             missing.what),
+                 std::move(missing.hint));
+  }
+
   // One column holds the ratios of all cases, so they must measure the same.
   SweepColumn ratio_of(SweepColumnKind kind, const Name& name) {
     const std::vector<std::string> units = units_of_ratio(kind);
+    if (units.empty() && !cases_.empty()) {
+      refuse_ratio(name);
+    }
     if (units.size() > 1) {
       found_.error(
           "E0305",

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <string_view>
 #include <utility>
 
@@ -20,10 +21,13 @@ namespace {
 // Ladders of which all ratios agree to this many parts are one.
 constexpr double kLadderParts = 1e6;
 
+// Fractions of few decimals stand on the halves of the parts, where rounding would tell equal ones
+// apart; beside them none does.
 std::vector<long long> ladder_key(const FoundTransmission& found) {
+  constexpr double kBeside = 0.2357;
   std::vector<long long> key;
   for (const double ratio : found.ratios) {
-    key.push_back(std::llround(ratio * kLadderParts));
+    key.push_back(std::llround(ratio * kLadderParts + kBeside));
   }
   return key;
 }
@@ -46,16 +50,12 @@ void add_groups(const TransmissionSearch& search,
   const TransmissionTask& task = analysis.task;
   const std::vector<TransmissionStructure> structures =
       enumerate_structures(task.sets(), task.engaged, task.free_shafts);
-  std::vector<std::vector<long long>> keys;
+  std::map<std::vector<long long>, std::size_t> keys;
   for (const FoundTransmission& one : search.found) {
-    std::vector<long long> key = ladder_key(one);
-    const auto known = std::ranges::find(keys, key);
-    const auto group = static_cast<std::size_t>(known - keys.begin());
-    if (known == keys.end()) {
-      keys.push_back(std::move(key));
-      if (keys.size() <= top) {
-        analysis.groups.emplace_back();
-      }
+    const auto [known, is_new] = keys.emplace(ladder_key(one), keys.size());
+    const std::size_t group = known->second;
+    if (is_new && keys.size() <= top) {
+      analysis.groups.emplace_back();
     }
     if (group < analysis.groups.size()) {
       analysis.groups[group].variants.push_back(variant_of(one, structures[one.structure], task));
@@ -141,10 +141,13 @@ std::optional<TransmissionSearch> search_stored(const TransmissionAnalysis& anal
   TransmissionSearch search =
       search_transmissions(analysis.task, for_each, options.share.value_or(SearchShare{}), &store);
   stored.tell(found);
-  return found.has_errors() ? std::nullopt : std::optional(std::move(search));
+  return search;
 }
 
 std::string last_stage_text(const SearchStages& stages) {
+  if (stages.undecided > 0 && stages.with_ladder == 0) {
+    return fmt::format("none was found, and {} layouts stay undecided", stages.undecided);
+  }
   if (stages.layouts == 0) {
     return "no layout of so many elements has as many gears of different ratio";
   }
@@ -203,7 +206,16 @@ std::optional<TransmissionAnalysis> find_transmissions(const std::string& path,
   analysis.structure_count = search.structure_count;
   analysis.stages = search.stages;
   add_groups(search, options.top.value_or(kUsualLadders), analysis);
-  const SourceRange where = analysis.description.synthesis->transmission->where;
+  const TransmissionDescription& wanted = *analysis.description.synthesis->transmission;
+  const SourceRange where = wanted.where;
+  if (analysis.stages.structures == 0 && !options.share) {
+    found.error(
+        "E0803",
+        wanted.structures ? wanted.structures->where : where,
+        fmt::format("there are {} structures, and none of 'structures'", analysis.structure_count),
+        fmt::format("their numbers are 0 to {}", analysis.structure_count - 1));
+    return std::nullopt;
+  }
   if (analysis.stages.undecided > 0) {
     found.warning(
         "W0803",
@@ -212,10 +224,11 @@ std::optional<TransmissionAnalysis> find_transmissions(const std::string& path,
         "narrow 'stationary_ratio', or give its values as a list");
   }
   if (analysis.stages.found == 0 && !options.share) {
-    found.error("E0804",
-                where,
-                "no transmission does what is asked: " + last_stage_text(analysis.stages),
-                relaxation_text(analysis, for_each));
+    found.error(
+        "E0804",
+        where,
+        "no transmission was found that does what is asked: " + last_stage_text(analysis.stages),
+        relaxation_text(analysis, for_each));
   }
   return analysis;
 }

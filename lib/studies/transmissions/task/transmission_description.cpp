@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/contract.hpp"
+#include "files/output.hpp"
 #include "report/number_format.hpp"
 #include "studies/transmissions/task/transmission_files.hpp"
 
@@ -38,7 +39,8 @@ class TransmissionDrawing {
   TransmissionDrawing(const TransmissionAnalysis& analysis, const TransmissionVariant& variant)
       : task_(analysis.task), variant_(variant) {
     const MechanismDescription& asked = analysis.description;
-    result_.name = (asked.name.empty() ? analysis.file : asked.name) + ", transmission";
+    result_.name =
+        (asked.name.empty() ? report_stem(analysis.file) : asked.name) + ", transmission";
     result_.source = asked.source;
     result_.space = Space::planar;
     result_.units = asked.units;

@@ -39,7 +39,8 @@ class TaskReader {
   }
 
   int count(const std::optional<Value>& value, int usual) const {
-    return value ? static_cast<int>(std::lround(number(*value))) : usual;
+    constexpr double kMost = 1e9;  // beyond all that there is
+    return value ? static_cast<int>(std::lround(std::clamp(number(*value), -kMost, kMost))) : usual;
   }
 
   std::optional<double> limit(const std::optional<Value>& value) const {
@@ -174,20 +175,19 @@ class TaskReader {
                    const std::optional<StationaryRange>& wanted) {
     StationaryRatios& ratios = task_.stationary_ratios[static_cast<std::size_t>(kind)];
     const std::vector<double> made = ratios_of_teeth(kind, *task_.teeth);
-    for (const double value : ratios.values) {
-      if (std::ranges::none_of(
-              made, [&](double one) { return std::abs(one - value) <= kRangeSlack * value; })) {
+    for (double& value : ratios.values) {
+      const auto nearest =
+          std::ranges::min_element(made, {}, [&](double one) { return std::abs(one - value); });
+      if (nearest == made.end() || std::abs(*nearest - value) > kRangeSlack * value) {
         refuse(
             wanted->where,
             fmt::format(
                 "no {} set within 'teeth' has the stationary ratio {}", name, format_short(value)),
-            made.empty()
-                ? "widen 'teeth'"
-                : fmt::format("the nearest is {}",
-                              format_short(*std::ranges::min_element(
-                                  made, {}, [&](double one) { return std::abs(one - value); }))));
+            made.empty() ? "widen 'teeth'"
+                         : fmt::format("the nearest is {}", format_short(*nearest)));
         return;
       }
+      value = *nearest;
     }
     if (!ratios.values.empty()) {
       return;
