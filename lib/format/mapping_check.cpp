@@ -201,4 +201,18 @@ void check_rules(const FormShape& shape, const FileValue& mapping, int errors_be
   }
 }
 
+void leave_out_replaced(const FormShape& shape, FileText& written) {
+  for (const FormRule& rule : shape.rules) {
+    const bool replaces = rule.kind == FormRule::Kind::instead &&
+                          std::ranges::any_of(written.entries, [&](const auto& entry) {
+                            return entry.first == rule.key;
+                          });
+    if (replaces) {
+      std::erase_if(written.entries, [&](const auto& entry) {
+        return std::ranges::find(rule.others, entry.first) != rule.others.end();
+      });
+    }
+  }
+}
+
 }  // namespace kinestat

@@ -24,4 +24,7 @@ std::optional<FileValue> find_key(const FormShape& shape,
 /// mapping was read.
 void check_rules(const FormShape& shape, const FileValue& mapping, int errors_before);
 
+/// Leaves out of what is written the keys that another one stands instead of.
+void leave_out_replaced(const FormShape& shape, FileText& written);
+
 }  // namespace kinestat

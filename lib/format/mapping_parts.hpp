@@ -51,6 +51,7 @@ FileText Mapping<T>::text(const T& object) const {
       text.entries.emplace_back(shape_.keys[i].key, *std::move(behind));
     }
   }
+  leave_out_replaced(shape_, text);
   return text;
 }
 

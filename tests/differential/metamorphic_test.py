@@ -253,7 +253,8 @@ class MetamorphicTest(unittest.TestCase):
     def test_compare_finds_no_difference_between_tasks_in_other_units(self) -> None:
         """Slider-cranks among them, whose drives have lengths for coordinates, and curves."""
         count = 0
-        paths = sorted((library / "synthesis").glob("*.yaml"))
+        paths = sorted(path for path in (library / "synthesis").glob("*.yaml")
+                       if "transmission:" not in path.read_text("utf-8"))  # ratios have no units
         for path, units in itertools.product(paths, (("mm", False), ("in", True))):
             with self.subTest(path.stem, units=units), tempfile.TemporaryDirectory() as folder:
                 texts = [self.task_in(path, *units) for units in (("m", False), units)]

@@ -290,7 +290,8 @@ const Record<TransmissionVariant>& variant_record() {
                  each(gear.label, gear);
                }
              });
-    keys.part("verification", transmission_check_record(), [](const View& v) { return v.check; });
+    keys.part("verification", transmission_check_record(), [](const View& v) { return v.check; })
+        .in_tables_is(TableRole::element);
     keys.text(
             "file", "The mechanism file written for it; null if there is none.", transmission_file)
         .not_compared();
