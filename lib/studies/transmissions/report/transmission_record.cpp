@@ -294,7 +294,8 @@ const Record<TransmissionVariant>& variant_record() {
         .in_tables_is(TableRole::element);
     keys.text(
             "file", "The mechanism file written for it; null if there is none.", transmission_file)
-        .not_compared();
+        .not_compared()
+        .not_in_tables();
   });
   return record;
 }
