@@ -360,7 +360,7 @@ INSTANTIATE_TEST_SUITE_P(
                                "2 mm",
                                QuantityKind::angle,
                                "a length stands where an angle is expected",
-                               "write 30 deg or 0.52 rad"},
+                               "write 2 deg or 2 rad"},
                     MisfitCase{"frequency_for_speed",
                                "3/(2 s)",
                                QuantityKind::angular_velocity,
@@ -395,7 +395,7 @@ INSTANTIATE_TEST_SUITE_P(
                                "5 N",
                                QuantityKind::moment,
                                "a force stands where a moment is expected",
-                               "write 5 N*m or 5000 N*mm"}),
+                               "write 5 N*m or 5 N*mm"}),
     [](const auto& row) { return std::string(row.param.name); });
 
 TEST(Fit, NumberThatTheUnitMakesInfiniteHasNoValue) {
