@@ -201,6 +201,8 @@ Outcome word_page(const std::string& word) {
   outcome.out = page_of_kind(find_kind(is_it));
   if (outcome.out.empty()) {
     outcome.out = key_page(word, [](std::string_view section) { return page_of(section); });
+    const std::string term = outcome.out.empty() ? "" : glossary_lines(word);
+    outcome.out = term + (term.empty() ? "" : "\n") + outcome.out;
   }
   if (outcome.out.empty()) {
     outcome.out = page_of_kind(find_kind(is_also_it));

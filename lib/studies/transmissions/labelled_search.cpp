@@ -307,13 +307,13 @@ bool LabelledSearch::try_ladder(const StationaryPoint& point,
   const bool needs_figures = limits.element_torque || limits.element_slip || limits.shaft_speed ||
                              limits.planet_speed || task_.rank == TransmissionRank::torque ||
                              task_.rank == TransmissionRank::speed;
-  if (!needs_figures && candidate.rank >= best_.rank) {
+  if (!needs_figures && candidate.rank >= best_.rank - kSameRank) {
     return true;
   }
   if (!choose_placement(candidate)) {
     return false;
   }
-  if (candidate.rank < best_.rank) {
+  if (candidate.rank < best_.rank - kSameRank) {
     best_.stationary_ratios = point;
     best_.elements = std::move(candidate.elements);
     best_.ladder = std::move(candidate.ladder);
@@ -368,7 +368,7 @@ bool LabelledSearch::choose_placement(FoundTransmission& candidate) const {
         planets = std::max(planets, std::abs(figures.rolling[set] * turns[set]));
       }
     }
-    if (torque < least && !exceeds(torque, limits.element_torque) &&
+    if (torque < least * (1.0 - kRangeSlack) && !exceeds(torque, limits.element_torque) &&
         !exceeds(slip, limits.element_slip) && !exceeds(speed, limits.shaft_speed) &&
         !exceeds(planets, limits.planet_speed)) {
       least = torque;
