@@ -38,6 +38,9 @@ void snap(const Mechanism& mechanism, VecX& rates) {
 
 // Columns: sums of motions, whose rates those of the matrix are, in which the freedoms rest.
 MatX sums_at_rest(const MatX& rates, std::span<const int> freedoms) {
+  if (rates.cols() == 0) {
+    return MatX(0, 0);
+  }
   MatX felt(static_cast<Eigen::Index>(freedoms.size()), rates.cols());
   Eigen::Index rows = 0;
   for (const int f : freedoms) {
