@@ -46,6 +46,9 @@ inline constexpr double kChangePoint = 1e-10;
 /// 1e-14, and teeth are a thousand times as coarse.
 inline constexpr double kRangeSlack = 1e-9;
 
+/// Ranks of transmissions that differ by less are the same: rounding leaves 1e-15.
+inline constexpr double kSameRank = 1e-9;
+
 /// An output that turns slower than this share of the input's speed rests: the state is no gear.
 inline constexpr double kRestingOutput = 1e-9;
 

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/synthesis_tolerance.hpp"
 #include "studies/transmissions/labelled_search.hpp"
 
 namespace kinestat {

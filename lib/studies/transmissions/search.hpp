@@ -15,9 +15,6 @@
 
 namespace kinestat {
 
-/// Ranks that differ by less are the same: rounding leaves 1e-15.
-inline constexpr double kSameRank = 1e-9;
-
 /// A layout with roles of its sets, at the best of the stationary ratios and with the best of the
 /// ladders that do what is asked.
 struct FoundTransmission {
