@@ -27,10 +27,12 @@ REPORT = "[velocity, action, power, ratio, mechanical_advantage]"
 
 def drives_of(sketch: Sketch) -> list[str]:
     """Actuators that move the mechanism alone; none if the case does not drive it so."""
-    exact = ExactNetwork(sketch)
     driven = [sketch.actuator_of(name) for name in sketch.motion]
-    if not driven or None in driven or exact.motion(sketch.motion).status != "solved":
+    if not driven or None in driven:
         return []
+    motion = ExactNetwork(sketch).motion(sketch.motion)
+    if motion.status != "solved" and not motion.determined:
+        return []  # where some are determined, the others may be what no other body feels
     return [name for name in driven if name is not None]
 
 
@@ -66,10 +68,12 @@ def compare_motion(batch: Batch, sketches: dict[str, Sketch]) -> Complaints:
         analysis, motion = analyses[name], motions[name]
         if "E0507" in motion.codes():
             continue  # a coupling that cannot be moved
-        if not motion.report.get("motion", {}).get("rows"):
-            found[name] = [f"no motion: {motion.codes()}"]
-            continue
         true = analysed(analysis.report, sketch)
+        if not motion.report.get("motion", {}).get("rows"):
+            is_refused = any(code.startswith("E") for code in motion.codes())
+            if true.has_motion or not is_refused:
+                found[name] = [f"no motion: {motion.codes()}"]
+            continue  # drives that determine no motion move nothing
         row = passes.of_first_row(motion.report)
         found[name] = passes.compare("motion", row, true, SHARE)
         word = word_of(true, analysis.codes())
