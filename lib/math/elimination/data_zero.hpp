@@ -29,8 +29,8 @@ void settle_inexact(const Elimination& factors,
                     const InexactBlocks& blocks,
                     VecX& x);
 
-/// Elimination::null_vectors, settled likewise: a column that is zero in all of them is one that
-/// the equations determine, for all that their numbers tell.
+/// Elimination::null_vectors, set to zero likewise: a column that is zero in all of them is
+/// one that the equations determine, for all that their numbers tell.
 std::vector<VecX> settled_null_vectors(const Elimination& factors, const InexactBlocks& blocks);
 
 /// Elimination::mixed_null_vector likewise.

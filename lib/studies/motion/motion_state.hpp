@@ -67,7 +67,7 @@ class MotionStates {
                                   const GivenSpeeds& speeds,
                                   StateDetail detail);
 
-  /// The same with bounds of its errors, and settled by these: for what is reported.
+  /// The same with bounds of its errors, and set to zero by these: for what is reported.
   [[nodiscard]] MotionState solve_bounded(const Configuration& configuration,
                                           const GivenSpeeds& speeds,
                                           StateDetail detail);
@@ -86,8 +86,8 @@ struct BoundedRate {
 };
 
 /// Of the point of a body that was drawn at `drawn`. Accelerations are zero where the state has
-/// none; where it has bounds, components are settled by them. The position in the frame of the
-/// mechanism or, given `origin`, in the world.
+/// none; where it has bounds, components are set to zero by them. The position in the frame
+/// of the mechanism or, given `origin`, in the world.
 Vec3 point_position(const MotionState& state,
                     BodyId body,
                     const Vec3& drawn,

@@ -109,7 +109,8 @@ void LaneFollower::set(std::size_t lane, const Geometry& geometry) {
 
 // The correction and the rates of the unknowns, and the determinant as share of its columns.
 
-// Takes what was solved for in the lanes that are not settled yet, and says which they are.
+// Takes what was solved for in the lanes that are not settled yet, and says which they
+// are.
 
 // Newton's corrections; a lane has no more of them than it needs, so that the others do not matter.
 
@@ -205,7 +206,7 @@ void LaneFollower::predict_part(double last, double part) {
       const double now = x;
       const double now_rate = now_.rates[k].numbers[lane];
       x = last == 0.0 ? now + part * now_rate
-                      : StretchCubic{was, now, last * rate, last * now_rate}.at(1.0 + part / last);
+                      : HermiteCubic{was, now, last * rate, last * now_rate}.at(1.0 + part / last);
       was = now;
       rate = now_rate;
     }

@@ -308,8 +308,8 @@ class DyadMaker {
   // Of the two directions of a line the one to the right, and of a vertical one upwards. Bounds
   // that tell neither component from zero know no direction better than the numbers do.
   static void set_direction(const BoundedPoint& along, Dyad& dyad) {
-    const Point settled = along.zeroed();
-    const Point direction = settled == Point() ? along.value() : settled;
+    const Point zeroed = along.zeroed();
+    const Point direction = zeroed == Point() ? along.value() : zeroed;
     const bool flips =
         direction.real() < 0.0 || (direction.real() == 0.0 && direction.imag() < 0.0);
     dyad.direction = (flips ? -direction : direction) / std::abs(direction) + Point(0.0, 0.0);
