@@ -12,8 +12,8 @@
 
 namespace kinestat {
 
-/// A call that did not succeed. `what` is the text that the program would print, with the line of
-/// the file and the place marked in it; `status` and the messages are those of kinestat.h.
+/// A call that failed. `what` is the text that the program would print, with the line of the file
+/// and the place marked in it; `status` and the messages are those of kinestat.h.
 class CallError : public std::runtime_error {
  public:
   struct Message {
@@ -34,7 +34,7 @@ class CallError : public std::runtime_error {
 
   const std::vector<Message>& messages() const { return messages_; }
 
-  /// Those of the last call of this thread that succeeded, too: warnings.
+  /// The messages of the last call of this thread, including warnings of a successful one.
   static std::vector<Message> last_messages() {
     std::vector<Message> result;
     kinestat_message one;
@@ -77,7 +77,8 @@ class Report {
 
   std::string json() const { return kinestat_json(handle_.get()); }
 
-  /// At a JSON Pointer, in the unit of the file: "/cases/M1/ratio". NaN where nothing has a value.
+  /// The number at a JSON Pointer, in the unit of the file: "/cases/M1/ratio". NaN if it has no
+  /// value.
   double number(const std::string& pointer) const {
     double result = 0.0;
     check_status(kinestat_number(handle_.get(), pointer.c_str(), &result));
@@ -93,7 +94,7 @@ class Report {
   int status_;
 };
 
-/// The solution of a case, recorded.
+/// The recorded solution of a case.
 class Tape {
  public:
   explicit Tape(kinestat_tape* handle, std::size_t inputs) : handle_(handle), inputs_(inputs) {}
@@ -108,7 +109,7 @@ class Tape {
 
   std::string input_unit(std::size_t i) const { return kinestat_input_unit(handle_.get(), i); }
 
-  /// State by state, input by input and output by output. NaN is an output without a value.
+  /// Inputs and outputs state by state. NaN is an output without a value.
   std::vector<double> play(const std::vector<double>& inputs,
                            std::vector<std::string>* statuses = nullptr) {
     const std::size_t states = inputs.size() / inputs_;
@@ -163,7 +164,7 @@ class MechanismFile {
     return result;
   }
 
-  /// Throws where there is no report.
+  /// Throws if there is no report.
   Report analyze() const {
     kinestat_report* report = nullptr;
     const int status = kinestat_analyze(handle_.get(), &report);
@@ -173,7 +174,7 @@ class MechanismFile {
     return Report(report, status);
   }
 
-  /// An empty label: the only case; no outputs: those that a sweep would choose.
+  /// An empty label: the only case; no outputs: the default outputs of a sweep.
   Tape record(const std::vector<std::string>& inputs,
               const std::vector<std::string>& outputs = {},
               const std::string& label = {}) const {

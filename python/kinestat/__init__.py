@@ -1,7 +1,7 @@
 """Analysis of mechanisms by Davies' method: gear trains, linkages, cables.
 
-A mechanism file is loaded, its parameters are set, and it is analysed whole, or one of its cases is
-recorded as a tape and played for many values of some parameters:
+Load a mechanism file, set its parameters, and analyse it as a whole, or record one of its cases as a
+tape and evaluate it for many values of some parameters:
 
     >>> import kinestat
     >>> train = kinestat.load("ravigneaux.yaml")
@@ -10,10 +10,10 @@ recorded as a tape and played for many values of some parameters:
     >>> tape = train.record("w_in", ["ratio", "out"], case="M1")
     >>> tape.play([[1.0], [2.0]])
 
-Numbers are in the units that the mechanism file writes (its section `units`, SI where it has none;
-an angle of a file without units is in radians). The world frame is right-handed. The motion of a
-coupling is that of its head relative to its tail, its action that of the tail on the head. `kinestat
-help` and the README of the program have the rest.
+Numbers are in the units that the mechanism file sets (its section `units`; SI without it, with
+angles in radians). The world frame is right-handed. The motion of a coupling is that of its head
+relative to its tail, its action that of the tail on the head. For everything else see `kinestat
+help` and the README of the program.
 """
 
 from __future__ import annotations

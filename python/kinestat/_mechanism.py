@@ -1,4 +1,4 @@
-"""Mechanism files, and what is made of them."""
+"""Mechanism files: loading, setting parameters, analysing and recording."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ from ._report import Report
 from ._tape import Tape
 
 Value = Union[str, SupportsFloat, SupportsIndex]
-"""A number, of which integers, fractions and decimals are handed over exactly, or a text as in a
-mechanism file: "20 deg", "2*N1"."""
+"""A number (integers, fractions and decimals are passed on exactly), or a text as in a mechanism
+file: "20 deg", "2*N1"."""
 
 
 def value_text(value: Value) -> str:
-    """A value of a parameter as a mechanism file writes it."""
+    """The value of a parameter as written in a mechanism file."""
     if isinstance(value, str):
         return value
     if isinstance(value, bool):
@@ -47,10 +47,10 @@ def value_text(value: Value) -> str:
 class Parameters(MutableMapping[str, Any]):
     """The parameters of a mechanism, by name in the order of the file.
 
-    What is set may be a number, in the unit of a bare number at that place, or a text with a unit
-    or an expression of other parameters. A parameter that the file writes with a unit takes a value
-    with one: "0.3 rad". What is read is the value as a number in the unit that `unit` tells. It is
-    that of a report, for which the mechanism is analysed once after parameters were set.
+    Set a number, in the unit that a bare number has at that place, or a text with a unit or an
+    expression of other parameters. A parameter that the file writes with a unit needs a value with a
+    unit: "0.3 rad". Reading gives the value as a number in the unit returned by `unit`. It is the
+    value in a report, for which the mechanism is analysed once after parameters were set.
 
         mechanism.parameters["N1"] = 24
         mechanism.parameters.update(alpha="20 deg", N3="N2 + 2*N6jk")
@@ -69,7 +69,7 @@ class Parameters(MutableMapping[str, Any]):
         return self._entry(name)["value"]
 
     def unit(self, name: str) -> str:
-        """The unit in which the value is counted; "" for a bare number."""
+        """The unit of the value; "" for a bare number."""
         return str(self._entry(name)["unit"])
 
     def _entry(self, name: str) -> dict[str, Any]:
@@ -92,17 +92,17 @@ class Parameters(MutableMapping[str, Any]):
 
 
 class Mechanism:
-    """A mechanism file with the values of its parameters; load and parse make it.
+    """A mechanism file with the values of its parameters; load and parse create it.
 
-    One thread at a time works with an object, others wait; several threads work with an object
-    each."""
+    One thread at a time uses an object, others wait; use one object per thread to work in
+    parallel."""
 
     def __init__(self, handle: Handle, name: str, messages: list[Message]) -> None:
         self._handle = handle
         self._name = name
         self._reported: dict[str, Any] | None = None
         self.messages = messages
-        """Warnings of the last reading or setting."""
+        """Warnings of the last load or set."""
         self.parameter_names = self._names(0)
         """In the order of the file."""
         self.actuators = self._names(1)
@@ -119,12 +119,12 @@ class Mechanism:
             result.append(text_of(name))
 
     def set(self, name: str, value: Value) -> None:
-        """Gives a parameter another value from now on, as `kinestat analyze --set` does.
+        """Sets a parameter from now on, as `kinestat analyze --set` does.
 
         The value is a number, or a text: a number with a unit, or an expression of other parameters
-        ("24", "20 deg", "2*N1"). Where it is refused the parameter keeps its value, and UsageError
-        says why. Whether the mechanism can have it analyze and record tell, since other parameters
-        may have to change with it. Reports and tapes that exist already do not change."""
+        ("24", "20 deg", "2*N1"). If it is refused, the parameter keeps its value, and UsageError
+        gives the reason. analyze and record check whether the value suits the mechanism, since other
+        parameters may have to change with it. Existing reports and tapes do not change."""
         with self._handle.lock:
             messages = call(
                 library.kinestat_set, self._handle.pointer,
@@ -137,16 +137,16 @@ class Mechanism:
 
     @property
     def parameters(self) -> Parameters:
-        """The parameters as a mapping, to be read and set."""
+        """The parameters as a mapping, to read and set."""
         return Parameters(self)
 
     def analyze(self, check: bool = False) -> Report:
         """The report of all cases.
 
-        A published value that is missed, which is no surprise after parameters were set, and a case
-        without an answer leave a report of everything else. So they raise nothing: the status of the
-        report says so, and its messages are given as warnings. With `check`, as for subprocess.run,
-        they raise CheckFailed or NoAnswer, which have the report."""
+        A report that does not match a published value, which is normal after parameters were set, or
+        a case without an answer raises nothing: the status of the report says so, its messages are
+        issued as warnings, and everything else is reported. With `check`, as in subprocess.run, they
+        raise CheckFailed or NoAnswer, which contain the report."""
         report = self._analyze()
         if check:
             report.check()
@@ -177,12 +177,12 @@ class Mechanism:
     ) -> Tape:
         """Records one case for many values of its inputs, which are parameters of the file.
 
-        Parameters that follow from the inputs move with them, all others keep their values of now.
-        Outputs are what `report` of a section `sweep` may name: "ratio", "torque_ratio",
+        Parameters that depend on the inputs change with them, all others keep their present values.
+        Outputs are the names that `report` of a section `sweep` accepts: "ratio", "torque_ratio",
         "efficiency", "recirculation", actuators (their action), "COUPLING.FREEDOM" ("a.wz", the
         motion of the head relative to the tail) and "COUPLING.ACTION" ("h.Rc", of the tail on the
-        head); without them, those that a sweep would choose. `case` is a label; without it, the only
-        case of the file. The less is asked for, the faster: a ratio needs no forces."""
+        head); without them, the default outputs of a sweep. `case` is a label; without it, the only
+        case of the file. The less you request, the faster: a ratio needs no forces."""
         input_names = [inputs] if isinstance(inputs, str) else list(inputs)
         output_names = [outputs] if isinstance(outputs, str) else list(outputs or ())
         input_list = (c_char_p * len(input_names))(*[c_text(n, "an input") for n in input_names])
@@ -205,12 +205,12 @@ class Mechanism:
 
 
 def load(path: str | os.PathLike[str], /, **parameters: Value) -> Mechanism:
-    """Reads a mechanism file and gives parameters other values, one after the other.
+    """Reads a mechanism file and sets parameters, one after the other.
 
         kinestat.load("ravigneaux.yaml", N1=20, alpha="22.5 deg")
 
-    EnvironmentFailure: the file cannot be read. WrongInput: it is wrong. UsageError: it has no such
-    parameter, or the value is of another dimension."""
+    Raises EnvironmentFailure if the file cannot be read, WrongInput if it is wrong, and UsageError if
+    it has no such parameter, or the value has another dimension."""
     name = os.fspath(path)
     pointer = c_void_p()
     messages = call(library.kinestat_read_file, c_text(name, "the path"), byref(pointer))

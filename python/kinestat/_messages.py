@@ -1,4 +1,4 @@
-"""What the library says: messages, as exceptions and as warnings."""
+"""Messages of the library, as exceptions and as warnings."""
 
 from __future__ import annotations
 
@@ -35,12 +35,12 @@ class Message:
     is_error: bool
     """False: a warning."""
     code: str
-    """"E0312"; `kinestat explain E0312` tells more."""
+    """"E0312"; explained by `kinestat explain E0312`."""
     text: str
     hint: str
     """What to do; may be empty."""
     file: str
-    """As it was given; empty if the message is about no file."""
+    """As given; empty if the message concerns no file."""
     line: int
     """From 1; 0 is the whole file."""
     column: int
@@ -59,7 +59,7 @@ class Message:
 
 
 class MechanismWarning(UserWarning):
-    """What is said of a mechanism that is analysed all the same.
+    """A warning about a mechanism that is analysed nevertheless.
 
     `message` is the Message, with code and place."""
 
@@ -69,10 +69,10 @@ class MechanismWarning(UserWarning):
 
 
 class Error(Exception):
-    """What the library refuses; the text is what the program would print.
+    """Base of all errors; the text is what the program would print.
 
-    `messages` are its errors and warnings, `status` the exit status of the program, and `report` the
-    report, if there is one all the same (CheckFailed and NoAnswer have one)."""
+    `messages` are its errors and warnings, `status` is the exit status of the program, and `report`
+    is the report, if there is one nevertheless (CheckFailed and NoAnswer have one)."""
 
     status = Status.BUG
 
@@ -91,7 +91,7 @@ class Error(Exception):
 
 
 class CheckFailed(Error):
-    """The report misses a value that the file says is published (E0901)."""
+    """The report does not match a published value of the file (E0901)."""
 
     status = Status.CHECK_FAILED
 
@@ -114,7 +114,7 @@ class WrongInput(Error, ValueError):
 
 
 class EnvironmentFailure(Error):
-    """A file cannot be read, or memory is used up."""
+    """A file cannot be read, or no memory is left."""
 
     status = Status.ENVIRONMENT
 
@@ -126,7 +126,7 @@ class NoAnswer(Error):
 
 
 class Bug(Error):
-    """A bug of the library; please report it with the mechanism file."""
+    """A bug in the library; please report it with the mechanism file."""
 
 
 ERRORS: dict[int, type[Error]] = {

@@ -11,30 +11,30 @@ from ._messages import Message, Status, UnknownPlace, UsageError, call, error_of
 
 
 class Report:
-    """What `kinestat analyze` reports of a mechanism; Mechanism.analyze makes it.
+    """The report of `kinestat analyze` on a mechanism; Mechanism.analyze creates it.
 
-    A number is addressed by a JSON Pointer, or by its keys one by one, which may then contain "/":
+    A number is addressed by a JSON Pointer, or by its keys one by one, which can then contain "/":
 
         report["/cases/M1/ratio"]
         report["cases", "M1", "statics", "actions", "out"]
 
-    NaN is what has no value (null in JSON); 1.0 and 0.0 are true and false. A place that holds no
-    number raises UnknownPlace, which is a KeyError. `kinestat help reports` describes the places,
-    `kinestat schema report` prints the schema. Units are those of the file; the report lists them
-    at "/mechanism/units"."""
+    A value that does not exist (null in JSON) is NaN; true and false are 1.0 and 0.0. A place without
+    a number raises UnknownPlace, which is a KeyError. `kinestat help reports` describes the places,
+    `kinestat schema report` prints the schema. Units are those of the file; the report lists them at
+    "/mechanism/units"."""
 
     def __init__(self, handle: Handle, status: int, messages: list[Message], text: str) -> None:
         self._handle = handle
         self._text = text
         self._json: str | None = None
         self.status = Status(status)
-        """DONE; CHECK_FAILED if a published value of the file is missed; NO_ANSWER if a case has
-        none, whose numbers are then NaN or not there."""
+        """DONE; CHECK_FAILED if a published value of the file is not matched; NO_ANSWER if a case has
+        none, with its numbers NaN or absent."""
         self.messages = messages
-        """Warnings, and the errors that the status stands for."""
+        """Warnings, and the errors that explain the status."""
 
     def check(self) -> Report:
-        """Raises CheckFailed or NoAnswer, which have this report, unless the status is DONE."""
+        """Raises CheckFailed or NoAnswer, which contain this report, unless the status is DONE."""
         if self.status != Status.DONE:
             raise error_of(self.status, self.messages, self._text, self)
         return self
@@ -76,8 +76,8 @@ class Report:
         return self._json
 
     def to_dict(self) -> dict[str, Any]:
-        """The report as dictionaries and lists, keys in the order of the report; what has no value
-        is None."""
+        """The report as dictionaries and lists, with keys in the order of the report; missing values
+        are None."""
         result: dict[str, Any] = json.loads(self.json)
         return result
 

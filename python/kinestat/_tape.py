@@ -1,4 +1,4 @@
-"""Recorded cases, played for many states."""
+"""Recorded cases, evaluated for many states."""
 
 from __future__ import annotations
 
@@ -22,54 +22,55 @@ STATES_A_CALL = 4096
 
 
 class Tape:
-    """The solution of one case, recorded, to be played for many values of its inputs;
-    Mechanism.record makes it, and it needs the mechanism no more.
+    """The recorded solution of one case, to be evaluated for many values of its inputs;
+    Mechanism.record creates it, and it no longer needs the mechanism.
 
         tape = train.record(["N1", "N5"], ["ratio", "out"], case="M1")
-        tape.play([[19, 15], [20, 16]])                 # a row for each state
-        tape.play({"N1": [19, 20, 21], "N5": 15})       # or a vector for each input
+        tape.play([[19, 15], [20, 16]])                 # one row per state
+        tape.play({"N1": [19, 20, 21], "N5": 15})       # or one vector per input
         tape(N1=19, N5=15)["ratio"]                     # or one state
 
-    Outputs are those of an analysis of each state, but for rounding. A state for which what was
-    recorded does not hold is analysed anew, which takes thousands of times longer. One thread at a
-    time plays a tape, others wait; for several threads at once record a tape for each."""
+    Outputs equal those of an analysis of each state, except for rounding. A state for which the
+    recording is not valid is analysed again, which takes thousands of times longer. One thread at a
+    time uses a tape, others wait; to use several threads, record one tape per thread."""
 
     def __init__(self, handle: Handle, inputs: Sequence[str], messages: list[Message]) -> None:
         self._handle = handle
         pointer = handle.pointer
         self.inputs = tuple(inputs)
-        """Names of the parameters, in the order of the columns that play takes."""
+        """Names of the parameters, in the order of the columns that play expects."""
         self.outputs = tuple(
             text_of(library.kinestat_output_name(pointer, output))
             for output in range(library.kinestat_output_count(pointer))
         )
-        """Names of the columns that play answers."""
+        """Names of the columns that play returns."""
         self.input_units = tuple(
             text_of(library.kinestat_input_unit(pointer, at)) for at in range(len(self.inputs))
         )
-        """In which inputs are counted; "" is a bare number."""
+        """Units of the inputs; "" is a bare number."""
         self.output_units = tuple(
             text_of(library.kinestat_output_unit(pointer, at)) for at in range(len(self.outputs))
         )
-        """In which outputs are counted; "" is a bare number."""
+        """Units of the outputs; "" is a bare number."""
         self.messages = messages
-        """Warnings of the recording, then those of the last play."""
+        """Warnings of the recording, then those of the last call of play."""
         self._words: Any = (c_void_p * 0)()
         self._statuses: Any = None
 
     def play(self, states: States, out: Any = None) -> Table:
-        """The outputs of each state, a row a state, in the order of `outputs`.
+        """The outputs of each state, one row per state, in the order of `outputs`.
 
         `states` is an array of states x inputs; or a mapping with a vector or a number for each
-        input, where numbers hold in every state; or a data frame with a column for each, and perhaps
-        others. A vector alone is taken for states if the tape has one input; an array.array is read
-        row after row. Numbers are in `input_units`; all have to be finite, or UsageError is raised.
+        input, where a number applies to every state; or a data frame with a column for each input,
+        and possibly others. A plain vector is taken as states if the tape has one input; an
+        array.array is read row by row. Numbers are in `input_units`; all must be finite, or
+        UsageError is raised.
 
-        With NumPy the answer is an array of float64, without it a list of rows. An input array of
+        With NumPy the result is an array of float64, without it a list of rows. An input array of
         float64 that is C-contiguous is not copied. `out`, a writable C-contiguous array of float64
-        (or an array.array of typecode "d"), takes the outputs and is returned.
+        (or an array.array of typecode "d"), receives the outputs and is returned.
 
-        NaN is an output without a value; `statuses` then says why, and nothing is raised."""
+        NaN is an output without a value; `statuses` then gives the reason, and nothing is raised."""
         given = _numbers.inputs_of(states, self.inputs)
         room = _numbers.Outputs(given.states, len(self.outputs), out)
         words = (c_void_p * given.states)()
@@ -100,9 +101,9 @@ class Tape:
 
     @property
     def statuses(self) -> Any:
-        """A word for each state of the last play: "solved", or what keeps it from being so
-        ("locked", "no_ratio", "singular", a code of an error; `kinestat help sweeps` lists them).
-        With NumPy an array, so that `tape.statuses == "solved"` is a mask; without it a list."""
+        """A word for each state of the last play: "solved", or the reason why it is not ("locked",
+        "no_ratio", "singular", an error code; `kinestat help sweeps` lists them). With NumPy this is
+        an array, so that `tape.statuses == "solved"` is a mask; without it a list."""
         if self._statuses is None:
             self._statuses = self._read_statuses()
         return self._statuses
@@ -119,15 +120,16 @@ class Tape:
 
     @property
     def is_played(self) -> bool:
-        """Whether states are played; otherwise no tape can be made of the case, and each state is
-        analysed. Known once some were played."""
+        """Whether states are evaluated from the recording; if no tape can be made of the case, each
+        state is analysed instead. Known after the first play."""
         return bool(library.kinestat_is_played(self._handle.pointer))
 
     def frame(self, states: States) -> pandas.DataFrame:
-        """Plays the states; a pandas.DataFrame of inputs, outputs and "status", a row a state.
+        """Evaluates the states; returns a pandas.DataFrame of inputs, outputs and "status", one row
+        per state.
 
-        Columns have the names of inputs and outputs, an output that is called as an input
-        " (output)" after it. `frame.attrs["units"]` has the unit of each column of numbers."""
+        Columns have the names of inputs and outputs; an output with the name of an input has
+        " (output)" appended. `frame.attrs["units"]` has the unit of each numeric column."""
         import numpy
         import pandas
 

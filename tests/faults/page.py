@@ -41,8 +41,8 @@ def table(parts: list[Part], commands: list[Command]) -> str:
     conditions = sum(bool(fault.everywhere) for fault in listed)
     lines = [
         f"{len(listed)} faults. {files} files are given to each of {len(commands)} commands, "
-        f"{files * len(commands)} runs; each of the commands runs in {conditions} surroundings; "
-        f"{len(cases)} cases of `tests/cli` show what is said. The commands that read a mechanism "
+        f"{files * len(commands)} runs; each command runs in {conditions} test environments; "
+        f"{len(cases)} cases of `tests/cli` show the messages. The commands that read a mechanism "
         f"file are {', '.join(command.name for command in commands)}."]
     for part in parts:
         lines += ["", f"### {part.name}", "", "| | fault | promise | held by |",
