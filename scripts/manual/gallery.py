@@ -9,7 +9,7 @@ import markdown
 from help_text import is_prose
 from mechanism import Mechanism
 from picture import Pictures
-from program import Program
+from program import ANSWERED, Program
 
 # Which pictures say most of a mechanism, the best first; the other kinds show how the method works.
 _SHOWN = ["linkage", "animation", "gear-scheme", "burmester", "lever", "shift-matrix", "ratio-ladder",
@@ -81,4 +81,4 @@ def _remarks(text: str) -> str:
 
 def _answer(program: Program, command: str, file: str) -> str:
     line = f"kinestat {command} {file}"
-    return markdown.block(f"$ {line}\n{program.shell(line)}", "console")
+    return markdown.block(f"$ {line}\n{program.shell(line, ANSWERED)}", "console")

@@ -49,7 +49,7 @@ class HandPages:
     def _run(self, script: str, status: int, pattern: str) -> str:
         shown = "\n".join(f"> {line}" if line.startswith((" ", "done")) else f"$ {line}"
                           for line in script.split("\n"))
-        return markdown.block(f"{shown}\n{_excerpt(self._program.shell(script, status), pattern)}",
+        return markdown.block(f"{shown}\n{_excerpt(self._program.shell(script, (status,)), pattern)}",
                               "console")
 
 

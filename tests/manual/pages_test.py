@@ -32,6 +32,17 @@ class PagesCase(unittest.TestCase):
         return self.pages.filled(text, "")
 
 
+class Answers(PagesCase):
+    def test_a_task_without_a_usable_linkage_has_pictures(self) -> None:
+        task = str(ROOT / "mechanisms" / "synthesis" / "do_valle_table_2.yaml")
+        self.assertEqual(self.program.pictures_of(task), ["synthesis", "burmester"])
+        self.assertIn("<svg", self.program("plot", "burmester", task))
+
+    def test_a_file_that_cannot_be_read_stops_the_manual(self) -> None:
+        with self.assertRaises(SystemExit):
+            self.program("plot", "list", "nowhere.yaml")
+
+
 class Blocks(PagesCase):
     def test_a_command_stands_above_what_it_prints(self) -> None:
         self.assertEqual(self.filled("```{run}\necho one\n```\n"), "```console\n$ echo one\none\n```\n\n")
