@@ -85,16 +85,17 @@ def _is_heading(lines: list[str]) -> bool:
 
 
 def _literal(blocks: list[str]) -> list[str]:
-    """What is laid out; a mechanism file in it is a block of its own."""
+    """What is laid out; a mechanism file in it is a block of its own, as far as it is indented."""
+    is_file = bool(blocks) and _begins_file(blocks[0])
     for i, one in enumerate(blocks[1:], 1):
-        if _begins_file(one):
+        if _begins_file(one) or is_file and not one.startswith(" "):
             return _literal(blocks[:i]) + _literal(blocks[i:])
     if not blocks:
         return []
     text = textwrap.dedent("\n\n".join(blocks))
     if any(line.startswith("+ ") for line in text.splitlines()):
         return [markdown.block(text, "diff")]
-    if _begins_file(blocks[0]):
+    if is_file:
         return [markdown.block(text, "yaml")]
     is_shell = all(line.startswith(("kinestat ", "generator ")) for line in text.splitlines() if line)
     return [markdown.block(text, "bash" if is_shell else "text")]

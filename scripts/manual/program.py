@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 # Lines of lists: two spaces, a word, and what it means.
-_ENTRY = re.compile(r"^  ([a-z][a-z_-]*)(?: {2,}| *$)(.*)$")
+_ENTRY = re.compile(r"^  ([a-z][a-z_-]*)(?: +|$)(.*)$")
 
 
 # Exit statuses: 5 where a case, a motion or a task has no answer, and all else is printed.

@@ -97,6 +97,14 @@ class Help(PagesCase):
         text = HelpText(self.program).body("    a   b\n\n    kinestat: 1\n    space: planar\n")
         self.assertIn("```yaml\nkinestat: 1\nspace: planar\n```", text)
 
+    def test_a_list_below_a_mechanism_file_is_no_part_of_it(self) -> None:
+        text = HelpText(self.program).body("    kinestat: 1\n\n    space: planar\n\nA is\n  b   c\n")
+        self.assertEqual(
+            text, "```yaml\nkinestat: 1\n\nspace: planar\n```\n\n\n```text\nA is\n  b   c\n```\n\n")
+
+    def test_every_command_has_a_page(self) -> None:
+        self.assertIn("tolerance", self.program.commands())
+
 
 class Format(PagesCase):
     def test_keys_of_a_coupling_are_those_of_its_type(self) -> None:
