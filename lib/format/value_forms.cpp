@@ -65,6 +65,14 @@ const std::vector<FormShape>& text_shapes() {
        .pattern_text = "Write the name of an actuator, or of a coupling with its freedom or "
                        "action, such as d.wz or c.Rx."},
       {.kind = FormKind::name,
+       .definition = "column_name",
+       .meaning = "A word, an actuator, COUPLING.FREEDOM, COUPLING.ACTION, or a column as tables "
+                  "call it: NAME/QUANTITY.",
+       .pattern = "^[A-Za-z_][A-Za-z0-9_-]*([./][A-Za-z0-9_-]+)*$",
+       .pattern_text = "Write one of the words, the name of an actuator, of a coupling with its "
+                       "freedom or action, such as d.wz or c.Rx, or a column such as "
+                       "motor/action or pen/at/x."},
+      {.kind = FormKind::name,
        .definition = "quantity",
        .meaning = "A quantity of a row of a sweep; of a whole motion, a column with dots and a "
                   "figure.",
@@ -167,6 +175,10 @@ Form<Name> free_name() {
 
 Form<Name> target() {
   return reference(text_shape("target"));
+}
+
+Form<Name> column_name() {
+  return reference(text_shape("column_name"));
 }
 
 Form<Name> quantity() {
