@@ -8,6 +8,7 @@
 #include "core/utf8.hpp"
 #include "expression/functions.hpp"
 #include "format/number_forms.hpp"
+#include "io/cut_value.hpp"
 #include "io/value_reader.hpp"
 
 namespace kinestat {
@@ -93,8 +94,10 @@ const std::vector<FormShape>& text_shapes() {
 Form<Name> reference(const FormShape& shape) {
   return {.shape = shape,
           .read =
-              [](const FileValue& value) {
-                return read_reference(value.node, value.what, value.found);
+              [is_name = shape.kind == FormKind::name](const FileValue& value) {
+                return is_name && report_loose_end(value.node, value.found)
+                           ? std::nullopt
+                           : read_reference(value.node, value.what, value.found);
               },
           .write = [](const Name& name) { return single_text(name.text); }};
 }
