@@ -402,6 +402,11 @@ class PageTest(PageCase):
             else:
                 self.assertEqual(json.loads(saved[name]), json.loads(text), name)
 
+    def test_a_page_is_light_but_for_its_data(self) -> None:
+        html = self.page("transmissions/ravigneaux.yaml").read_text("utf-8")
+        shown = re.sub(r"<script[^>]* data-kind=.*?</script>", "", html, flags=re.S)
+        self.assertLess(len(shown.encode()), 300_000)
+
     def test_the_same_files_give_the_same_bytes(self) -> None:
         again = self.folder / "again.html"
         for name in PAGES:
