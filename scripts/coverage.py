@@ -20,10 +20,11 @@ from pathlib import Path
 from typing import Iterable, Iterator
 
 import check_layers
+from written_part import WrittenPart
 
 ROOT = Path(__file__).resolve().parents[1]
-PAGE = ROOT / "RELIABILITY.md"
-BEGIN, END = "<!-- written by scripts/coverage.sh --write: -->", "<!-- end of coverage -->"
+PART = WrittenPart(ROOT / "RELIABILITY.md",
+                   "<!-- written by scripts/coverage.sh --write: -->", "<!-- end of coverage -->")
 ASKED = 0.90  # of the lines
 
 
@@ -158,10 +159,7 @@ def main() -> int:
     text = table(lines, branches, known.tests)
     print(text)
     if known.write:
-        page = PAGE.read_text(encoding="utf-8")
-        before, _, rest = page.partition(BEGIN)
-        _, _, after = rest.partition(END)
-        PAGE.write_text(f"{before}{BEGIN}\n\n{text}\n\n{END}{after}", encoding="utf-8")
+        PART.write(text)
     return 0
 
 

@@ -32,13 +32,14 @@ from pathlib import Path
 from typing import Iterator
 
 import check_layers
+from written_part import WrittenPart
 
 ROOT = Path(__file__).resolve().parents[1]
 RELEASE = ROOT / "build/release"
 WORK = ROOT / "build/mutants"
 LOG = WORK / "log.jsonl"
-PAGE = ROOT / "RELIABILITY.md"
-BEGIN, END = "<!-- written by scripts/mutants.py --write: -->", "<!-- end of mutants -->"
+PART = WrittenPart(ROOT / "RELIABILITY.md",
+                   "<!-- written by scripts/mutants.py --write: -->", "<!-- end of mutants -->")
 MODULES = ("math", "network", "statics", "power", "studies/shift", "studies/motion")
 LABELS = "golden|reference|cli"  # of ctest: the tests of the program, after the unit tests
 TOO_LONG = "takes too long"
@@ -385,10 +386,7 @@ def main() -> int:
             print(f"survived: {row['number']}: {row['file']}:{row['line']}: {row['before']} -> "
                   f"{row['after'] or 'nothing'}")
     if known.write:
-        page = PAGE.read_text(encoding="utf-8")
-        before, _, rest = page.partition(BEGIN)
-        _, _, after = rest.partition(END)
-        PAGE.write_text(f"{before}{BEGIN}\n\n{text}\n\n{END}{after}", encoding="utf-8")
+        PART.write(text)
     return 0
 
 

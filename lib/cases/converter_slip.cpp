@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "cases/speed_ratio_scan.hpp"
 #include "kinematics/velocity.hpp"
+#include "mechanism/couplings/speed_ratio_scan.hpp"
 #include "statics/friction_law.hpp"
 
 namespace kinestat {

@@ -188,7 +188,8 @@ void draw_guides(const std::vector<ChartGuide>& guides,
   }
   for (std::size_t i = 0; i < guides.size(); ++i) {
     if (layout.row_count > 1) {
-      svg.rectangle(text_box(place(i), guides[i].label, layout.styles[i]), {.fill = Ink::paper});
+      svg.rectangle(text_box(place(i), guides[i].label, layout.styles[i]),
+                    {.stroke = Ink::none, .fill = Ink::paper});
     }
     svg.text(place(i), guides[i].label, layout.styles[i]);
   }

@@ -8,6 +8,7 @@
 #include "core/utf8.hpp"
 #include "expression/functions.hpp"
 #include "format/number_forms.hpp"
+#include "io/cut_value.hpp"
 #include "io/value_reader.hpp"
 
 namespace kinestat {
@@ -65,6 +66,14 @@ const std::vector<FormShape>& text_shapes() {
        .pattern_text = "Write the name of an actuator, or of a coupling with its freedom or "
                        "action, such as d.wz or c.Rx."},
       {.kind = FormKind::name,
+       .definition = "column_name",
+       .meaning = "A word, an actuator, COUPLING.FREEDOM, COUPLING.ACTION, or a column as tables "
+                  "call it: NAME/QUANTITY.",
+       .pattern = "^[A-Za-z_][A-Za-z0-9_-]*([./][A-Za-z0-9_-]+)*$",
+       .pattern_text = "Write one of the words, the name of an actuator, of a coupling with its "
+                       "freedom or action, such as d.wz or c.Rx, or a column such as "
+                       "motor/action or pen/at/x."},
+      {.kind = FormKind::name,
        .definition = "quantity",
        .meaning = "A quantity of a row of a sweep; of a whole motion, a column with dots and a "
                   "figure.",
@@ -85,8 +94,10 @@ const std::vector<FormShape>& text_shapes() {
 Form<Name> reference(const FormShape& shape) {
   return {.shape = shape,
           .read =
-              [](const FileValue& value) {
-                return read_reference(value.node, value.what, value.found);
+              [is_name = shape.kind == FormKind::name](const FileValue& value) {
+                return is_name && report_loose_end(value.node, value.found)
+                           ? std::nullopt
+                           : read_reference(value.node, value.what, value.found);
               },
           .write = [](const Name& name) { return single_text(name.text); }};
 }
@@ -167,6 +178,10 @@ Form<Name> free_name() {
 
 Form<Name> target() {
   return reference(text_shape("target"));
+}
+
+Form<Name> column_name() {
+  return reference(text_shape("column_name"));
 }
 
 Form<Name> quantity() {

@@ -33,7 +33,10 @@ Form<Name> free_name();
 /// An actuator, or coupling.freedom, or coupling.action.
 Form<Name> target();
 
-/// Likewise, or a word, or a figure of a motion: column.with.dots.figure.
+/// Likewise, or a word, or a column: NAME/QUANTITY.
+Form<Name> column_name();
+
+/// A target, or a word, or a figure of a motion: column.with.dots.figure.
 Form<Name> quantity();
 
 /// The label of a case or gear, which is free text.

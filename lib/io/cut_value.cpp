@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <span>
+#include <string_view>
 
 #include <fmt/format.h>
+
+#include "description/value.hpp"
 
 namespace kinestat {
 
@@ -66,6 +69,23 @@ bool report_cut_value(const YamlNode& list, Diagnostics& found) {
     }
   }
   return false;
+}
+
+bool report_loose_end(const YamlNode& node, Diagnostics& found) {
+  const bool has_end = is_piece(node) && !node.text.empty() &&
+                       std::string_view("]},").find(node.text.back()) != std::string_view::npos &&
+                       node.text.find_first_of("[{") == std::string::npos;
+  if (!has_end) {
+    return false;
+  }
+  const std::string rest = node.text.substr(0, node.text.size() - 1);
+  const bool is_list = rest.find(',') != std::string::npos;
+  found.error("E0204",
+              place_in(node.where, node.text_column, node.text, static_cast<int>(rest.size()), 1),
+              node.text.back() == ',' ? "',' ends a value that is in no list"
+                                      : fmt::format("'{}' closes nothing", node.text.back()),
+              is_list ? fmt::format("write [{}], or remove it", rest) : "remove it");
+  return true;
 }
 
 std::string whole_entry(const YamlEntry& before, const YamlEntry& rest) {

@@ -67,6 +67,26 @@ void Fields::finish() {
   }
 }
 
+// A key that has its value in it: "type:revolute", "coupling a", "coupling = a".
+bool Fields::refuse_joined(const YamlEntry& entry, const std::vector<std::string>& known) {
+  const std::size_t end = entry.key.find_first_of(" :=");
+  const std::string key = entry.key.substr(0, end);
+  const bool is_joined = end != std::string::npos && entry.value.kind == YamlKind::null &&
+                         std::ranges::find(known, key) != known.end();
+  const std::size_t begin = is_joined ? entry.key.find_first_not_of(" :=", end) : std::string::npos;
+  if (begin == std::string::npos) {
+    return false;
+  }
+  std::erase_if(missing_, [&](const Missing& one) { return one.key == key; });
+  found_.error("E0302",
+               entry.key_where,
+               fmt::format("{} has no key '{}'", what_, entry.key),
+               fmt::format("write '{}: {}', a colon and a space between key and value",
+                           key,
+                           entry.key.substr(begin)));
+  return true;
+}
+
 void Fields::refuse(std::size_t index) {
   const YamlEntry& entry = node_->entries[index];
   const std::string whole =
@@ -81,6 +101,9 @@ void Fields::refuse(std::size_t index) {
     if (std::ranges::find(known, key) == known.end()) {
       known.emplace_back(key);
     }
+  }
+  if (refuse_joined(entry, known)) {
+    return;
   }
   std::string guess = meant_name(entry.key, missing);
   std::erase_if(missing_, [&](const Missing& one) { return one.key == guess; });

@@ -39,6 +39,7 @@ class Fields {
   };
 
   void refuse(std::size_t index);
+  bool refuse_joined(const YamlEntry& entry, const std::vector<std::string>& known);
 
   const YamlNode* node_ = nullptr;
   SourceRange where_;

@@ -123,7 +123,7 @@ std::optional<std::vector<Value>> read_components(const YamlNode& node,
                                                   Space space,
                                                   Diagnostics& found) {
   const std::size_t count = space == Space::planar ? 2 : 3;
-  if (report_cut_value(node, found)) {
+  if (report_cut_value(node, found) || report_loose_end(node, found)) {
     return std::nullopt;
   }
   if (node.kind != YamlKind::sequence || node.items.size() != count) {
@@ -159,12 +159,14 @@ std::optional<std::vector<Value>> read_components(const YamlNode& node,
 }  // namespace
 
 std::string with_commas(const YamlNode& node) {
-  if (node.kind != YamlKind::scalar || node.text.find_first_of(" ;") == std::string::npos) {
+  constexpr std::string_view kBetween = " ;,";
+  if (node.kind != YamlKind::scalar || node.text.find_first_of(kBetween) == std::string::npos) {
     return {};
   }
   std::string listed;
   for (const char c : node.text) {
-    listed += c == ' ' || c == ';' ? (listed.ends_with(", ") ? "" : ", ") : std::string(1, c);
+    const bool is_between = kBetween.find(c) != std::string_view::npos;
+    listed += !is_between ? std::string(1, c) : listed.ends_with(", ") ? "" : ", ";
   }
   return listed;
 }
@@ -209,7 +211,8 @@ bool check_name(const Name& name, std::string_view what, Diagnostics& found) {
 
 std::optional<Value> read_value(const YamlNode& node, std::string_view what, Diagnostics& found) {
   if (!check_scalar(node, what, found) ||
-      !check_no_truth_value(node, what, "a number", "write a number or an expression", found)) {
+      !check_no_truth_value(node, what, "a number", "write a number or an expression", found) ||
+      report_loose_end(node, found)) {
     return std::nullopt;
   }
   auto parsed = parse_expression(node.text);
@@ -246,6 +249,9 @@ std::optional<bool> read_bool(const YamlNode& node, std::string_view what, Diagn
   if (is_truth_value(node)) {
     return node.text == "true";
   }
+  if (report_loose_end(node, found)) {
+    return std::nullopt;
+  }
   const bool is_word = node.text == "true" || node.text == "false";
   found.error("E0304",
               node.where,
@@ -269,7 +275,7 @@ void complain_of_word(const YamlNode& node,
                 fmt::format("write {}, without brackets", fmt::join(words, " or ")));
     return;
   }
-  if (!check_scalar(node, what, found)) {
+  if (!check_scalar(node, what, found) || report_loose_end(node, found)) {
     return;
   }
   const std::string guess = did_you_mean_word(node.text, words);
@@ -298,6 +304,9 @@ std::optional<AxisDescription> read_axis(const YamlNode& node,
   if (node.kind == YamlKind::scalar) {
     static const std::vector<std::string> kAxisWords = {"x", "y", "z", "-x", "-y", "-z"};
     const auto word = std::ranges::find(kAxisWords, node.text);
+    if (word == kAxisWords.end() && report_loose_end(node, found)) {
+      return std::nullopt;
+    }
     if (word == kAxisWords.end()) {
       found.error(
           "E0305",

@@ -16,7 +16,7 @@ namespace kinestat {
 /// Each answers empty iff it added an error. `what` names the value in messages.
 
 /// The words of a scalar with commas between them, "crank, coupler" of "crank coupler", for lists
-/// whose commas were forgotten; empty if it is one word.
+/// whose commas or brackets were forgotten; empty if it is one word.
 std::string with_commas(const YamlNode& node);
 
 /// Any text on one scalar, e.g. a title.

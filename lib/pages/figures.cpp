@@ -25,6 +25,7 @@ constexpr auto kPlaces = std::to_array<NamedPlace>({
     {"power-flow", PicturePlace::power},
     {"shift-matrix", PicturePlace::shift},
     {"ratio-ladder", PicturePlace::shift},
+    {"trade-offs", PicturePlace::charts},
 });
 
 // Pictures of all cases, which show one alone beside its tables.

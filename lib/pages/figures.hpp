@@ -23,7 +23,8 @@ enum class PicturePlace {
   power,
   compared,  ///< all cases side by side
   sweep,
-  synthesis
+  synthesis,
+  charts  ///< each of its charts is a figure with its values
 };
 
 /// All pictures that the source has for a place, in the order of the catalogue. With

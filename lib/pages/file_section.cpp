@@ -13,6 +13,7 @@
 #include "studies/shift/report/shift_text.hpp"
 #include "studies/sweep/picture/sweep_curves.hpp"
 #include "studies/synthesis/report/synthesis_text.hpp"
+#include "studies/transmissions/picture/ladders.hpp"
 
 namespace kinestat {
 
@@ -193,6 +194,9 @@ class FileSection {
   void add_transmissions() {
     section_.open_part("synthesis", "Synthesis");
     section_.add_pictures(pictures_at(PicturePlace::synthesis, section_.source()));
+    if (!page_.transmissions->groups.empty()) {
+      section_.add_charts(trade_off_figure(*page_.transmissions), "Trade-offs");
+    }
     if (!page_.schemes.empty()) {
       html_.element("p", "Gear schemes of the best ladders, of each its first transmission:");
       section_.add_pictures(page_.schemes);

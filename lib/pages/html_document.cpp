@@ -1,6 +1,7 @@
 #include "pages/html_document.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
@@ -23,13 +24,13 @@ std::string report_title(std::span<const FilePage> pages) {
   return pages.size() == 1 ? page_title(pages.front()) : fmt::format("{} mechanisms", pages.size());
 }
 
-void add_head(const std::string& title, Html& html) {
+void add_head(const std::string& title, const std::string& script, Html& html) {
   const std::string style = page_style();
   html.open("head");
   html.single("meta", {{"charset", "utf-8"}});
-  html.single("meta",
-              {{"http-equiv", "Content-Security-Policy"},
-               {"content", content_policy(style, page_script())}});
+  html.single(
+      "meta",
+      {{"http-equiv", "Content-Security-Policy"}, {"content", content_policy(style, script)}});
   html.single("meta", {{"name", "viewport"}, {"content", "width=device-width, initial-scale=1"}});
   html.single("meta", {{"name", "color-scheme"}, {"content", "light dark"}});
   html.single("meta", {{"name", "generator"}, {"content", fmt::format("kinestat {}", kVersion)}});
@@ -102,10 +103,11 @@ std::string html_report(std::span<const FilePage> pages) {
     headings.push_back(std::move(of_file));
   }
   const std::string title = report_title(pages);
+  const std::string script = page_script(sections.html());
   Html html;
   html.markup(kBegin);
   html.open("html", {{"lang", "en"}});
-  add_head(title, html);
+  add_head(title, script, html);
   html.open("body");
   html.element("a", "Skip to the report", {{"class", "skip"}, {"href", "#report"}});
   html.open("header");
@@ -125,7 +127,7 @@ std::string html_report(std::span<const FilePage> pages) {
   html.markup(sections.html());
   html.close();
   html.open("script");
-  html.markup(page_script());
+  html.markup(script);
   html.close();
   html.close();
   html.close();
@@ -137,6 +139,15 @@ namespace {
 std::string source_of(std::string_view text) {
   return fmt::format("'sha256-{}'", base64(sha256(text)));
 }
+
+// Parts of the script that work on some pages alone, and what marks these.
+struct WorksOn {
+  std::string_view part;
+  std::string_view mark;
+};
+
+constexpr auto kWorksOn = std::to_array<WorksOn>(
+    {{"charts", " data-chart="}, {"turning", "-scene\""}, {"motion", " data-poses="}});
 
 // Without comments and what lines are set in by, which readers of a page have no use for.
 std::string packed_script(std::string_view source) {
@@ -179,10 +190,13 @@ std::string page_style() {
       packed_style(embedded_style().front().text));
 }
 
-std::string page_script() {
+std::string page_script(std::string_view content) {
   std::string script;
   for (const EmbeddedText& part : embedded_scripts()) {
-    script += packed_script(part.text);
+    const auto* const row = std::ranges::find(kWorksOn, part.name, &WorksOn::part);
+    if (row == kWorksOn.end() || content.find(row->mark) != std::string_view::npos) {
+      script += packed_script(part.text);
+    }
   }
   return script;
 }

@@ -19,8 +19,8 @@ std::string html_report(std::span<const FilePage> pages);
 /// The only style of a page: the palette of the pictures, light and dark, and its own rules.
 std::string page_style();
 
-/// The only script.
-std::string page_script();
+/// The only script, as far as it works on what the page shows.
+std::string page_script(std::string_view content);
 
 /// The content security policy: nothing is loaded from anywhere; of style and script only those
 /// with these texts count.

@@ -121,7 +121,8 @@ void SectionWriter::add_charts(const Figure& figure, const std::string& what, Ch
   html_.open("div", {{"class", "charts"}});
   for (Chart chart : figure.charts) {
     chart.width = kChartWidth;
-    const std::string& shown = chart.title.empty() ? chart.y.label : chart.title;
+    // The caption has the title, which may be wider than the chart.
+    const std::string shown = chart.title.empty() ? chart.y.label : std::exchange(chart.title, {});
     const std::string caption = fmt::format("{}, {}", what, shown);
     ++figures_;
     add_chart_figure({.name = figure.name,

@@ -13,6 +13,7 @@
 #include "pages/html_document.hpp"
 #include "pages/motion_figure.hpp"
 #include "report/file/file_report.hpp"
+#include "report/tables/wide_table.hpp"
 #include "run/analyse.hpp"
 #include "run/mobility.hpp"
 #include "run/motion.hpp"
@@ -253,7 +254,9 @@ class PageBuilder {
       const bool is_there =
           std::ranges::find(page_.data, name, &PageData::name) != page_.data.end();
       if (!is_there) {
-        page_.data.push_back({.name = name, .type = "text/csv", .text = std::move(table.text)});
+        // A row a value would be most of the page.
+        std::string text = table.pass == "motion" ? wide_table(table.text) : std::move(table.text);
+        page_.data.push_back({.name = name, .type = "text/csv", .text = std::move(text)});
       }
     }
   }

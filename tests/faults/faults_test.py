@@ -78,8 +78,8 @@ class Faults(unittest.TestCase):
         self.assertEqual(complaints, [])
 
     def test_are_told_in_the_page(self) -> None:
-        text = page.PAGE.read_text(encoding="utf-8")
-        self.assertEqual(page.with_table(text, page.table(self.parts, self.commands)), text,
+        self.assertEqual(page.PART.replaced(page.table(self.parts, self.commands)),
+                         page.PART.page.read_text(encoding="utf-8"),
                          "faults_test.py --write brings it up to date")
 
 
@@ -91,9 +91,7 @@ def main() -> None:
     known, others = parser.parse_known_args()
     program = Program(known.program)
     if known.write:
-        table = page.table(catalogue.read(), program.commands())
-        text = page.PAGE.read_text(encoding="utf-8")
-        page.PAGE.write_text(page.with_table(text, table), encoding="utf-8")
+        page.PART.write(page.table(catalogue.read(), program.commands()))
         return
     unittest.main(argv=[sys.argv[0], *others])
 

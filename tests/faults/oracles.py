@@ -18,7 +18,7 @@ from program import ROOT
 sys.path.insert(0, str(ROOT / "tests" / "cli"))
 sys.path.insert(0, str(ROOT / "tests" / "differential"))
 import passes  # noqa: E402
-import reports_test  # noqa: E402
+import report_values  # noqa: E402
 
 # Of a table of the text: a name, a number, and its unit.
 ROW = r"^ +{} +(-?[\d.]+(?:e[+-]\d+)?) +[A-Za-z]"
@@ -42,11 +42,11 @@ def csv_as_json(report: Any, table: bytes) -> Iterator[str]:
         return  # a task of synthesis
     rows = list(csv.reader(io.StringIO(table.decode("utf-8"), newline=""), strict=True))
     for row in (dict(zip(rows[0], cells)) for cells in rows[1:]):
-        value = reports_test.json_value(report, row)
+        value = report_values.json_value(report, row)
         if row["value"] != ("" if value is None else json.dumps(value)):
             yield f"CSV has {row}, JSON {value!r}"
-    if len(rows) - 1 != len(reports_test.repeated_values(report)):
-        yield f"CSV has {len(rows) - 1} values, JSON {len(reports_test.repeated_values(report))}"
+    if len(rows) - 1 != len(report_values.repeated_values(report)):
+        yield f"CSV has {len(rows) - 1} values, JSON {len(report_values.repeated_values(report))}"
 
 
 def text_as_json(report: Any, text: bytes) -> Iterator[str]:

@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+import sys
+
 import surroundings
 from catalogue import Fault, Part, expected_code, faults
 from program import ROOT, Command
 
-PAGE = ROOT / "RELIABILITY.md"
-BEGIN = "<!-- written by tests/faults/faults_test.py --write: -->"
-END = "<!-- end of what is written -->"
+sys.path.insert(0, str(ROOT / "scripts"))
+from written_part import WrittenPart  # noqa: E402
+
+PART = WrittenPart(ROOT / "RELIABILITY.md",
+                   "<!-- written by tests/faults/faults_test.py --write: -->",
+                   "<!-- end of what is written -->")
 
 
 def promise(fault: Fault) -> str:
@@ -50,9 +55,3 @@ def table(parts: list[Part], commands: list[Command]) -> str:
         lines += [f"| {one.number} | {one.name} | {promise(one)} | {holders(one)} |"
                   for one in part.faults]
     return "\n".join(lines)
-
-
-def with_table(page: str, written: str) -> str:
-    """The page with another table between the two marks."""
-    head, rest = page.split(BEGIN)
-    return f"{head}{BEGIN}\n\n{written}\n\n{END}{rest.split(END)[1]}"

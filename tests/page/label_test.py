@@ -51,12 +51,12 @@ cases:
   hoist: {motion: {motor: 1500 rpm}, action: {drum: -500 N*m}, input: motor, output: drum}
 """
 
-# Letters, without descenders and the room above them, that cover others or are covered by what is
-# painted full or as a line. What is drawn in the grey of a grid is meant to lie behind; words
-# may stand on a curve whose parts they name.
+# Of one of the figures of a picture that are shown: letters, without descenders and the room above
+# them, that cover others or are covered by what is painted full or as a line. What is drawn in the
+# grey of a grid is meant to lie behind; words may stand on a curve whose parts they name.
 COVERED = """
-const figure = [...document.querySelectorAll('figure')].find((one) =>
-  one.dataset.picture === arguments[0] && one.getClientRects().length);
+const figure = [...document.querySelectorAll('figure')].filter((one) =>
+  one.dataset.picture === arguments[0] && one.getClientRects().length).at(arguments[1]);
 const svg = figure.querySelector('.picture svg');
 const back = svg.getScreenCTM().inverse();
 const isSeen = (one) => one.getClientRects().length && !one.closest('[display=none]') &&
@@ -131,16 +131,25 @@ def axe_core() -> Path | None:
 
 
 class LabelTest(PageCase):
-    def expect_free(self, path: Path, *pictures: str) -> None:
+    def expect_free(self, path: Path, *pictures: str, which: int = 0) -> None:
         self.open(path, prefers_reduced_motion="reduce")
         for picture in pictures:
             with self.subTest(path.stem, picture=picture):
-                count, covered = self.ask(COVERED, picture)
+                count, covered = self.ask(COVERED, picture, which)
                 self.assertGreater(count, 3)
                 self.assertEqual(covered, [])
 
     def test_the_power_flow_of_a_press(self) -> None:
-        self.expect_free(self.page("sweeps/press_stroke.yaml"), "power-flow")
+        for name in ("sweeps/press_stroke.yaml", "planar/toggle_press.yaml",
+                     "planar/engine_balance.yaml"):
+            self.expect_free(self.page(name), "power-flow")
+
+    def test_the_names_of_cases_beside_levers(self) -> None:
+        page = self.page("gears/simple_planetary.yaml")
+        self.expect_free(page, "lever", which=-1)
+        labels = self.ask("return [...document.querySelectorAll('[data-picture=lever] text')]"
+                          ".map((one) => one.textContent);")
+        self.assertIn("carrier held", labels)
 
     def test_the_gear_scheme_of_a_winch(self) -> None:
         file = self.folder / "winch.yaml"

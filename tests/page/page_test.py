@@ -379,11 +379,20 @@ class PageTest(PageCase):
                 self.assertEqual(finding[1][2].count("\n"), 2)
 
     def test_the_data_are_those_of_the_reports(self) -> None:
-        file = ROOT / "mechanisms/planar/four_bar.yaml"
-        with tempfile.TemporaryDirectory() as folder:
-            subprocess.run([program(), "analyze", "-q", "--out", folder, file], check=True)
-            written = {one.name: one.read_text("utf-8") for one in Path(folder).iterdir()}
-        self.open(self.page("planar/four_bar.yaml"))
+        file = ROOT / "mechanisms/spatial/rssr.yaml"
+
+        def written_by(*options: str) -> dict[str, str]:
+            with tempfile.TemporaryDirectory() as folder:
+                subprocess.run([program(), "analyze", "-q", "--out", folder, *options, file],
+                               check=True)
+                return {one.name: one.read_text("utf-8") for one in Path(folder).iterdir()}
+
+        written = written_by()
+        # A motion has a row a step: a row a value would be most of the page.
+        motion = "rssr.motion.csv"
+        self.assertIn(motion, written)
+        written[motion] = written_by("--layout", "wide")[motion]
+        self.open(self.page("spatial/rssr.yaml"))
         saved = dict(self.ask(SAVE))
 
         for name, text in written.items():
@@ -392,6 +401,11 @@ class PageTest(PageCase):
                 self.assertEqual(saved[name], text, name)
             else:
                 self.assertEqual(json.loads(saved[name]), json.loads(text), name)
+
+    def test_a_page_is_light_but_for_its_data(self) -> None:
+        html = self.page("transmissions/ravigneaux.yaml").read_text("utf-8")
+        shown = re.sub(r"<script[^>]* data-kind=.*?</script>", "", html, flags=re.S)
+        self.assertLess(len(shown.encode()), 300_000)
 
     def test_the_same_files_give_the_same_bytes(self) -> None:
         again = self.folder / "again.html"

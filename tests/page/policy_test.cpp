@@ -8,6 +8,10 @@ namespace {
 // By `printf abc | openssl dgst -sha256 -binary | base64`.
 constexpr const char* kHashOfAbc = "sha256-ungWv48Bz+pBQUDeXa4iI7ADYaOWF3qctBD/YfIAFa0=";
 
+// Of whatever part of the script has use for it.
+constexpr std::string_view kAllMarks =
+    "<figure data-chart=\"a\"><script id=\"a-scene\"></script><div data-poses=\"a\">";
+
 std::string between(const std::string& text, const std::string& begin, const std::string& end) {
   const std::size_t from = text.find(begin);
   EXPECT_NE(from, std::string::npos) << begin;
@@ -30,7 +34,7 @@ TEST(ContentPolicy, IsThatOfTheStyleAndTheScriptOfThePage) {
   const std::string script = between(html, "<script>", "</script>");
 
   EXPECT_EQ(style, page_style());
-  EXPECT_EQ(script, page_script());
+  EXPECT_EQ(script, page_script(""));
   std::string escaped;
   for (const char character : content_policy(style, script)) {
     escaped += character == '\'' ? "&#39;" : std::string(1, character);
@@ -47,7 +51,21 @@ TEST(ContentPolicy, IsNotBrokenByStylesOrHandlersInElements) {
 
 TEST(PageStyle, HoldsNoEndOfItself) {
   EXPECT_EQ(page_style().find("</"), std::string::npos);
-  EXPECT_EQ(page_script().find("</"), std::string::npos);
+  EXPECT_EQ(page_script(kAllMarks).find("</"), std::string::npos);
+}
+
+TEST(PageScript, HasThePartsThatThePageHasUseFor) {
+  const auto has = [](std::string_view script, std::string_view words) {
+    return script.find(words) != std::string_view::npos;
+  };
+  const std::string none = page_script("<p>data-save</p>");
+  const std::string moving = page_script("<figure data-poses=\"a\">");
+
+  EXPECT_TRUE(has(none, "data-save"));
+  EXPECT_FALSE(has(none, "data-poses"));
+  EXPECT_TRUE(has(moving, "data-poses"));
+  EXPECT_FALSE(has(moving, "data-chart"));
+  EXPECT_GT(page_script(kAllMarks).size(), 2 * none.size());
 }
 
 TEST(HtmlReport, BeginsWithItsSignature) {

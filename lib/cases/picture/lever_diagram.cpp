@@ -22,6 +22,9 @@ namespace {
 constexpr double kPanelWidth = 240.0;   // from the first node of a lever to the last
 constexpr double kPanelHeight = 130.0;  // of the scale of speeds
 constexpr double kPanelGap = 90.0;
+constexpr double kLabelReach = 55.0;  // of the labels of nodes beyond the first and the last
+constexpr double kCaseSize = 13.0;
+constexpr double kMostOfCase = 160.0;  // of the label of a case
 constexpr double kRowGap = 46.0;
 constexpr double kNameSize = 11.0;
 constexpr double kNodeRadius = 4.5;
@@ -72,6 +75,10 @@ class LeverDrawing {
         cases_.push_back(&one);
       }
     }
+    for (const CaseAnalysis* one : cases_) {
+      const double width = text_width(one->which.label, kCaseSize, Weight::bold);
+      margin_ = std::max(margin_, std::min(width, kMostOfCase) + kLabelReach + 10.0);
+    }
     find_scale();
   }
 
@@ -119,8 +126,8 @@ class LeverDrawing {
   // Below the top of the panels of a row.
   double place(double value) const { return kPanelHeight * (high_ - value) / (high_ - low_); }
 
-  static double left_of(std::size_t lever) {
-    return kPanelGap + (kPanelWidth + kPanelGap) * static_cast<double>(lever);
+  double left_of(std::size_t lever) const {
+    return margin_ + (kPanelWidth + kPanelGap) * static_cast<double>(lever);
   }
 
   // The names of the nodes, each over its line, in as many rows as they need.
@@ -149,8 +156,8 @@ class LeverDrawing {
 
   void draw_case(const CaseAnalysis& one) {
     svg_.text({.x = 0.0, .y = y_ + 4.0},
-              fitting_text(one.which.label, 13.0, kPanelGap - 10.0, Weight::bold),
-              {.size = 13.0, .weight = Weight::bold});
+              fitting_text(one.which.label, kCaseSize, kMostOfCase, Weight::bold),
+              {.size = kCaseSize, .weight = Weight::bold});
     for (std::size_t l = 0; l < levers_.size(); ++l) {
       draw_panel(one, levers_[l], left_of(l));
     }
@@ -185,9 +192,9 @@ class LeverDrawing {
                   const DiagramLever& lever,
                   const std::vector<PixelPoint>& points,
                   double zero) {
-    PointLabels placer({.left = points.front().x - 55.0,
+    PointLabels placer({.left = points.front().x - kLabelReach,
                         .top = y_ - 18.0,
-                        .right = points.back().x + 55.0,
+                        .right = points.back().x + kLabelReach,
                         .bottom = y_ + kPanelHeight + 24.0});
     avoid_line(points.front(), points.back(), placer);
     avoid_line({.x = points.front().x - 24.0, .y = zero},
@@ -304,6 +311,7 @@ class LeverDrawing {
   std::vector<const CaseAnalysis*> cases_;
   double low_ = 0.0;
   double high_ = 0.0;
+  double margin_ = kPanelGap;  // before the first panel
   double y_ = 0.0;
   Svg svg_;
 };

@@ -304,7 +304,10 @@ class GraphWriter {
                port.enters ? near : far,
                {.stroke = Ink::green, .width = width},
                head_length(width));
-    placer_.keep_off(near, far);
+    for (const double side : {-0.5, 0.0, 0.5}) {
+      const PixelPoint beside = (side * head_length(width)) * left_of(out);
+      placer_.keep_off(near + beside, far + beside);
+    }
     const TextStyle style = {.ink = Ink::green, .size = kLabelText, .has_halo = true};
     const PlacedName label = placer_.place(far, port.text, style, 5.0);
     write_label(svg_, label, far, port.text, style);

@@ -245,7 +245,13 @@ bool Parser::is_decimal_comma() const {
 
 int Parser::fail_comma() {
   if (!is_decimal_comma()) {
-    return fail(token(), "',' separates the values of a function only");
+    constexpr std::size_t kLongest = 40;
+    const bool is_tuple = text_.starts_with('(') && text_.ends_with(')');
+    const std::string_view values = is_tuple ? text_.substr(1, text_.size() - 2) : text_;
+    return fail(token(),
+                "',' separates the values of a function only",
+                fmt::format("several values stand in brackets: [{}]",
+                            values.size() > kLongest ? "…, …" : values));
   }
   const Token& before = tokens_[at_ - 1];
   const Token& after = tokens_[at_ + 1];

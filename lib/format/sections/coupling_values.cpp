@@ -9,6 +9,7 @@
 #include "format/number_forms.hpp"
 #include "format/value_forms.hpp"
 #include "format/variants.hpp"
+#include "io/cut_value.hpp"
 #include "io/value_reader.hpp"
 
 namespace kinestat {
@@ -82,6 +83,9 @@ Form<std::optional<Value>> contact_radius() {
 
 void refuse_ends(const FileValue& value) {
   const YamlNode& node = value.node;
+  if (report_loose_end(node, value.found)) {
+    return;
+  }
   const std::size_t count = node.items.size();
   const std::string listed = count == 1 ? with_commas(node.items.front()) : with_commas(node);
   value.found.error(

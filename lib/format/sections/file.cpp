@@ -239,6 +239,11 @@ void declare_tasks(Mapping<File>& m) {
         "Finds linkages that carry a plane through two to five positions, finitely or "
         "infinitesimally near. It is planar; a file may hold this section alone.")
       .may(&File::synthesis, synthesis_section);
+  m.rule({.kind = FormRule::Kind::together,
+          .key = "dynamics",
+          .others = {"motion"},
+          .message = "'dynamics' is of a motion, and the file has no section 'motion'",
+          .hint = "add for example motion: {drive: NAME, to: 360 deg, case: LABEL}"});
   m.rule({.kind = FormRule::Kind::alone,
           .key = "synthesis",
           .others = {"ground", "bodies", "couplings"}});

@@ -161,7 +161,7 @@ void declare_report(Mapping<MotionDescription>& m) {
         "What each step reports: position, velocity, acceleration, action, power, ratio, "
         "transmission_angle, mechanical_advantage, dynamics, an actuator, COUPLING.FREEDOM and "
         "COUPLING.ACTION, or columns by their names, NAME/QUANTITY.")
-      .may(&MotionDescription::report, one_or_more(target()), "[velocity, d.wz]")
+      .may(&MotionDescription::report, one_or_more(column_name()), "[velocity, d.wz]")
       .offer("position", "positions of the freedoms")
       .offer("velocity", "velocities of the freedoms")
       .offer("acceleration", "accelerations of the freedoms")

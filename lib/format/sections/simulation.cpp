@@ -117,7 +117,7 @@ const Mapping<SimulationDescription>& simulation_section() {
              "What each row reports: position, velocity, acceleration, action, energy, or names of "
              "freedoms, actuators, actions, couplings and columns. Without it all but the actions "
              "of couplings.")
-            .may(&SimulationDescription::report, one_or_more(target()), "[a, action]");
+            .may(&SimulationDescription::report, one_or_more(column_name()), "[a, action]");
       });
   return mapping;
 }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/utf8.hpp"
+#include "io/internal/text_line.hpp"
 
 namespace kinestat {
 
@@ -26,8 +27,10 @@ constexpr std::string_view kItemHint = "begin all items of one list with '- ' in
 
 constexpr std::string_view kIllegalValue = "illegal map value";
 
+constexpr std::string_view kOpenMapping = "end of map flow not found";
+
 constexpr auto kWords = std::to_array<Words>({
-    {"end of map flow not found", "expected ',' or '}}' before '{}'", "separate entries by ','"},
+    {kOpenMapping, "expected ',' or '}}' before '{}'", "separate entries by ','"},
     {"end of sequence flow not found", "expected ',' or ']' before '{}'", "separate items by ','"},
     {"end of map not found", "'{}' does not fit into the mapping above it", kIndentationHint},
     {"end of sequence not found", "'{}' does not fit into the list above it", kItemHint},
@@ -87,47 +90,31 @@ std::string word_at(const YamlText& text, std::size_t at) {
   return std::string(text.part(at, end));
 }
 
-// One line of the text, without the blanks before it.
-struct Line {
-  std::size_t start = 0;
-  std::size_t content = 0;
-  std::size_t end = 0;
-
-  bool is_empty() const { return content == end; }
-
-  std::size_t indentation() const { return content - start; }
-};
-
-Line line_at(const YamlText& text, std::size_t at) {
-  const std::size_t before = at == 0 ? std::string::npos : text.all().rfind('\n', at - 1);
-  const std::size_t start = before == std::string::npos ? 0 : before + 1;
-  const std::size_t content = text.skip_blanks(start);
-  return {.start = start, .content = content, .end = text.skip_line(content)};
-}
-
 // Whether the line could be a key without its ':'.
-bool lacks_colon(const YamlText& text, const Line& line) {
+bool lacks_colon(const YamlText& text, const TextLine& line) {
   const std::string_view words = text.part(line.content, line.end);
   const bool is_item = words.starts_with("- ") || words == "-";
-  return words.front() != '#' && !is_item && !words.ends_with(':') &&
+  const bool closes = std::ranges::count(words, ']') > std::ranges::count(words, '[') ||
+                      std::ranges::count(words, '}') > std::ranges::count(words, '{');
+  return words.front() != '#' && !is_item && !closes && !words.ends_with(':') &&
          words.find(": ") == std::string_view::npos;
 }
 
-// A key without ':' joins the next key, whose ':' the parser then refuses. The first of the lines
-// above the key at `colon`, in its column, that have no ':'; npos where there is none.
+// A key without ':' joins the next key, in whatever column, whose ':' the parser then refuses. The
+// first of the lines above the key at `colon` that have no ':'; npos where there is none.
 std::size_t find_key_without_colon(const YamlText& text, std::size_t colon) {
-  const Line key = line_at(text, colon);
+  const TextLine key = line_at(text, colon);
   if (text.part(key.content, colon).find(": ") != std::string_view::npos) {
     return std::string::npos;
   }
   std::size_t result = std::string::npos;
   for (std::size_t start = key.start; start > 0;) {
-    const Line above = line_at(text, start - 1);
+    const TextLine above = line_at(text, start - 1);
     start = above.start;
     if (above.is_empty()) {
       continue;
     }
-    if (above.indentation() != key.indentation() || !lacks_colon(text, above)) {
+    if (!lacks_colon(text, above)) {
       break;
     }
     result = above.content;
@@ -146,6 +133,48 @@ void report_key_without_colon(SourceMap& map, std::size_t key, Diagnostics& foun
                   : "write a space after the ':' of each key");
 }
 
+// What to type where a value on the line of the second ':' holds keys or is a text: "drive:
+// coupling: a}", "name: Four-bar: big". Empty where the value is long, or begins elsewhere.
+std::string hint_on_second_colon(const YamlText& text, std::size_t colon) {
+  constexpr std::size_t kLongest = 60;
+  const TextLine line = line_at(text, colon);
+  const std::size_t begin = find_value(text, line.content);
+  if (begin >= colon || line.end - begin > kLongest) {
+    return {};
+  }
+  std::string_view value = text.part(begin, line.end);
+  if (value.find('{') == std::string_view::npos && value.ends_with('}')) {
+    return fmt::format(
+        "write {}: {{{}", text.part(line.content, skip_key(text, line.content)), value);
+  }
+  return value.find_first_of("#\"{}") != std::string_view::npos
+             ? std::string()
+             : fmt::format(
+                   "put a text in quotes: \"{0}\"; keys of one line stand in braces: "
+                   "{{{0}}}",
+                   value);
+}
+
+// Of an entry in braces that lacks its ':' or the space behind it ("at [0, 40]", "at:[0, 40]"), or
+// the ',' before it ("type: revolute bodies: [a, b]"); empty if it is another.
+std::string hint_on_entry(const YamlText& text, std::size_t at) {
+  const std::size_t before = text.all().find_last_of(",{[]}\n", at == 0 ? 0 : at - 1);
+  const std::string_view entry = text.part(before == std::string::npos ? 0 : before + 1, at);
+  const std::size_t last = entry.find_last_not_of(": ");
+  if (last == std::string_view::npos) {
+    return {};
+  }
+  const std::string_view words = entry.substr(0, last + 1);
+  const std::string_view key = words.substr(words.find_last_of(' ') + 1);
+  if (text[at] == ':') {
+    return fmt::format("write a ',' before '{}'", key);
+  }
+  const bool is_word = words.find_first_not_of(' ') == words.size() - key.size();
+  return is_word && is_one_of(text[at], "[{'\"")
+             ? fmt::format("write '{}: ' before it, with a colon and a space", key)
+             : std::string();
+}
+
 Words words_for(std::string_view parser, const YamlText& text, std::size_t at) {
   const auto* const row = std::ranges::find_if(
       kWords, [&](const Words& one) { return parser.starts_with(one.parser); });
@@ -161,7 +190,22 @@ Words words_for(std::string_view parser, const YamlText& text, std::size_t at) {
             text[at - 1] == '\'' ? "inside '...' an apostrophe is written twice"
                                  : "inside \"...\" a quote is written \\\""};
   }
-  return {parser, row->message, word_at(text, at) == "-" ? kItemHint : row->hint};
+  if (text[at] == ',') {
+    return {parser, "',' stands outside of brackets", "remove it: every line is an entry"};
+  }
+  const std::string word = word_at(text, at);
+  return {parser,
+          row->message,
+          word == "-"             ? kItemHint
+          : word.starts_with('-') ? "write a space behind the '-' of an item"
+                                  : row->hint};
+}
+
+// By what stands around the place; empty where that says no more than the parser.
+std::string hint_at(std::string_view parser, const YamlText& text, std::size_t at) {
+  return parser.starts_with(kIllegalValue)  ? hint_on_second_colon(text, at)
+         : parser.starts_with(kOpenMapping) ? hint_on_entry(text, at)
+                                            : std::string();
 }
 
 void report_unknown_alias(SourceMap& map, std::size_t at, Diagnostics& found) {
@@ -192,12 +236,13 @@ void report_parser_error(const YAML::Exception& exception,
     }
   }
   const Words words = words_for(exception.msg, map.text(), at);
+  const std::string hint = hint_at(exception.msg, map.text(), at);
   Diagnostic& error = found.error(
       "E0204",
       map.at(at),
       words.message.empty() ? exception.msg
                             : fmt::format(fmt::runtime(words.message), word_at(map.text(), at)),
-      std::string(words.hint));
+      hint.empty() ? std::string(words.hint) : hint);
   if (last_long_quote.line > 0) {
     error.notes.push_back({last_long_quote, "the quoted text that begins here goes over lines"});
     error.hint = "close that text where it should end; " + error.hint;

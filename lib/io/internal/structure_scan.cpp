@@ -168,15 +168,11 @@ Scan::Step Scan::open_bracket() {
 }
 
 Scan::Step Scan::close_bracket() {
-  const char closing = text_[at_];
   if (!in_brackets()) {
-    found_.error("E0204",
-                 map_.at(at_),
-                 fmt::format("'{}' closes nothing", closing),
-                 "remove it, or quote a text that begins with it");
+    report_loose_bracket(map_, at_, found_);
     return Step::refused;
   }
-  if ((text_[brackets_.back()] == '[') != (closing == ']')) {
+  if ((text_[brackets_.back()] == '[') != (text_[at_] == ']')) {
     report_wrong_bracket(map_, brackets_, at_, found_);
     return Step::refused;
   }

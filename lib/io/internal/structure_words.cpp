@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "io/internal/text_line.hpp"
+
 namespace kinestat {
 
 namespace {
@@ -16,6 +18,17 @@ std::size_t find_document_end(const YamlText& text, std::size_t before) {
     at = text.all().rfind("...", at - 1);
   }
   return at != std::string::npos && text.is_document_mark(at) ? at : std::string::npos;
+}
+
+// The value before the offset, from behind the last ': ' of its line on; empty if brackets are in
+// it, or a comment.
+std::string_view plain_value_before(const YamlText& text, std::size_t end) {
+  const std::size_t mark = text.all().rfind(": ", end);
+  if (mark == std::string::npos) {
+    return {};
+  }
+  const std::string_view value = text.part(text.skip_blanks(mark + 1), end);
+  return value.find_first_of("[]{}#\n") == std::string_view::npos ? value : std::string_view();
 }
 
 }  // namespace
@@ -69,12 +82,28 @@ void report_wrong_bracket(SourceMap& map,
   }
   const char opening = map.text()[open.back()];
   const char wanted = opening == '[' ? ']' : '}';
+  const std::string_view value = fitting == '[' ? plain_value_before(map.text(), end) : "";
   found
       .error("E0204",
              map.at(end),
              fmt::format("'{}' cannot close '{}'", map.text()[end], opening),
-             fmt::format("remove it, or write '{}' in its place", wanted))
+             value.empty() ? fmt::format("remove it, or write '{}' in its place", wanted)
+                           : fmt::format("write [{}], or remove it", value))
       .notes.push_back({map.at(open.back()), fmt::format("'{}' is open since here", opening)});
+}
+
+void report_loose_bracket(SourceMap& map, std::size_t bracket, Diagnostics& found) {
+  const YamlText& text = map.text();
+  // "a: type: revolute, at: [0, 0]}"
+  const std::size_t value = find_value(text, line_at(text, bracket).content);
+  const bool is_key = value != std::string::npos && find_value(text, value) < bracket;
+  found.error("E0204",
+              map.at(bracket),
+              fmt::format("'{}' closes nothing", text[bracket]),
+              is_key && text[bracket] == '}'
+                  ? fmt::format("write the '{{' that belongs to it before '{}', or remove it",
+                                text.part(value, skip_key(text, value)))
+                  : "remove it, or quote a text that begins with it");
 }
 
 void report_tab(SourceMap& map, std::size_t tab, Diagnostics& found) {

@@ -25,6 +25,9 @@ void report_open_quote(SourceMap& map, std::size_t quote, Diagnostics& found);
 /// Adds E0204 for the bracket at the offset, open where the text ends or, at `end`, another closes.
 void report_open_bracket(SourceMap& map, std::size_t bracket, std::size_t end, Diagnostics& found);
 
+/// Adds E0204 for the closing bracket at the offset, where none is open.
+void report_loose_bracket(SourceMap& map, std::size_t bracket, Diagnostics& found);
+
 /// Adds E0203 for a tab where columns count.
 void report_tab(SourceMap& map, std::size_t tab, Diagnostics& found);
 

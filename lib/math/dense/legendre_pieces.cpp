@@ -14,6 +14,9 @@ namespace {
 
 constexpr int kPointCount = 12;
 
+// Finer than there may be pieces, so many halvings that leave both halves as rough are no jumps.
+constexpr int kRoughHalves = 4;
+
 // P_0 to P_(count - 1) at a place of [-1, 1].
 VecX legendre_values(double x, int count) {
   VecX values(count);
@@ -76,42 +79,54 @@ class PieceFinder {
 
   // Empty where there are none.
   std::vector<LegendrePieces::Piece> run(VecX& sizes) {
-    std::vector<LegendrePieces::Piece> waiting;
+    std::vector<Half> waiting;
     for (std::size_t i = places_.size() - 1; i > 0; --i) {
-      auto piece = look(places_[i - 1], places_[i], std::numeric_limits<double>::infinity());
+      auto piece = look(places_[i - 1], places_[i]);
       if (!piece) {
         return {};
       }
-      waiting.push_back(*std::move(piece));
+      waiting.push_back({.piece = *std::move(piece)});
     }
     std::vector<LegendrePieces::Piece> found;
-    const double least = limits_.finest * std::abs(places_.back() - places_.front());
+    const double range = std::abs(places_.back() - places_.front());
     while (!waiting.empty()) {
-      LegendrePieces::Piece piece = std::move(waiting.back());
+      Half half = std::move(waiting.back());
       waiting.pop_back();
-      const double whole = std::exchange(piece.tail, tail_of(piece));
-      if (piece.to - piece.from <= least || is_fine(piece.tail, whole)) {
+      LegendrePieces::Piece& piece = half.piece;
+      piece.tail = tail_of(piece);
+      const double width = piece.to - piece.from;
+      if (width <= limits_.finest * range || is_fine(piece.tail, half.whole)) {
         found.push_back(std::move(piece));
         continue;
       }
       const double middle = 0.5 * (piece.from + piece.to);
-      auto low = look(piece.from, middle, piece.tail);
-      auto high = look(middle, piece.to, piece.tail);
+      auto low = look(piece.from, middle);
+      auto high = look(middle, piece.to);
       if (!low || !high || found.size() + waiting.size() + 2 > limits_.most) {
         return {};
       }
-      waiting.push_back(*std::move(high));
-      waiting.push_back(*std::move(low));
+      const bool are_rough = width * static_cast<double>(limits_.most) < range &&
+                             is_rough(*low, piece.tail) && is_rough(*high, piece.tail);
+      const int rough = are_rough ? half.rough + 1 : 0;
+      if (rough >= kRoughHalves) {
+        return {};
+      }
+      waiting.push_back({.piece = *std::move(high), .whole = piece.tail, .rough = rough});
+      waiting.push_back({.piece = *std::move(low), .whole = piece.tail, .rough = rough});
     }
     sizes = sizes_;
     return found;
   }
 
  private:
-  // Until its own tail is known, it has that of the piece of which it is a half.
-  std::optional<LegendrePieces::Piece> look(double from, double to, double whole) {
-    LegendrePieces::Piece piece{
-        .from = from, .to = to, .values = {}, .coefficients = {}, .tail = whole};
+  struct Half {
+    LegendrePieces::Piece piece;
+    double whole = std::numeric_limits<double>::infinity();  // tail of the piece of which it is one
+    int rough = 0;  // of how many pieces around it both halves are about as rough as the whole
+  };
+
+  std::optional<LegendrePieces::Piece> look(double from, double to) {
+    LegendrePieces::Piece piece{.from = from, .to = to, .values = {}, .coefficients = {}};
     for (int i = 0; i < kPointCount; ++i) {
       const auto there = functions_(argument_in(piece, rule().points[i]));
       if (!there) {
@@ -139,9 +154,15 @@ class PieceFinder {
     return largest;
   }
 
-  // `whole`: the tail of the piece of which it is a half.
   bool is_fine(double tail, double whole) const {
     return tail <= limits_.tail || (tail <= limits_.noise && tail >= 0.5 * whole);
+  }
+
+  // A jump is in one half of a piece, and what is rounding in both; the terms of what is smooth are
+  // a thousand times smaller in a half.
+  bool is_rough(const LegendrePieces::Piece& half, double whole) const {
+    const double tail = tail_of(half);
+    return tail > limits_.noise && tail >= 0.1 * whole;
   }
 
   const FunctionsAt& functions_;

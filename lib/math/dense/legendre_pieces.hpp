@@ -56,7 +56,7 @@ class LegendrePieces {
   };
 
   /// Between these places first, then between halves where the functions ask for it. Empty where
-  /// some point has no values, or the pieces would be too many.
+  /// some point has no values, the pieces would be too many, or rounding is larger than that noise.
   static std::optional<LegendrePieces> find(const FunctionsAt& functions,
                                             std::span<const double> places,
                                             const Limits& limits);

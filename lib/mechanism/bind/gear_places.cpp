@@ -7,27 +7,28 @@
 #include "couplings/kinds.hpp"
 #include "description/gear_expansion.hpp"
 #include "description/number_range.hpp"
-#include "mechanism/bind/dependence.hpp"
+#include "mechanism/bind/varying_parameters.hpp"
 
 namespace kinestat {
 
 namespace {
 
 // Whether more than teeth and modules may move, or what follows from these but the layout.
-bool moves_more(const MechanismDescription& description, const Dependence& depends) {
+bool moves_more(const MechanismDescription& description, const VaryingParameters& varying) {
   const GearsDescription& gears = *description.gears;
   const auto of_member = [&](const GearMember& one) {
-    return depends.of(one.count) || depends.of(one.load_sharing) || depends.of(one.centre_distance);
+    return varying.stand_in(one.count) || varying.stand_in(one.load_sharing) ||
+           varying.stand_in(one.centre_distance);
   };
   const auto of_mesh = [&](const MeshDescription& one) {
-    return depends.of(one.pressure_angle) || depends.of(one.normal_pressure_angle) ||
-           depends.of(one.helix_angle) || depends.of(one.at);
+    return varying.stand_in(one.pressure_angle) || varying.stand_in(one.normal_pressure_angle) ||
+           varying.stand_in(one.helix_angle) || varying.stand_in(one.at);
   };
   const auto of_axis = [&](const GearAxisDescription& one) {
-    return depends.of(one.centre_distance);
+    return varying.stand_in(one.centre_distance);
   };
-  return depends.of(gears.pressure_angle) || depends.of(gears.normal_pressure_angle) ||
-         depends.of(gears.helix_angle) || std::ranges::any_of(gears.axes, of_axis) ||
+  return varying.stand_in(gears.pressure_angle) || varying.stand_in(gears.normal_pressure_angle) ||
+         varying.stand_in(gears.helix_angle) || std::ranges::any_of(gears.axes, of_axis) ||
          std::ranges::any_of(gears.members, of_member) ||
          std::ranges::any_of(gears.meshes, of_mesh);
 }
@@ -58,7 +59,7 @@ bool clutches_two_axes(const MechanismDescription& description, const GearTrain&
 std::optional<GearPlaces> GearPlaces::make(const MechanismDescription& description,
                                            const ParameterTable& table,
                                            const std::vector<bool>& varies) {
-  if (moves_more(description, Dependence(table, varies)) || !has_all_meshes(description)) {
+  if (moves_more(description, VaryingParameters(table, varies)) || !has_all_meshes(description)) {
     return std::nullopt;
   }
   Diagnostics found;
@@ -77,19 +78,19 @@ std::optional<GearPlaces> GearPlaces::make(const MechanismDescription& descripti
 }
 
 void GearPlaces::add_moving(const ParameterTable& table, const std::vector<bool>& varies) {
-  const Dependence depends(table, varies);
+  const VaryingParameters varying(table, varies);
   const auto slot_of = [&](const std::string& name) { return table.index_of(name); };
   const GearsDescription& gears = *description_->gears;
   for (std::size_t m = 0; m < gears.members.size(); ++m) {
     const Value& teeth = gears.members[m].teeth;
-    if (depends.of(teeth)) {
+    if (varying.stand_in(teeth)) {
       teeth_.push_back({.index = m, .value = SlotExpression(teeth.expression, slot_of)});
     }
   }
   for (std::size_t m = 0; m < gears.meshes.size(); ++m) {
     const std::optional<Value>& module =
         gears.meshes[m].module ? gears.meshes[m].module : gears.module;
-    if (depends.of(module)) {
+    if (varying.stand_in(module)) {
       modules_.push_back({.index = m, .value = SlotExpression(module->expression, slot_of)});
     }
   }

@@ -9,8 +9,8 @@
 #include "core/tolerance.hpp"
 #include "couplings/coupling_catalogue.hpp"
 #include "couplings/kinds.hpp"
-#include "mechanism/bind/dependence.hpp"
 #include "mechanism/bind/extent.hpp"
+#include "mechanism/bind/varying_parameters.hpp"
 #include "mechanism/couplings/internal/coupling_binder.hpp"
 #include "mechanism/label_kind.hpp"
 
@@ -78,7 +78,7 @@ std::optional<Rebinder> Rebinder::make(const MechanismDescription& description,
     result.gears_ = GearPlaces::make(description, result.table_, varies);
   }
   if (description.gears.has_value() != result.gears_.has_value() ||
-      Dependence(result.table_, varies).of(description.losses) ||
+      VaryingParameters(result.table_, varies).stand_in(description.losses) ||
       !result.add_couplings(mechanism, varies)) {
     return std::nullopt;
   }
@@ -101,7 +101,7 @@ bool Rebinder::add_coupling(std::size_t e,
                             const Mechanism& mechanism,
                             const std::vector<bool>& varies) {
   const CouplingDescription& coupling = description_->couplings[e];
-  const Dependence depends(table_, varies);
+  const VaryingParameters varying(table_, varies);
   const std::optional<int> gear_axis = gear_axis_of(coupling);
   const bool is_in_gears = coupling.is_mesh() || gear_axis;
   const bool is_plain =
@@ -118,14 +118,14 @@ bool Rebinder::add_coupling(std::size_t e,
       has_place(coupling) ? std::optional(points_.size()) : std::nullopt;
   add_points(coupling, *drawn, points_);
   if (!is_plain) {
-    return !depends.of_all(coupling);
+    return !varying.stand_in_any_of(coupling);
   }
-  const bool shape_varies = depends.of_shape(coupling);
+  const bool shape_varies = varying.stand_in_shape_of(coupling);
   const bool moves_with_gears = is_in_gears && gears_->moves();
-  if (!shape_varies && !moves_with_gears && !(coupling.at && depends.of(*coupling.at))) {
+  if (!shape_varies && !moves_with_gears && !(coupling.at && varying.stand_in(*coupling.at))) {
     return true;
   }
-  if (is_in_gears && (shape_varies || (coupling.at && depends.of(*coupling.at)))) {
+  if (is_in_gears && (shape_varies || (coupling.at && varying.stand_in(*coupling.at)))) {
     return false;
   }
   MovingCoupling moving{.coupling = static_cast<int>(e),
@@ -173,11 +173,11 @@ std::optional<int> Rebinder::gear_axis_of(const CouplingDescription& coupling) c
 void Rebinder::add_numbers(const CouplingDescription& coupling,
                            const std::vector<bool>& varies,
                            MovingCoupling& moving) const {
-  const Dependence depends(table_, varies);
+  const VaryingParameters varying(table_, varies);
   for (std::size_t i = 0; coupling.at && i < coupling.at->point->coordinates.size(); ++i) {
     const Value& coordinate = coupling.at->point->coordinates[i];
     moving.at[i].constant = moving.drawn.at[static_cast<Eigen::Index>(i)];
-    if (depends.of(coordinate)) {
+    if (varying.stand_in(coordinate)) {
       moving.at[i].formula.emplace(coordinate.expression,
                                    [&](const std::string& name) { return table_.index_of(name); });
     }
@@ -200,13 +200,13 @@ void Rebinder::add_constraints(const CouplingDescription& coupling, MovingCoupli
 }
 
 void Rebinder::add_primaries(const Mechanism& mechanism, const std::vector<bool>& varies) {
-  const Dependence depends(table_, varies);
+  const VaryingParameters varying(table_, varies);
   const auto slot_of = [&](const std::string& name) { return table_.index_of(name); };
   for (std::size_t c = 0; c < description_->cases.size(); ++c) {
     const CaseDescription& one = description_->cases[c];
     for (std::size_t i = 0; i < one.motions.size(); ++i) {
       const auto f = static_cast<std::size_t>(mechanism.cases[c].motions[i].index);
-      if (depends.of(one.motions[i].value)) {
+      if (varying.stand_in(one.motions[i].value)) {
         primaries_.push_back({.which = c,
                               .is_motion = true,
                               .primary = i,
@@ -216,7 +216,7 @@ void Rebinder::add_primaries(const Mechanism& mechanism, const std::vector<bool>
     }
     for (std::size_t i = 0; i < one.actions.size(); ++i) {
       const auto a = static_cast<std::size_t>(mechanism.cases[c].actions[i].index);
-      if (depends.of(one.actions[i].value)) {
+      if (varying.stand_in(one.actions[i].value)) {
         primaries_.push_back({.which = c,
                               .is_motion = false,
                               .primary = i,

@@ -27,12 +27,6 @@ void check_dynamics(const SectionContext& context) {
     return;
   }
   const DynamicsDescription& dynamics = *context.description.dynamics;
-  if (!context.description.motion) {
-    context.found.error("E0303",
-                        dynamics.where,
-                        "'dynamics' is of a motion, and the file has no section 'motion'",
-                        "add for example motion: {drive: NAME, to: 360 deg, case: LABEL}");
-  }
   for (const Name& actuator : dynamics.actuators) {
     context.names.check_actuator(actuator, "'actuators' of 'dynamics' names", context.found);
   }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cases/analysis.hpp"
-#include "cases/speed_ratio_scan.hpp"
+#include "mechanism/couplings/speed_ratio_scan.hpp"
 #include "studies/duty/case_motions.hpp"
 
 namespace kinestat {

@@ -65,6 +65,31 @@ TEST(LegendrePieces, AreNoFinerForRounding) {
   EXPECT_NEAR(rough.integral(0, 0.5 * kPi), 1.0, 1e-10);
 }
 
+// Two jumps of which the even division into as many pieces as there may be would have one piece.
+TEST(LegendrePieces, IntegrateWhatJumpsTwiceInAMoment) {
+  const LegendrePieces stairs = pieces_of(
+      [](double x) { return std::abs(x - 0.3) < 1e-5 ? 0.0
+                            : x < 0.3                ? -1.0
+                                                     : 1.0; }, 1.0);
+
+  EXPECT_NEAR(stairs.integral(0), 0.4, 1e-9);
+}
+
+// Rounding of the eighth digit: finer pieces would know no more, and are not looked at one by one.
+TEST(LegendrePieces, GiveUpSoonWhereRoundingIsLarge) {
+  int looked = 0;
+  const FunctionsAt rough = [&looked](double x) {
+    ++looked;
+    const double value = std::cos(x) + 1e-8 * std::sin(1e9 * (x + 1.0) * (x + 1.0));
+    return std::optional(
+        FunctionValues{.values = VecX::Constant(1, value), .sizes = VecX::Ones(1)});
+  };
+
+  const std::array places = {0.0, kPi, 2.0 * kPi};
+  EXPECT_FALSE(LegendrePieces::find(rough, places, kFine));
+  EXPECT_LT(looked, 1000);
+}
+
 TEST(LegendrePieces, TakeProductsAtTheirPoints) {
   const LegendrePieces wave = pieces_of([](double x) { return std::sin(x); }, 2.0 * kPi);
 

@@ -100,6 +100,8 @@ TEST(Chart, LaysPaperBetweenALabelAndTheGuideOfAnother) {
     const std::string text = draw_figure(figure_of(chart)).elements;
     std::size_t count = 0;
     for (std::size_t at = text.find("<rect"); at != text.npos; at = text.find("<rect", at + 1)) {
+      const std::string paper = text.substr(at, text.find("/>", at) - at);
+      EXPECT_EQ(paper.find("ks-s-ink"), std::string::npos) << paper;
       ++count;
     }
     return count;

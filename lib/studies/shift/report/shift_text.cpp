@@ -158,7 +158,7 @@ class ShiftTables {
 
   // Beside the ratios, where numbers of teeth make them.
   void add_fractions(std::vector<TextColumn>& columns) const {
-    TextColumn fractions{.head = "", .cells = {}};
+    TextColumn fractions{.head = "by teeth", .cells = {}};
     for (const ShownGear& gear : gears_) {
       const std::string behind = fraction_behind(gear.one.ratios);
       fractions.cells.push_back(behind.empty() ? behind : behind.substr(1));

@@ -49,7 +49,8 @@ class ActuatorFinder {
     auto found = sampler_.find([this](const MotionPosition& at) { return read(at); });
     if (!found) {
       return CycleProblem{
-          "in some position of the motion an action or a power has no value, or it jumps too often",
+          "in some position of the motion an action or a power has no value, or it jumps too "
+          "often, or rounding leaves it too few digits",
           "the rows of the motion say where"};
     }
     found_ = std::move(found);

@@ -50,7 +50,8 @@ class BalanceFinder {
     const auto found = sampler_.find([this](const MotionPosition& at) { return read(at); });
     if (!found) {
       return CycleProblem{
-          "in some position of the motion there is no shaking force, or it jumps too often",
+          "in some position of the motion there is no shaking force, or it jumps too often, or "
+          "rounding leaves it too few digits",
           "the rows of the motion say where; planets with a count shake less than "
           "where one is drawn, which is not worked out"};
     }

@@ -36,7 +36,8 @@ class FlywheelFinder {
     found_ = sampler_.find([this](const MotionPosition& at) { return read(at, speed_); });
     if (!found_) {
       return CycleProblem{
-          "in some position of the cycle the drive has no action, or it jumps too often",
+          "in some position of the cycle the drive has no action, or it jumps too often, or "
+          "rounding leaves it too few digits",
           "the rows of the motion say where; begin it elsewhere, or drive what "
           "determines the motion"};
     }

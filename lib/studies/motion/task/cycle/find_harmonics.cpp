@@ -30,7 +30,8 @@ class HarmonicFinder {
     const auto found = sampler_.find([this](const MotionPosition& at) { return read(at); });
     if (!found) {
       return CycleProblem{
-          "in some position of the cycle actions or the ground wrench have no value",
+          "in some position of the cycle actions or the ground wrench have no value, or they jump "
+          "too often, or rounding leaves them too few digits",
           "the rows of the motion say where; planets with a count shake less than "
           "where one is drawn, which is not worked out"};
     }

@@ -38,7 +38,8 @@ class LimitFinder {
     const auto found = sampler_.find([this](const MotionPosition& at) { return read(at); }, kPaces);
     if (!found) {
       return CycleProblem{
-          "in some position of the motion a force has no value, or it jumps too often",
+          "in some position of the motion a force has no value, or it jumps too often, or rounding "
+          "leaves it too few digits",
           "the rows of the motion say where"};
     }
     if (!holds_at_twice(*found)) {

@@ -1,9 +1,11 @@
-#include "cases/speed_ratio_scan.hpp"
+#include "mechanism/couplings/speed_ratio_scan.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/tolerance.hpp"
+#include "math/dense/root_search.hpp"
 
 namespace kinestat {
 
@@ -11,7 +13,6 @@ namespace {
 
 // Between so many speed ratios one is looked for at which the torque fits.
 constexpr std::size_t kIntervals = 48;
-constexpr int kMostSteps = 100;
 
 struct Range {
   double low = 0.0;
@@ -32,44 +33,22 @@ struct Sample {
   double miss = 0.0;
 };
 
-// By false position with halved weights (Illinois), then halving, until the ends are neighbours:
-// they miss in other senses. Empty where the torque has no value between them, or jumps.
-std::optional<double> find_root(Sample low,
-                                Sample high,
+// Between two ratios that miss in other senses. Empty where the torque has no value between them,
+// or jumps.
+std::optional<double> find_root(const Sample& low,
+                                const Sample& high,
                                 const std::function<std::optional<double>(double)>& at) {
+  const double ratio = root_between(
+      [&](double one) {
+        return one == low.ratio    ? low.miss
+               : one == high.ratio ? high.miss
+                                   : at(one).value_or(std::numeric_limits<double>::quiet_NaN());
+      },
+      low.ratio,
+      high.ratio);
+  const std::optional<double> miss = at(ratio);
   const double most = kTorqueFits * (std::abs(low.miss) + std::abs(high.miss));
-  double low_weight = low.miss;
-  double high_weight = high.miss;
-  int side = 0;
-  for (int i = 0; i < kMostSteps; ++i) {
-    const double middle = 0.5 * (low.ratio + high.ratio);
-    double ratio = i % 4 == 3 ? middle
-                              : (low.ratio * high_weight - high.ratio * low_weight) /
-                                    (high_weight - low_weight);
-    if (!(ratio > low.ratio && ratio < high.ratio)) {
-      ratio = middle;
-    }
-    if (ratio <= low.ratio || ratio >= high.ratio) {
-      break;  // neighbours
-    }
-    const std::optional<double> now = at(ratio);
-    if (!now || *now == 0.0) {
-      return now ? std::optional(ratio) : std::nullopt;
-    }
-    if ((*now < 0.0) == (low.miss < 0.0)) {
-      low = {.ratio = ratio, .miss = *now};
-      low_weight = *now;
-      high_weight = side == -1 ? 0.5 * high_weight : high_weight;
-      side = -1;
-    } else {
-      high = {.ratio = ratio, .miss = *now};
-      high_weight = *now;
-      low_weight = side == 1 ? 0.5 * low_weight : low_weight;
-      side = 1;
-    }
-  }
-  const Sample& nearer = std::abs(low.miss) < std::abs(high.miss) ? low : high;
-  return std::abs(nearer.miss) <= most ? std::optional(nearer.ratio) : std::nullopt;
+  return miss && std::abs(*miss) <= most ? std::optional(ratio) : std::nullopt;
 }
 
 }  // namespace
