@@ -11,6 +11,7 @@ import sys
 import unittest
 
 import program
+from dynamics_case import CASES
 
 PENDULUM = """\
 kinestat: 1
@@ -90,7 +91,8 @@ def crank_forces(**n: complex) -> dict[str, complex]:
 class DynamicSensitivity(unittest.TestCase):
     def near(self, actual: float, expected: float, what: str, scale: float = 1.0) -> None:
         self.assertIsNotNone(actual, what)
-        self.assertLessEqual(abs(actual - expected), 1e-10 * max(abs(expected), scale), f"{what}: {actual}, {expected}")
+        self.assertLessEqual(abs(actual - expected), 1e-10 * max(abs(expected), scale),
+                             f"{what}: {actual}, {expected}")
 
     def test_a_pendulum_with_a_spring_has_closed_forms(self) -> None:
         """T = (J + m s^2) a + m g s sin q - k free + c w: the spring counts from the drawn position."""
@@ -117,9 +119,20 @@ class DynamicSensitivity(unittest.TestCase):
         for name, value in CRANK_NUMBERS.items():
             step = 1e-30
             moved = crank_forces(**CRANK_NUMBERS | {name: complex(value, step)})
-            for action, which in {"motor": "motor", "d.Ry": "guide", "b.Rx": "pin_x", "b.Ry": "pin_y"}.items():
+            for action, which in {"motor": "motor", "d.Ry": "guide", "b.Rx": "pin_x",
+                                  "b.Ry": "pin_y"}.items():
                 self.near(found[action][name], moved[which].imag / step, f"{action} by {name}",
                           scale / abs(value))
+
+    def test_contacts_that_move_bodies_with_inertia_are_refused(self) -> None:
+        """Velocities have derivatives all the same: the follower is driven along the normal."""
+        text = "parameters: {kilos: 0.3}\n" + CASES["cam_return_spring"]["yaml"].replace(
+            "mass: 0.3", "mass: kilos")
+        done = program.call("sensitivity", "--case", "slow", "--of", "g.vy", "-", text=text)
+        self.assertIn("W0302", done.stderr)
+        self.assertIn("how coupling 'c' moves its bodies on", done.stderr)
+        values = program.report(done)["cases"]["slow"]["sensitivity"]
+        self.assertEqual(values["g.vy"]["by"]["kilos"]["derivative"], 0.0)
 
 
 if __name__ == "__main__":
