@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import cmath
 import math
+import re
 import sys
 import unittest
 
@@ -123,6 +124,25 @@ class DynamicSensitivity(unittest.TestCase):
                                   "b.Ry": "pin_y"}.items():
                 self.near(found[action][name], moved[which].imag / step, f"{action} by {name}",
                           scale / abs(value))
+
+    def test_actions_are_linear_in_a_mass(self) -> None:
+        """So that a difference of two analyses is exact but for rounding: linkages in plane and space, a
+        platform on six legs, a rod that spins freely between balls."""
+        for name in ("four_bar_masses", "quick_return", "watt_six_bar", "rssr", "cardan_shaft",
+                     "gyroscope", "stewart_platform"):
+            text = CASES[name]["yaml"]
+            mass = re.search(r"mass: ([0-9.]+)", text)
+            size = float(mass.group(1))
+            text = f"parameters: {{kilos: {size}}}\n" + text.replace(mass.group(0), "mass: kilos", 1)
+            low, high = (program.run("analyze", "--set", f"kilos={share * size!r}", "-", text=text)
+                         ["cases"]["running"]["statics"]["actions"] for share in (1.0, 1.5))
+            known = [action for action, value in low.items() if value is not None]
+            scale = max(abs(low[action]) for action in known) / size
+            words = [word for action in known for word in ("--of", action)]
+            found = program.run("sensitivity", *words, "-", text=text)["cases"]["running"]["sensitivity"]
+            for action in known:
+                self.near(found[action]["by"]["kilos"]["derivative"],
+                          (high[action] - low[action]) / (0.5 * size), f"{name}: {action}", scale)
 
     def test_contacts_that_move_bodies_with_inertia_are_refused(self) -> None:
         """Velocities have derivatives all the same: the follower is driven along the normal."""
