@@ -27,6 +27,7 @@ void add_bench(CLI::App& command, Job& job) {
   auto options = std::make_shared<BenchOptions>();
   options->choice.limits.seconds = kSeconds;
   add_files(command, options->files);
+  add_curves(command, options->files.analyse.load);
   command.get_option("FILE")->required(false)->description(
       "mechanism files, one after the other; - is\n"
       "standard input; without any, networks that are\n"

@@ -9,6 +9,7 @@ void add_check(CLI::App& command, Job& job) {
       "  kinestat check --diagnostics json - < train.yaml\n");
   auto options = std::make_shared<FileOptions>();
   add_files(command, *options);
+  add_curves(command, options->analyse.load);
   add_strict(command, *options);
   add_fail_fast(command, *options);
   run_when_chosen(

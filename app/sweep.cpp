@@ -189,6 +189,7 @@ void add_sweep(CLI::App& command, Job& job) {
       command, "FILE", sweep->path, "mechanism file with a section sweep; - is\nstandard input")
       .required();
   add_loading(command, sweep->options.load);
+  add_curves(command, sweep->options.load);
   add_form(command, *sweep);
   add_result_folder(command,
                     sweep->options.folder,

@@ -57,6 +57,7 @@ void add_tolerance(CLI::App& command, Job& job) {
       "  kinestat tolerance --of P/at/x --place 0.1mm --along --format csv six_bar.yaml\n");
   auto options = std::make_shared<ToleranceOptions>();
   add_files(command, options->files);
+  add_curves(command, options->files.analyse.load);
   add_format(command, options->files);
   add_strict(command, options->files);
   add_quiet(command, options->files);

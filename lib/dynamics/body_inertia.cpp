@@ -18,11 +18,6 @@ BodyInertia inertia_at(const BodyMass& drawn, const BodyPose& pose) {
           .tensor = drawn.count * (pose.rotation * drawn.inertia * pose.rotation.transpose())};
 }
 
-Vec3 centre_acceleration(const BodyInertia& body, const Twist& twist, const Twist& twist_rate) {
-  return velocity_at(twist_rate, body.centre) +
-         twist.angular.cross(velocity_at(twist, body.centre));
-}
-
 Wrench momentum(const BodyInertia& body, const Twist& twist) {
   return of_centre(body, body.mass * velocity_at(twist, body.centre), body.tensor * twist.angular);
 }
@@ -31,10 +26,7 @@ BoundedWrench inertial_wrench(const BodyInertia& body,
                               const Twist& twist,
                               const Twist& twist_rate,
                               const BodyBounds& bounds) {
-  const Wrench acts = of_centre(
-      body,
-      -body.mass * centre_acceleration(body, twist, twist_rate),
-      -(body.tensor * twist_rate.angular + twist.angular.cross(body.tensor * twist.angular)));
+  const Wrench acts = inertial_wrench(body, twist, twist_rate);
   const Vec3& arm = body.centre;
   const double place = position_bound(bounds, arm, arm);
   const double force = body.mass * acceleration_bound(bounds, arm, arm, twist, twist_rate) +

@@ -24,7 +24,15 @@ Twist relative(const std::vector<Twist>& bodies, BodyId tail, BodyId head) {
 // What the sums of a bias round by, as share of its terms.
 constexpr double kBiasRounding = 64.0 * kEpsilon;
 
-ReducedEquation find_reduced(const Mechanism& mechanism, const InertialMotion& motion) {
+// A body with mass or inertia where it stands.
+struct StandingBody {
+  std::size_t index = 0;
+  BodyInertia inertia;
+  Wrench inertial;  // D'Alembert's
+};
+
+ReducedEquation find_reduced(const std::vector<StandingBody>& standing,
+                             const InertialMotion& motion) {
   const auto count = static_cast<Eigen::Index>(motion.drives.size());
   ReducedEquation result{.drives = motion.drives,
                          .accelerations = motion.accelerations,
@@ -32,13 +40,7 @@ ReducedEquation find_reduced(const Mechanism& mechanism, const InertialMotion& m
                          .bias = VecX::Zero(count),
                          .derivative = {}};
   VecX terms = VecX::Zero(count);
-  for (std::size_t b = 0; b < mechanism.masses.size(); ++b) {
-    if (!mechanism.masses[b].counts()) {
-      continue;
-    }
-    const BodyInertia body = inertia_at(mechanism.masses[b], motion.poses[b]);
-    const Wrench acts =
-        inertial_wrench(body, motion.twists[b], motion.twist_rates[b], motion.bounds[b]).zeroed();
+  for (const auto& [b, body, acts] : standing) {
     for (Eigen::Index j = 0; j < count; ++j) {
       const Twist& of_drive = motion.of_drives[static_cast<std::size_t>(j)][b];
       result.bias[j] -= power(acts, of_drive);
@@ -129,6 +131,7 @@ CaseDynamics find_dynamics(const Mechanism& mechanism,
                            const StaticSolution* action) {
   CaseDynamics result;
   BoundedWrench shaking;
+  std::vector<StandingBody> standing;
   for (std::size_t b = 0; b < mechanism.masses.size(); ++b) {
     if (!mechanism.masses[b].counts()) {
       continue;
@@ -138,6 +141,7 @@ CaseDynamics find_dynamics(const Mechanism& mechanism,
     const Twist& rate = motion.twist_rates[b];
     const BoundedWrench bounded = inertial_wrench(body, twist, rate, motion.bounds[b]);
     const Wrench inertial = bounded.zeroed();
+    standing.push_back({.index = b, .inertia = body, .inertial = inertial});
     result.bodies.push_back({.body = BodyId{static_cast<int>(b)},
                              .angular_acceleration = rate.angular,
                              .centre = body.centre,
@@ -152,7 +156,7 @@ CaseDynamics find_dynamics(const Mechanism& mechanism,
   if (is_whole) {
     result.shaking = shaking.zeroed();
   }
-  result.reduced = find_reduced(mechanism, motion);
+  result.reduced = find_reduced(standing, motion);
   if (has_answer(action)) {
     result.ground = is_whole ? std::optional(find_ground(which)) : std::nullopt;
     result.two_ways = compare_two_ways(mechanism, which, motion, *action);

@@ -86,14 +86,27 @@ std::variant<InertialMotion, InertiaObstacle> find_inertial_motion(
     MotionStates& states,
     const Configuration& configuration,
     const GivenSpeeds& speeds) {
-  MotionState state = states.solve_bounded(configuration, speeds, StateDetail::acceleration);
+  return inertial_motion_of(states.solve_bounded(configuration, speeds, StateDetail::acceleration),
+                            mechanism,
+                            network,
+                            states,
+                            configuration,
+                            speeds);
+}
+
+std::variant<InertialMotion, InertiaObstacle> inertial_motion_of(const MotionState& state,
+                                                                 const Mechanism& mechanism,
+                                                                 const MotionNetwork& network,
+                                                                 MotionStates& states,
+                                                                 const Configuration& configuration,
+                                                                 const GivenSpeeds& speeds) {
   if (state.is_singular || state.twist_rates.empty()) {
     return InertiaObstacle{.kind = InertiaObstacle::Kind::singular};
   }
-  InertialMotion motion{.poses = std::move(state.poses),
-                        .twists = std::move(state.twists),
-                        .twist_rates = std::move(state.twist_rates),
-                        .bounds = std::move(state.bounds.bodies),
+  InertialMotion motion{.poses = state.poses,
+                        .twists = state.twists,
+                        .twist_rates = state.twist_rates,
+                        .bounds = state.bounds.bodies,
                         .drives = network.driven_freedoms,
                         .rates = {},
                         .accelerations = {},

@@ -52,6 +52,14 @@ std::variant<InertialMotion, InertiaObstacle> find_inertial_motion(
     const Configuration& configuration,
     const GivenSpeeds& speeds);
 
+/// The same of the state that those speeds have there, with bounds and accelerations.
+std::variant<InertialMotion, InertiaObstacle> inertial_motion_of(const MotionState& state,
+                                                                 const Mechanism& mechanism,
+                                                                 const MotionNetwork& network,
+                                                                 MotionStates& states,
+                                                                 const Configuration& configuration,
+                                                                 const GivenSpeeds& speeds);
+
 /// One load inertia.BODY for every body with mass or inertia, at its centre of mass; of planets
 /// that of all of them together. Their names are `inertial_load_names`, in that order.
 std::vector<Load> inertial_loads(const Mechanism& mechanism, const InertialMotion& motion);

@@ -24,19 +24,24 @@ Ends ends_of(const Spring& spring, const LoadState& place) {
           .to = place.poses[at(spring.head.value)].point(spring.to)};
 }
 
-double cut_off(SpringSense acts, double tension) {
-  switch (acts) {
-    case SpringSense::both:
-      return tension;
-    case SpringSense::push:
-      return std::min(tension, 0.0);
-    case SpringSense::pull:
-      return std::max(tension, 0.0);
+SpringNumbersOf<double> numbers_of(const Spring& spring, double force) {
+  SpringNumbersOf<double> numbers{.from = spring.from,
+                                  .to = spring.to,
+                                  .stiffness = spring.stiffness,
+                                  .damping = spring.damping,
+                                  .free = spring.free,
+                                  .force = force};
+  if (spring.gas) {
+    numbers.gas = {.force = spring.gas->force,
+                   .length = spring.gas->length,
+                   .stroke = spring.gas->stroke,
+                   .hold = spring.gas->hold,
+                   .exponent = spring.gas->exponent};
   }
-  return tension;
+  return numbers;
 }
 
-SpringState state_of_freedom(const Spring& spring, const LoadState& place) {
+SpringState state_of_freedom(const Spring& spring, const LoadState& place, double force) {
   const auto value = [&](const std::vector<std::optional<double>>& list) {
     return list.empty() ? 0.0 : list[at(spring.freedom)].value_or(0.0);
   };
@@ -44,16 +49,12 @@ SpringState state_of_freedom(const Spring& spring, const LoadState& place) {
   const double rate = value(place.rates);
   return {.position = position,
           .rate = rate,
-          .force = -spring.stiffness * (position - spring.free) - spring.damping * rate};
+          .force = action_of(numbers_of(spring, force), position, rate)};
 }
 
-// Empty where it is past its stroke.
-std::optional<double> gas_tension(const GasSpring& gas, double length) {
+bool is_past_stroke(const GasSpring& gas, double length) {
   const double pushed_in = gas.length - length;
-  if (pushed_in < -kPastStroke * gas.stroke || pushed_in > (1.0 + kPastStroke) * gas.stroke) {
-    return std::nullopt;
-  }
-  return -gas.force * std::pow(1.0 - gas.hold * pushed_in / gas.stroke, -gas.exponent);
+  return pushed_in < -kPastStroke * gas.stroke || pushed_in > (1.0 + kPastStroke) * gas.stroke;
 }
 
 // Of what a spring does to a body.
@@ -74,8 +75,7 @@ std::variant<std::vector<SpringState>, SpringObstacle> spring_states(
       if (!place.positions.empty() && !place.positions[at(spring.freedom)]) {
         return SpringObstacle{.kind = SpringObstacle::Kind::no_position, .spring = i};
       }
-      states.push_back(state_of_freedom(spring, place));
-      states.back().force += forces[i];
+      states.push_back(state_of_freedom(spring, place, forces[i]));
       continue;
     }
     const Ends ends = ends_of(spring, place);
@@ -90,16 +90,10 @@ std::variant<std::vector<SpringState>, SpringObstacle> spring_states(
                          velocity_at(place.twists[at(spring.tail.value)], ends.from);
       state.rate = speed.dot(arm) / length;
     }
-    state.force =
-        spring.stiffness * (length - spring.free) + spring.damping * state.rate - forces[i];
-    if (spring.gas) {
-      const std::optional<double> tension = gas_tension(*spring.gas, length);
-      if (!tension) {
-        return SpringObstacle{.kind = SpringObstacle::Kind::past_stroke, .spring = i};
-      }
-      state.force += *tension;
+    if (spring.gas && is_past_stroke(*spring.gas, length)) {
+      return SpringObstacle{.kind = SpringObstacle::Kind::past_stroke, .spring = i};
     }
-    state.force = cut_off(spring.acts, state.force);
+    state.force = tension_of(numbers_of(spring, forces[i]), spring.acts, length, state.rate);
     states.push_back(state);
   }
   return states;
@@ -126,12 +120,14 @@ double stored_energy(const Spring& spring, double position) {
 }
 
 double elastic_tension(const Spring& spring, double position) {
-  const double tension = spring.stiffness * (position - spring.free);
   if (spring.is_of_freedom()) {
-    return tension;
+    return spring.stiffness * (position - spring.free);
   }
-  return cut_off(spring.acts,
-                 tension + (spring.gas ? gas_tension(*spring.gas, position).value_or(0.0) : 0.0));
+  SpringNumbersOf<double> numbers = numbers_of(spring, 0.0);
+  if (spring.gas && is_past_stroke(*spring.gas, position)) {
+    numbers.gas.reset();
+  }
+  return tension_of(numbers, spring.acts, position, 0.0);
 }
 
 std::vector<Load> spring_loads(const Mechanism& moved,

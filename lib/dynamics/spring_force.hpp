@@ -1,6 +1,8 @@
 // What springs do in a position.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <string>
@@ -9,6 +11,7 @@
 
 #include "dynamics/load_state.hpp"
 #include "mechanism/mechanism.hpp"
+#include "mechanism/springs/spring_numbers.hpp"
 
 namespace kinestat {
 
@@ -17,6 +20,52 @@ struct SpringState {
   double rate = 0.0;
   double force = 0.0;  ///< tension [N]; of a freedom the action of tail on head [N or N·m]
 };
+
+/// What a spring does that acts one way alone.
+template <class Scalar>
+Scalar cut_off(SpringSense acts, const Scalar& tension) {
+  using std::max;
+  using std::min;
+  switch (acts) {
+    case SpringSense::both:
+      return tension;
+    case SpringSense::push:
+      return min(tension, Scalar(0.0));
+    case SpringSense::pull:
+      return max(tension, Scalar(0.0));
+  }
+  return tension;
+}
+
+/// Of a gas spring of that length.
+template <class Scalar>
+Scalar gas_tension(const GasNumbersOf<Scalar>& gas, const Scalar& length) {
+  using std::pow;
+  const Scalar left = Scalar(1.0) - gas.hold * (gas.length - length) / gas.stroke;
+  return -gas.force * pow(left, -gas.exponent);
+}
+
+/// Of a spring between two points, by its length and how fast that grows; `hold` of a gas spring is
+/// not looked at.
+template <class Scalar>
+Scalar tension_of(const SpringNumbersOf<Scalar>& spring,
+                  SpringSense acts,
+                  const Scalar& length,
+                  const Scalar& rate) {
+  Scalar tension = spring.stiffness * (length - spring.free) + spring.damping * rate - spring.force;
+  if (spring.gas) {
+    tension = tension + gas_tension(*spring.gas, length);
+  }
+  return cut_off(acts, tension);
+}
+
+/// Of tail on head, of a spring of a freedom.
+template <class Scalar>
+Scalar action_of(const SpringNumbersOf<Scalar>& spring,
+                 const Scalar& position,
+                 const Scalar& rate) {
+  return spring.force - spring.stiffness * (position - spring.free) - spring.damping * rate;
+}
 
 /// A spring of which nothing can be said.
 struct SpringObstacle {

@@ -15,6 +15,8 @@ std::string_view word_of(MotionFigure figure) {
       return "range";
     case MotionFigure::mean:
       return "mean";
+    case MotionFigure::rms:
+      return "rms";
     case MotionFigure::peak:
       return "peak";
     case MotionFigure::dead_points:

@@ -14,7 +14,8 @@ enum class MotionFigure {
   least,
   greatest,
   range,       ///< the greatest less the least: a stroke
-  mean,        ///< over the way of the drives
+  mean,        ///< over the way of the drives, or in time
+  rms,         ///< root of the mean square in time
   peak,        ///< the largest size, whatever the sign
   dead_points  ///< how often a freedom turns back
 };

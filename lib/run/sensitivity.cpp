@@ -1,9 +1,12 @@
 #include "run/sensitivity.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -17,6 +20,7 @@
 #include "files/parameter_names.hpp"
 #include "mechanism/bind/derivatives.hpp"
 #include "studies/sensitivity/adjoint.hpp"
+#include "studies/sensitivity/moving_load_slopes.hpp"
 #include "studies/sensitivity/report/sensitivity_report.hpp"
 
 namespace kinestat {
@@ -65,18 +69,21 @@ void warn_of_cables(const Analysis& analysis, Diagnostics& found) {
   }
 }
 
-// Forces of inertia, springs and what follows curves.
-bool has_moving_loads(const CaseAnalysis& one) {
-  return one.which.has_inertia() || one.which.follows_curves() || !one.springs.empty();
+bool follows_curves(const CaseAnalysis& one, const Mechanism& mechanism) {
+  return one.which.follows_curves() ||
+         (!one.springs.empty() && std::ranges::any_of(mechanism.springs, [](const Spring& spring) {
+           return spring.force.law != nullptr;
+         }));
 }
 
-void warn_of_moving_loads(const Analysis& analysis, Diagnostics& found) {
-  const auto one = std::ranges::find_if(analysis.cases, has_moving_loads);
+void warn_of_curves(const Analysis& analysis, Diagnostics& found) {
+  const auto one = std::ranges::find_if(analysis.cases, [&](const CaseAnalysis& each) {
+    return follows_curves(each, analysis.mechanism);
+  });
   if (one != analysis.cases.end()) {
     found.warning("W0302",
                   one->which.where,
-                  "derivatives of actions are not analysed yet in cases with 'acceleration', "
-                  "springs or curves",
+                  "derivatives of actions are not analysed yet in cases that follow curves",
                   "compare two analyses with --set");
   }
 }
@@ -174,11 +181,13 @@ class SensitivityJob {
     const CaseAnalysis& one = analysis_.cases[case_index];
     const bool has_rates =
         one.motion && one.motion->status == SolveStatus::solved && !has_found_slip(one);
-    const bool has_actions = one.action && !has_found_slip(one) && !has_moving_loads(one) &&
-                             !one.action->magnitudes.empty() &&
-                             cable_with_friction(analysis_.description) == nullptr;
     Mechanism mechanism = analysis_.mechanism;
     MechanismDerivatives derivatives = common;
+    const bool has_moving_loads = one.which.has_inertia() || !one.springs.empty();
+    const bool has_actions =
+        one.action && !has_found_slip(one) && !follows_curves(one, mechanism) &&
+        !one.action->magnitudes.empty() && cable_with_friction(analysis_.description) == nullptr &&
+        (!has_moving_loads || take_moving_loads(case_index, has_rates, mechanism, derivatives));
     load_coast_flanks(one.coast_flanks, mechanism.geometry);
     load_coast_flanks(one.coast_flanks, derivatives.geometry);
     const DualCase values(mechanism,
@@ -186,8 +195,9 @@ class SensitivityJob {
                           has_rates ? &*one.motion : nullptr,
                           has_actions ? &*one.action : nullptr,
                           derivatives);
-    const AdjointBases bases =
-        one.coast_flanks.empty() ? drawn_bases : find_adjoint_bases(mechanism, derivatives);
+    const AdjointBases bases = one.coast_flanks.empty() && !has_moving_loads
+                                   ? drawn_bases
+                                   : find_adjoint_bases(mechanism, derivatives);
     CaseAdjoint adjoint(values, bases);
     std::vector<SensitivityValue> result;
     for (const std::string& name :
@@ -204,6 +214,37 @@ class SensitivityJob {
       known_names_ = reported_value_names(values);
     }
     return result;
+  }
+
+  // Springs and forces of inertia become loads of the case; false where it is told why their
+  // derivatives are not known.
+  bool take_moving_loads(std::size_t case_index,
+                         bool has_rates,
+                         Mechanism& mechanism,
+                         MechanismDerivatives& derivatives) {
+    const CaseAnalysis& one = analysis_.cases[case_index];
+    const DualCase values(
+        mechanism, case_index, has_rates ? &*one.motion : nullptr, nullptr, derivatives);
+    auto found = moving_load_slopes(values, one.dynamics ? &*one.dynamics : nullptr);
+    if (const auto* obstacle = std::get_if<LoadSlopeObstacle>(&found)) {
+      found_.warning(
+          "W0302",
+          one.which.where,
+          obstacle->coupling
+              ? fmt::format("derivatives of actions are not analysed yet in case '{}', since how "
+                            "coupling '{}' moves its bodies on has none",
+                            printable(one.which.label),
+                            mechanism.topology.coupling(*obstacle->coupling).name)
+              : fmt::format("derivatives of actions are not analysed yet in case '{}', whose "
+                            "velocities leave accelerations open",
+                            printable(one.which.label)),
+          "compare two analyses with --set");
+      return false;
+    }
+    mechanism.cases[case_index].loads = one.which.loads;
+    std::ranges::move(std::get<std::vector<WrenchOf<Dual>>>(found),
+                      std::back_inserter(derivatives.cases[case_index].loads));
+    return true;
   }
 
   // Its motion follows from a search, and not from the equations of the case alone.
@@ -295,7 +336,7 @@ Outcome sensitivity_files(const std::vector<std::string>& paths,
     add_findings(analysis, file.found);
     const std::optional<FoundSensitivity> answer = find_sensitivity(analysis, choice, file.found);
     warn_of_cables(analysis, file.found);
-    warn_of_moving_loads(analysis, file.found);
+    warn_of_curves(analysis, file.found);
     if (!answer) {
       return std::nullopt;
     }

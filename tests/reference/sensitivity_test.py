@@ -147,6 +147,96 @@ SHARING["least"] = SHARING["press"].replace("indeterminate: stiffness", "indeter
 SHARING["least_beam"] = SHARING["beam"].replace("indeterminate: stiffness",
                                                 "indeterminate: minimum_norm")
 
+# Forces of inertia and of springs: pins, slots, teeth with several planets, a ball, a universal joint
+# and a cylinder; friction and dampers beside them; axes and places that move.
+MOVING = {
+    "engine": """\
+kinestat: 1
+space: planar
+parameters: {r: 0.3, l: 1.1, q: 0.7 rad, mu: 0.1, w: 12 rad/s, speeds_up: 30 rad/s^2, ma: 2, Jz: 0.3, off: 0.05,
+             k: 900 N/m, l0: 0.9, c: 40 N*s/m, kt: 7 N*m/rad, swing: 0.4 rad, pre: 60 N, p: 300 N}
+gravity: [0, -9.81]
+ground: f
+bodies:
+  crank: {mass: 3*ma, centre_of_mass: [off, 2*off], inertia: Jz/4}
+  rod: {mass: ma, centre_of_mass: [r*cos(q) + l/3, r*sin(q)/2 - off], inertia: Jz}
+  block: {mass: 4*ma, centre_of_mass: [1.3, off]}
+couplings:
+  a: {type: revolute, bodies: [f, crank], at: [0, 0], friction: {mu: mu, radius: 0.02, c: 0.1}}
+  b: {type: revolute, bodies: [crank, rod], at: [r*cos(q), r*sin(q)]}
+  c: {type: revolute, bodies: [rod, block], at: [r*cos(q) + sqrt(l^2 - (r*sin(q))^2), 0]}
+  d: {type: prismatic, bodies: [f, block], at: [1, 0], axis: x, friction: {mu: mu, length: 0.25}}
+springs:
+  back: {bodies: [f, rod], at: {f: [0.4, -0.5], rod: [r*cos(q) + l/2, r*sin(q)/2]}, stiffness: k,
+         free_length: l0, damping: c, force: pre/3}
+  turn: {coupling: b, stiffness: kt, free: swing, damping: Jz}
+  slide: {coupling: d, stiffness: k/3, damping: c}
+  gas: {bodies: [f, crank], at: {f: [-0.5, 0.1], crank: [r*cos(q)/2, 0.2]},
+        gas: {force: pre, length: 0.8, stroke: 0.3, ratio: 1 + l0, exponent: 1.2}}
+  slack: {bodies: [f, block], at: {f: [3, 0], block: [1.4, 0]}, stiffness: k, free_length: 2, acts: pull}
+actuators: {motor: {coupling: a}, load: {coupling: d}}
+cases:
+  running: {motion: {motor: w}, acceleration: {motor: speeds_up}, action: {load: -p}, input: motor,
+            output: load}
+  at rest: {action: {load: p}}
+""",
+    "slot": """\
+kinestat: 1
+space: planar
+parameters: {x: 0.3, y: 0.9, w: 5 rad/s, ma: 2, Jz: 0.3, slope: 0.3}
+ground: f
+bodies:
+  crank: {mass: ma, centre_of_mass: [x/2, 0.6], inertia: Jz/4}
+  lever: {mass: ma, centre_of_mass: [0.1, y/2], inertia: Jz}
+couplings:
+  a: {type: revolute, bodies: [f, crank], at: [0, 0.6]}
+  s: {type: pin_in_slot, bodies: [crank, lever], at: [x, y], slot: [slope, 1]}
+  b: {type: revolute, bodies: [f, lever], at: [0, 0]}
+actuators: {motor: {coupling: a}, tool: {coupling: b}}
+cases:
+  running: {motion: {motor: w}, acceleration: {}, action: {tool: -5}}
+  starting: {motion: {motor: 0}, acceleration: {motor: 3*w/(1 s)}, action: {tool: 0}}
+""",
+    "planets": """\
+kinestat: 1
+space: planar
+parameters: {r1: 0.05, r2: 0.03, w: 70 rad/s, slow: 20 rad/s^2, ma: 2, Jz: 0.01, torque: 9 N*m, tilt: 20 deg}
+ground: f
+bodies:
+  sun: {inertia: Jz}
+  arm: {inertia: 5*Jz, mass: ma, centre_of_mass: [0.001, 0]}
+  planet: {inertia: Jz/3, mass: ma/2, centre_of_mass: [0, r1 + r2]}
+couplings:
+  a: {type: revolute, bodies: [f, sun], at: [0, 0]}
+  c: {type: revolute, bodies: [f, arm], at: [0, 0]}
+  d: {type: revolute, bodies: [arm, planet], at: [0, r1 + r2]}
+  e: {type: gear, bodies: [sun, planet], at: [0, r1], tangent: x, pressure_angle: tilt}
+  g: {type: gear, bodies: [f, planet], at: [0, r1 + 2*r2], tangent: x, pressure_angle: tilt, internal: true}
+actuators: {motor: {coupling: a}, out: {coupling: c}}
+cases: {running: {motion: {motor: w}, acceleration: {motor: -slow}, action: {out: -torque}}}
+""",
+    "space": """\
+kinestat: 1
+parameters: {r: 0.2, x: 0.7, z: 0.3, w: 9 rad/s, up: 15 rad/s^2, ma: 1.5, Jz: 0.02, tilt: 0.3 rad}
+gravity: [0, 0, -9.81]
+ground: f
+bodies:
+  crank: {mass: ma, centre_of_mass: [r/2, 0.01, 0], inertia: [Jz, 2*Jz, 2.5*Jz]}
+  rod: {mass: 2*ma, centre_of_mass: [x/2 + r/2, 0.2, z/2], inertia: [[3*Jz, -Jz/5, 0.001], [-Jz/5, 4*Jz, Jz/9], [0.001, Jz/9, 4*Jz]]}
+  rocker: {mass: ma, centre_of_mass: [x, 0.5, z/2], inertia: {polar: Jz, axis: [cos(tilt), 0, sin(tilt)]}}
+couplings:
+  a: {type: revolute, bodies: [f, crank], at: [0, 0, 0], axis: [0, sin(tilt), cos(tilt)]}
+  s: {type: spherical, bodies: [crank, rod], at: [r, 0, 0]}
+  u: {type: universal, bodies: [rod, rocker], at: [x, 0.5, z], axes: [[0, 1, 0], [cos(tilt), 0, sin(tilt)]]}
+  b: {type: cylindrical, bodies: [f, rocker], at: [x, 0.5, 0], axis: [cos(tilt), 0, sin(tilt)]}
+  h: {type: helical, bodies: [f, rocker], at: [x, 0.5, 0], axis: [cos(tilt), 0, sin(tilt)], pitch: 0.01}
+springs:
+  wire: {bodies: [f, rod], at: {f: [0, 1, 1], rod: [0.4, 0.2, z]}, stiffness: 300, free_length: 0.8, damping: 2*ma}
+actuators: {motor: {coupling: a}}
+cases: {running: {motion: {motor: w}, acceleration: {motor: up}, action: {}}}
+""",
+}
+
 
 def moved_to(parameter: str, known: dict[str, Any], by: float) -> str:
     """For --set."""
@@ -197,6 +287,9 @@ class Sensitivity(unittest.TestCase):
                  if re.search(r"^parameters:.*^statics: {indeterminate: (stiffness|minimum_norm)}",
                               path.read_text(encoding="utf-8"), re.DOTALL | re.MULTILINE)]
         self.compare_reports(paths, 3, SHARING, 30)
+
+    def test_agrees_with_differences_where_bodies_have_inertia(self) -> None:
+        self.compare_reports([], 0, MOVING, 20)
 
     def compare_reports(self, paths: list[Path], least_paths: int, texts: dict[str, str],
                         least: int) -> None:

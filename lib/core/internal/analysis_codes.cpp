@@ -124,8 +124,9 @@ constexpr auto kStudyCodes = std::to_array<Code>({
      wrong_input,
      "simulation does not know this",
      "'kinestat simulate' knows bodies with inertia, loads, weights, springs, dampers, friction of "
-     "couplings with one freedom, actions that follow curves, and stops. Losses of teeth, cables "
-     "and contacts, which can part, torque converters, and bodies that turn freely about a point "
+     "couplings with one freedom, shares that meshes lose, actions that follow curves, and stops. "
+     "Losses that hang on speed or force, cables and contacts, which can part, torque converters, "
+     "and bodies that turn freely about a point "
      "are refused, because an answer without them would be wrong. Forces along a given motion have "
      "all of these: 'kinestat help dynamics'."},
     {"E0517",

@@ -128,17 +128,17 @@ Form<Requirement> requirement(std::string_view key,
 void declare_report(Mapping<SweepDescription>& m) {
   m.key("report",
         "The quantities that a row holds: ratio, torque_ratio, step, efficiency, recirculation, "
-        "limit_use, an actuator, lossy.ACTUATOR (its action with losses of meshes), or "
-        "COUPLING.FREEDOM and "
-        "COUPLING.ACTION; of a whole motion COLUMN.least, .greatest, .range, .mean or .peak, and "
-        "dead_points.")
+        "limit_use, equivalent_inertia, an actuator, lossy.ACTUATOR (its action with losses of "
+        "meshes), or COUPLING.FREEDOM and COUPLING.ACTION; of a whole motion COLUMN.least, "
+        ".greatest, .range, .mean, .rms or .peak, and dead_points.")
       .may(&SweepDescription::report, one_or_more(quantity()), "[ratio, efficiency, h.Rc]")
       .offer("ratio", "input speed by output speed")
       .offer("torque_ratio", "input torque by output torque")
       .offer("efficiency", "output power by input power")
       .offer("step", "ratio of the next lower gear by this one")
       .offer("recirculation", "largest power from shaft to shaft by the input power")
-      .offer("limit_use", "largest of a gear's torques and speeds by their limits");
+      .offer("limit_use", "largest of a gear's torques and speeds by their limits")
+      .offer("equivalent_inertia", "moment of inertia, or mass, that the input feels");
 }
 
 }  // namespace

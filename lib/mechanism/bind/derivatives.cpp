@@ -20,6 +20,7 @@
 #include "mechanism/couplings/internal/friction_binder.hpp"
 #include "mechanism/couplings/reciprocity.hpp"
 #include "mechanism/geometry.hpp"
+#include "mechanism/inertia/mass_binder.hpp"
 
 namespace kinestat {
 
@@ -101,12 +102,126 @@ class DerivativeBinder {
 
   CaseDerivatives bind_case(const CaseDescription& description, const Case& bound) {
     CaseNumbersOf<Dual> numbers = rebinder_.bind_case(description, bound);
-    return {.motions = std::move(numbers.motions),
-            .actions = std::move(numbers.actions),
-            .loads = std::move(numbers.loads)};
+    CaseDerivatives result{.motions = std::move(numbers.motions),
+                           .actions = std::move(numbers.actions),
+                           .loads = std::move(numbers.loads),
+                           .accelerations = {}};
+    for (const Primary& motion : bound.motions) {
+      result.accelerations.emplace_back(0.0);
+      for (std::size_t i = 0; bound.accelerations && i < bound.accelerations->size(); ++i) {
+        if ((*bound.accelerations)[i].index == motion.index) {
+          const bool turns = turns_at(motion.index);
+          result.accelerations.back() =
+              number(description.accelerations[i].value,
+                     turns ? QuantityKind::angular_acceleration : QuantityKind::acceleration);
+        }
+      }
+    }
+    return result;
+  }
+
+  void bind_masses(MechanismDerivatives& result) {
+    result.masses.resize(mechanism_.masses.size());
+    for (const BodyDescription& body : description_.bodies) {
+      const auto& bodies = mechanism_.topology.bodies;
+      const auto at = std::ranges::find(bodies, body.name.text, &BodyTopology::name);
+      const auto b = static_cast<std::size_t>(at - bodies.begin());
+      if (b < mechanism_.masses.size() && mechanism_.masses[b].counts()) {
+        result.masses[b] = mass_of(body, b, result.geometry);
+      }
+    }
+  }
+
+  void bind_springs(MechanismDerivatives& result) {
+    for (std::size_t i = 0; i < mechanism_.springs.size(); ++i) {
+      result.springs.push_back(spring_of(description_.springs[i], mechanism_.springs[i]));
+    }
   }
 
  private:
+  bool turns_at(int freedom) const {
+    return mechanism_.topology.freedoms[static_cast<std::size_t>(freedom)].is_rotation;
+  }
+
+  Dual number(const Value& value, QuantityKind kind) {
+    return expect(evaluator_.number(value, kind));
+  }
+
+  Dual number(const std::optional<Value>& value, QuantityKind kind, double otherwise = 0.0) {
+    return value ? number(*value, kind) : Dual(otherwise);
+  }
+
+  MassNumbersOf<Dual> mass_of(const BodyDescription& body,
+                              std::size_t b,
+                              const GeometryOf<Dual>& geometry) {
+    const Dual count(mechanism_.masses[b].count);
+    MassNumbersOf<Dual> result;
+    result.mass = count * number(body.mass, QuantityKind::mass);
+    if (body.centre_of_mass) {
+      result.centre = expect(evaluator_.point(*body.centre_of_mass));
+    } else if (const auto bearing =
+                   centre_bearing(description_, mechanism_.topology, BodyId{static_cast<int>(b)})) {
+      result.centre = geometry.points[static_cast<std::size_t>(bearing->value)];
+    }
+    if (!body.inertia.empty()) {
+      const InertiaDescription& inertia = body.inertia.front();
+      std::vector<Dual> entries;
+      for (const Value& entry : inertia.entries) {
+        entries.push_back(count * number(entry, QuantityKind::inertia));
+      }
+      std::optional<Vec3Of<Dual>> axis;
+      if (inertia.axis) {
+        axis = expect(evaluator_.axis(*inertia.axis)).direction;
+      }
+      result.tensor = inertia_tensor<Dual>(entries, axis);
+    }
+    return result;
+  }
+
+  SpringNumbersOf<Dual> spring_of(const SpringDescription& spring, const Spring& bound) {
+    using enum QuantityKind;
+    const bool turns = bound.is_of_freedom() && turns_at(bound.freedom);
+    const QuantityKind action = turns ? moment : force;
+    SpringNumbersOf<Dual> result;
+    result.stiffness = number(spring.stiffness, turns ? angular_stiffness : stiffness);
+    if (spring.damping) {
+      result.damping =
+          damping_in_si(expect(evaluator_.quantity(*spring.damping)), turns, description_.units);
+    }
+    Dual drawn(0.0);
+    if (!bound.is_of_freedom()) {
+      result.from = end_of(spring, 0);
+      result.to = end_of(spring, 1);
+      const Vec3Of<Dual> arm = result.to - result.from;
+      drawn = sqrt(Dual(arm.squaredNorm()));
+    }
+    result.free = bound.is_of_freedom() ? number(spring.free, turns ? angle : length)
+                  : spring.free_length  ? number(*spring.free_length, length)
+                                        : drawn;
+    if (spring.drawn && value_of(result.stiffness) > 0.0) {
+      result.free = free_by_force(drawn, number(*spring.drawn, action), result.stiffness);
+    }
+    if (spring.force && !bound.force.law) {
+      result.force = number(*spring.force, action);
+    }
+    if (spring.gas) {
+      const GasSpringDescription& gas = *spring.gas;
+      const Dual exponent = number(gas.exponent, dimensionless, 1.0);
+      result.gas = {.force = number(gas.force, force),
+                    .length = number(gas.length, length),
+                    .stroke = number(gas.stroke, length),
+                    .hold = gas_hold(number(gas.ratio, dimensionless), exponent),
+                    .exponent = exponent};
+    }
+    return result;
+  }
+
+  Vec3Of<Dual> end_of(const SpringDescription& spring, std::size_t i) {
+    const auto at = std::ranges::find(
+        spring.at, spring.bodies[i].text, [](const auto& one) { return one.first.text; });
+    return expect(evaluator_.point(at->second));
+  }
+
   CouplingFrictionOf<Dual> converter_of(const CouplingFriction& bound) {
     const auto e = static_cast<std::size_t>(bound.coupling.value);
     auto law = expect(bind_converter<Dual>(description_.couplings[e], evaluator_, found_));
@@ -174,6 +289,8 @@ MechanismDerivatives bind_derivatives(const MechanismDescription& description,
   result.parameter_count = parameters.size();
   binder.bind_geometries(result);
   binder.bind_frictions(result);
+  binder.bind_masses(result);
+  binder.bind_springs(result);
   result.compliances = bind_compliances<Dual>(description, mechanism.topology, evaluator);
   for (std::size_t c = 0; c < mechanism.cases.size(); ++c) {
     result.cases.push_back(binder.bind_case(description.cases[c], mechanism.cases[c]));

@@ -7,7 +7,9 @@
 
 #include "description/mechanism_description.hpp"
 #include "math/numbers/dual_vector.hpp"
+#include "mechanism/inertia/mass_numbers.hpp"
 #include "mechanism/mechanism.hpp"
+#include "mechanism/springs/spring_numbers.hpp"
 
 namespace kinestat {
 
@@ -16,6 +18,7 @@ struct CaseDerivatives {
   std::vector<Dual> motions;          ///< of the primary motions
   std::vector<Dual> actions;          ///< of the primary actions
   std::vector<WrenchOf<Dual>> loads;  ///< about the origin of the geometry
+  std::vector<Dual> accelerations;    ///< of each primary motion, where forces of inertia act
 };
 
 /// Beside a Mechanism, the same numbers as duals: derivative i is per SI unit of the i-th
@@ -27,8 +30,10 @@ struct MechanismDerivatives {
   std::vector<bool> breaks_coupling;  ///< of each parameter: when it moves, reciprocity is lost or
                                       ///< a number that must be whole, as teeth, is so no longer
   std::vector<CouplingFrictionOf<Dual>> frictions;
-  std::vector<bool> starts_friction;  ///< of each parameter: where there is none as yet
-  std::vector<Dual> compliances;      ///< of each action
+  std::vector<bool> starts_friction;           ///< of each parameter: where there is none as yet
+  std::vector<Dual> compliances;               ///< of each action
+  std::vector<MassNumbersOf<Dual>> masses;     ///< of each body
+  std::vector<SpringNumbersOf<Dual>> springs;  ///< of each spring; a force of curves is zero
   std::vector<CaseDerivatives> cases;
 };
 

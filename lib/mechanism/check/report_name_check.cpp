@@ -131,8 +131,13 @@ bool names_motion_figure(const Name& name,
 }  // namespace
 
 std::span<const std::string> sweep_report_words() {
-  static const std::vector<std::string> kWords = {
-      "ratio", "torque_ratio", "step", "efficiency", "recirculation", "limit_use"};
+  static const std::vector<std::string> kWords = {"ratio",
+                                                  "torque_ratio",
+                                                  "step",
+                                                  "efficiency",
+                                                  "recirculation",
+                                                  "limit_use",
+                                                  std::string(kEquivalentInertiaWord)};
   return kWords;
 }
 

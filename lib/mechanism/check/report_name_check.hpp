@@ -11,6 +11,9 @@
 
 namespace kinestat {
 
+/// The word of a sweep for what the input of a case feels of all inertia.
+inline constexpr std::string_view kEquivalentInertiaWord = "equivalent_inertia";
+
 /// Words that stand for more than one column, or for no coupling.
 std::span<const std::string> sweep_report_words();
 

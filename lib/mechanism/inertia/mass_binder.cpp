@@ -8,8 +8,10 @@
 #include "core/tolerance.hpp"
 #include "description/gear_expansion.hpp"
 #include "math/dense/principal_values.hpp"
+#include "mechanism/check/report_name_check.hpp"
 #include "mechanism/gears/gear_train.hpp"
 #include "mechanism/gears/internal/planet_set.hpp"
+#include "mechanism/inertia/mass_numbers.hpp"
 
 namespace kinestat {
 
@@ -22,9 +24,14 @@ constexpr NumberRule kMomentOfInertia = {.kind = QuantityKind::inertia,
                                          .range = kNotNegative,
                                          .allowed = "a moment of inertia that is not negative"};
 
+// Accelerations are given, or the equivalent inertia is told, as of every gear.
 bool has_inertia(const MechanismDescription& description) {
-  const bool has_gears = description.shift && description.shift->has_inertia();
-  return has_gears || std::ranges::any_of(description.cases, &CaseDescription::has_inertia);
+  const bool sweeps =
+      description.sweep && std::ranges::any_of(description.sweep->report, [](const Name& name) {
+        return name.text == kEquivalentInertiaWord;
+      });
+  return sweeps || description.shift.has_value() ||
+         std::ranges::any_of(description.cases, &CaseDescription::has_inertia);
 }
 
 // Where an axis of the train tells where the centre of the body is.
@@ -89,33 +96,25 @@ class MassBinder {
       bind_single(inertia, moment, result);
       return;
     }
-    const auto entry = [&](std::size_t i) {
-      return context_.evaluator.number(entries[i], QuantityKind::inertia).value_or(0.0);
-    };
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < 3; ++j) {
-        const auto row = static_cast<Eigen::Index>(i);
-        const auto column = static_cast<Eigen::Index>(j);
-        result.inertia(row, column) = entries.size() == 9 ? entry(3 * i + j)
-                                      : i == j            ? entry(i)
-                                                          : 0.0;
-      }
+    std::vector<double> numbers;
+    for (const Value& entry : entries) {
+      numbers.push_back(context_.evaluator.number(entry, QuantityKind::inertia).value_or(0.0));
     }
+    result.inertia = inertia_tensor<double>(numbers, std::nullopt);
     if (check_symmetry(result.inertia)) {
       check_moments(result);
     }
   }
 
   void bind_single(const InertiaDescription& inertia, double moment, BodyMass& result) {
-    if (!inertia.axis) {
-      result.inertia(2, 2) = moment;
-      return;
+    if (inertia.axis) {
+      const std::optional<AxisOf<double>> axis = context_.evaluator.axis(*inertia.axis);
+      if (!axis) {
+        return;
+      }
+      result.polar_axis = axis->direction;
     }
-    if (const std::optional<AxisOf<double>> axis = context_.evaluator.axis(*inertia.axis)) {
-      const Vec3 unit = axis->direction;
-      result.polar_axis = unit;
-      result.inertia = moment * unit * unit.transpose();
-    }
+    result.inertia = inertia_tensor<double>(std::span(&moment, 1), result.polar_axis);
   }
 
   bool check_symmetry(const Mat3& tensor) const {
@@ -174,11 +173,10 @@ class MassBinder {
   const SectionContext& context_;
 };
 
-// On its axis, at its first bearing there.
-std::optional<Vec3> centre_on_axis(const GearTrain& train,
-                                   const Topology& topology,
-                                   const std::vector<Vec3>& points,
-                                   BodyId body) {
+// Its first bearing on its axis.
+std::optional<CouplingId> bearing_on_axis(const GearTrain& train,
+                                          const Topology& topology,
+                                          BodyId body) {
   const std::string& name = topology.body(body).name;
   const int axis = train.axis_on(name);
   for (std::size_t e = 0; e < topology.couplings.size(); ++e) {
@@ -187,7 +185,7 @@ std::optional<Vec3> centre_on_axis(const GearTrain& train,
     if (is_of_body && coupling.type == CouplingType::revolute &&
         train.axis_between(topology.body(coupling.tail).name, topology.body(coupling.head).name) ==
             axis) {
-      return points[e];
+      return CouplingId{static_cast<int>(e)};
     }
   }
   return std::nullopt;
@@ -243,12 +241,21 @@ std::vector<BodyMass> masses_of_bodies(const SectionContext& context,
     one = described.mass;
     one.count = counts[static_cast<std::size_t>(b)];
     if (!body.centre_of_mass && has_train) {
-      one.centre = centre_on_axis(train, topology, mechanism.geometry.points, BodyId{b})
-                       .value_or(Vec3::Zero());
+      const std::optional<CouplingId> bearing = bearing_on_axis(train, topology, BodyId{b});
+      one.centre = bearing ? mechanism.geometry.points[static_cast<std::size_t>(bearing->value)]
+                           : Vec3::Zero();
     }
     warn_of_gyration(one, body.name.text, mechanism.geometry.length, context);
   }
   return result;
+}
+
+std::optional<CouplingId> centre_bearing(const MechanismDescription& description,
+                                         const Topology& topology,
+                                         BodyId body) {
+  return description.gears && has_all_meshes(description)
+             ? bearing_on_axis(find_gear_train(description), topology, body)
+             : std::nullopt;
 }
 
 std::vector<DescribedMass> bind_masses(const SectionContext& context) {

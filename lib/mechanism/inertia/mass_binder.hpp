@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "mechanism/check/section_context.hpp"
@@ -26,5 +27,10 @@ std::vector<DescribedMass> bind_masses(const SectionContext& context);
 std::vector<BodyMass> masses_of_bodies(const SectionContext& context,
                                        const Mechanism& mechanism,
                                        const std::vector<DescribedMass>& masses);
+
+/// The coupling at whose point the centre of a gear is that has none of its own.
+std::optional<CouplingId> centre_bearing(const MechanismDescription& description,
+                                         const Topology& topology,
+                                         BodyId body);
 
 }  // namespace kinestat

@@ -8,6 +8,7 @@
 #include "core/text.hpp"
 #include "mechanism/bind/bare_damping.hpp"
 #include "mechanism/curves/moving_number_binder.hpp"
+#include "mechanism/springs/spring_numbers.hpp"
 
 namespace kinestat {
 
@@ -94,8 +95,7 @@ class SpringBinder {
     const QuantityKind rate = turns ? QuantityKind::angular_velocity : QuantityKind::velocity;
     Dimension dimension = value->dimension;
     dimension.angle = 0;
-    const double si =
-        is_bare(value->dimension) ? value->value * bare_damping_unit(units, turns) : value->value;
+    const double si = damping_in_si(*value, turns, units);
     if (!is_bare(value->dimension) && dimension != (turns ? kCouplePerSpeed : kForcePerVelocity)) {
       context_.found.error(
           "E0309",
@@ -205,7 +205,7 @@ class SpringBinder {
           fmt::format("spring '{}' says in two ways where it has no force", spring_.name.text),
           "keep one of 'drawn', 'free' and 'free_length'");
     } else if (result.stiffness > 0.0) {
-      result.free = drawn + action / result.stiffness;
+      result.free = free_by_force(drawn, action, result.stiffness);
     } else if (action != 0.0) {
       context_.found.error(
           "E0303",
@@ -223,7 +223,7 @@ class SpringBinder {
     result.gas = GasSpring{.force = number(gas.force, force, kNotNegative, "force"),
                            .length = number(gas.length, length, kAboveZero, "length"),
                            .stroke = number(gas.stroke, length, kAboveZero, "stroke"),
-                           .hold = 1.0 - std::pow(ratio, -1.0 / exponent),
+                           .hold = gas_hold(ratio, exponent),
                            .exponent = exponent};
   }
 

@@ -163,16 +163,21 @@ TwistOf<Dual> DualCase::coupling_twist(std::size_t coupling) const {
   return sum;
 }
 
-TwistOf<Dual> DualCase::body_twist(std::size_t body) const {
+TwistOf<Dual> DualCase::along_tree(
+    std::size_t body, const std::function<TwistOf<Dual>(std::size_t)>& of_coupling) const {
   TwistOf<Dual> sum;
   while (body != 0) {
     const Step& step = steps_[body];
     const CouplingTopology& edge = topology().couplings[static_cast<std::size_t>(step.coupling)];
-    const TwistOf<Dual> twist = coupling_twist(static_cast<std::size_t>(step.coupling));
+    const TwistOf<Dual> twist = of_coupling(static_cast<std::size_t>(step.coupling));
     sum = step.forward ? sum + twist : sum - twist;
     body = static_cast<std::size_t>(step.forward ? edge.tail.value : edge.head.value);
   }
   return sum;
+}
+
+TwistOf<Dual> DualCase::body_twist(std::size_t body) const {
+  return along_tree(body, [this](std::size_t e) { return coupling_twist(e); });
 }
 
 std::optional<WrenchOf<Dual>> DualCase::coupling_wrench(std::size_t coupling) const {

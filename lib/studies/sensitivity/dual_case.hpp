@@ -1,6 +1,7 @@
 // The screws of a solved case as functions of its unknowns and of the parameters.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -72,7 +73,11 @@ class DualCase {
   /// Head relative to tail, about the origin of the geometry.
   TwistOf<Dual> coupling_twist(std::size_t coupling) const;
 
-  /// Along the branches of the spanning tree from the ground.
+  /// The sum of what the couplings have along the branches of the spanning tree from the ground,
+  /// each positive from tail to head.
+  TwistOf<Dual> along_tree(std::size_t body,
+                           const std::function<TwistOf<Dual>(std::size_t)>& of_coupling) const;
+
   TwistOf<Dual> body_twist(std::size_t body) const;
 
   /// The actions and the friction of tail on head, about the origin of the geometry; empty if one

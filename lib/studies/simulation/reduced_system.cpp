@@ -41,7 +41,8 @@ ReducedSystem::ReducedSystem(const Mechanism& mechanism,
       states_(network_, mechanism),
       needs_place_(which.follows_curves() || !mechanism.springs.empty()),
       balance_(balance),
-      friction_(mechanism.frictions.size()),
+      frictions_(find_rubbing(mechanism)),
+      friction_(frictions_.size()),
       inertial_(mechanism.masses.size()),
       carried_(mechanism.masses.size()) {
   const std::size_t count = network_.driven_rates.size();
@@ -287,6 +288,14 @@ VecX ReducedSystem::direction_of(int freedom) const {
     result[static_cast<Eigen::Index>(j)] = unit_rate(j, freedom);
   }
   return result;
+}
+
+VecX ReducedSystem::direction_of(std::span<const SlidingTerm> slides) const {
+  VecX sum = VecX::Zero(static_cast<Eigen::Index>(units_.size()));
+  for (const SlidingTerm& term : slides) {
+    sum += term.factor * direction_of(term.freedom);
+  }
+  return sum;
 }
 
 std::optional<ReducedSystem::Impulse> ReducedSystem::impulse_at(int freedom) const {

@@ -35,7 +35,7 @@ class ReducedSystem {
 
   std::size_t free_count() const { return free_count_; }
 
-  /// Of each friction of the mechanism; none act before. `is_open`: nothing says how much of what
+  /// Of each of `find_rubbing`; none act before. `is_open`: nothing says how much of what
   /// is held couplings that stick have.
   void set_friction(std::vector<FrictionSense> senses, bool is_open);
 
@@ -56,6 +56,7 @@ class ReducedSystem {
 
   /// What the rates of a freedom are for unit speeds of all coordinates there.
   VecX direction_of(int freedom) const;
+  VecX direction_of(std::span<const SlidingTerm> slides) const;
 
   /// What an impulse about or along a freedom changes of the speeds of the free coordinates, by
   /// unit speed that the freedom changes by; and the inertia that it meets [kg·m² or kg].
@@ -127,6 +128,7 @@ class ReducedSystem {
   MotionState state_;
   std::vector<MotionState> units_;
   StateBalance* balance_ = nullptr;
+  std::vector<Rubbing> frictions_;
   std::vector<FrictionSense> senses_;
   bool is_open_ = false;
   std::vector<BodyWrench> loads_;                // but for inertia, dry friction and what is held

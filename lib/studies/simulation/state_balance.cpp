@@ -25,22 +25,37 @@ std::vector<int> indices_of(const std::vector<Primary>& primaries) {
   return indices;
 }
 
-}  // namespace
-
-bool is_dry(const CouplingFriction& friction) {
-  return friction.mu > 0.0 || friction.tau > 0.0 || friction.tau_of_speed || friction.mu_static;
+// The power that rolls into the gear, over its speed, presses where it is positive. `hinge` is the
+// first on its axis.
+FrictionLaw law_of_teeth(const Rubbing& one, const Twist& hinge, double sense, double speed) {
+  const DrivenGear& gear = *one.gear;
+  const Twist turns = (sense * gear.sense) * hinge;
+  FrictionLaw law;
+  law.coupling = one.coupling;
+  law.between = gear.between;
+  law.unit = unit_couple<double>(-turns.angular);
+  law.speed = speed;
+  PressingPart part;
+  part.part.row(0) << turns.angular.transpose(), turns.linear.transpose();
+  part.part *= gear.is_head ? 1.0 : -1.0;
+  part.weight = gear.share;
+  part.is_signed = true;
+  law.parts = {part};
+  return law;
 }
+
+}  // namespace
 
 StateBalance::StateBalance(const Mechanism& mechanism,
                            const Case& which,
                            const MotionNetwork& network,
                            std::span<const DrawnCoupling> drawn)
     : mechanism_(mechanism), which_(which), network_(network), drawn_(drawn), moved_(mechanism) {
-  for (CouplingFriction friction : mechanism.frictions) {
-    friction.viscous = 0.0;
-    sliding_.push_back(friction);
-    friction.mu = friction.mu_static.value_or(friction.mu);
-    resting_.push_back(std::move(friction));
+  for (Rubbing one : find_rubbing(mechanism)) {
+    one.friction.viscous = 0.0;
+    sliding_.push_back(one);
+    one.friction.mu = one.friction.mu_static.value_or(one.friction.mu);
+    resting_.push_back(std::move(one));
   }
 }
 
@@ -71,18 +86,25 @@ FrictionLaw StateBalance::law_of(std::size_t friction,
                                  double sense,
                                  double rate,
                                  bool at_rest) const {
-  const CouplingFriction& one = (at_rest ? resting_ : sliding_)[friction];
-  const CouplingTopology& coupling = mechanism_.topology.coupling(one.coupling);
-  const Twist& unit = moved_.geometry.motions[at(coupling.first_freedom)];
+  const Rubbing& one = (at_rest ? resting_ : sliding_)[friction];
+  const Twist& unit = moved_.geometry.motions[at(one.slides.front().freedom)];
   // Never so slow that it has no sense.
   const double size = std::max(sense * rate, std::numeric_limits<double>::min());
+  if (one.gear) {
+    return law_of_teeth(one, unit, sense, size);
+  }
   return make_friction_law(SlidingOf<double>{
       .topology = mechanism_.topology,
-      .friction = one,
+      .friction = one.friction,
       .unit = unit,
       .twist = {.angular = sense * size * unit.angular, .linear = sense * size * unit.linear},
       .at = moved_.geometry.points[at(one.coupling.value)],
       .unit_action = [&](int a) { return moved_.geometry.actions[at(a)]; }});
+}
+
+BodyPair StateBalance::rubbed_bodies(const FrictionLaw& law) const {
+  const CouplingTopology& coupling = mechanism_.topology.coupling(law.coupling);
+  return law.between.value_or(BodyPair{.tail = coupling.tail, .head = coupling.head});
 }
 
 // Those that follow from others, or from equilibrium, are left out.
@@ -125,8 +147,7 @@ FrictionMagnitudes StateBalance::solve_friction(std::span<const double> actions,
                                                 std::span<const std::vector<BodyWrench>> along) {
   std::vector<BodyWrench> outside(loads.begin(), loads.end());
   for (const FrictionLaw& law : laws) {
-    outside.push_back(
-        {.body = mechanism_.topology.coupling(law.coupling).head, .wrench = law.unit});
+    outside.push_back({.body = rubbed_bodies(law).head, .wrench = law.unit});
   }
   const std::vector<Primary> primaries = primaries_with(actions, outside);
   const CoordinateBasis basis = action_basis(moved_.geometry, moved_.static_order, outside);

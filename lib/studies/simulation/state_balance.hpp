@@ -7,11 +7,9 @@
 #include "statics/friction_solve.hpp"
 #include "statics/static_solution.hpp"
 #include "studies/motion/motion_solution.hpp"
+#include "studies/simulation/rubbing.hpp"
 
 namespace kinestat {
-
-/// Whether a coupling sticks and slips: some of its friction is there however slow it slides.
-bool is_dry(const CouplingFriction& friction);
 
 /// Actions of actuators that the case knows are known as far as equilibrium does not say them
 /// itself. One a thread; all must outlive it.
@@ -37,6 +35,9 @@ class StateBalance {
   /// rest. Without what is viscous.
   FrictionLaw law_of(std::size_t friction, double sense, double rate, bool at_rest) const;
 
+  /// On which it acts.
+  BodyPair rubbed_bodies(const FrictionLaw& law) const;
+
   /// `actions` are those that the case knows, in its order.
   FrictionMagnitudes solve_friction(std::span<const double> actions,
                                     std::span<const BodyWrench> loads,
@@ -54,8 +55,8 @@ class StateBalance {
   const MotionNetwork& network_;
   std::span<const DrawnCoupling> drawn_;
   Mechanism moved_;
-  std::vector<CouplingFriction> sliding_;  // without what is viscous
-  std::vector<CouplingFriction> resting_;
+  std::vector<Rubbing> sliding_;  // without what is viscous
+  std::vector<Rubbing> resting_;
   std::vector<std::size_t> independent_;  // of the actions of the case
   bool knows_independent_ = false;
 };

@@ -39,7 +39,8 @@ std::vector<ForcePath> reported_path(const MotionTable& motion, std::string& uni
   columns.fill(motion.columns.size());
   for (std::size_t c = 0; c < motion.columns.size(); ++c) {
     const MotionColumn& column = motion.columns[c];
-    if (column.element == "shaking" && column.quantity.starts_with("force/")) {
+    const bool is_component = column.quantity.size() == std::string_view("force/x").size();
+    if (column.element == "shaking" && column.quantity.starts_with("force/") && is_component) {
       columns[static_cast<std::size_t>(column.quantity.back() - 'x')] = c;
       unit = column.unit;
     }

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "core/axis_name.hpp"
@@ -52,6 +53,8 @@ class DynamicReadings {
     for (DynamicWrenchComponent& one : dynamic_wrenches(mechanism_)) {
       add(std::move(one.element), std::move(one.quantity), one.kind, std::move(one.value));
     }
+    add_magnitude(kGroundElement, &CaseDynamics::ground);
+    add_magnitude(kShakingElement, &CaseDynamics::shaking);
     for (std::size_t d = 0; d < plan_.drives.size(); ++d) {
       add_drive(d);
     }
@@ -68,6 +71,17 @@ class DynamicReadings {
          .value = [value = std::move(value)](const MotionPosition& at) -> std::optional<double> {
            return at.solved && at.solved->dynamics ? value(*at.solved->dynamics) : std::nullopt;
          }});
+  }
+
+  // Of the force, which no direction of the world tells better than another.
+  void add_magnitude(std::string_view element, std::optional<Wrench> CaseDynamics::*wrench) {
+    add(std::string(element),
+        "force/magnitude",
+        QuantityKind::force,
+        [wrench](const CaseDynamics& one) {
+          const std::optional<Wrench>& found = one.*wrench;
+          return found ? std::optional(found->force.norm()) : std::nullopt;
+        });
   }
 
   void add_drive(std::size_t d) {

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "cases/gear_answer.hpp"
+#include "cases/input_inertia.hpp"
 #include "core/contract.hpp"
-#include "dynamics/equivalent_inertia.hpp"
 
 namespace kinestat {
 
@@ -45,15 +45,11 @@ GearValues gear_values(const Analysis& analysis, std::size_t state) {
 
 std::optional<std::vector<double>> gear_inertias(const Analysis& analysis,
                                                  const CaseAnalysis& gear) {
-  if (!gear.motion || gear.which.inputs.size() != 1) {
-    return std::nullopt;
-  }
-  const Topology& topology = analysis.mechanism.topology;
-  const int freedom =
-      topology.actuators[static_cast<std::size_t>(gear.which.inputs.front())].freedom;
-  return topology.freedoms[static_cast<std::size_t>(freedom)].is_rotation
-             ? equivalent_inertias(analysis.mechanism, *gear.motion, freedom)
-             : std::nullopt;
+  const std::optional<int> freedom = only_input_freedom(analysis.mechanism, gear.which);
+  const bool turns =
+      freedom &&
+      analysis.mechanism.topology.freedoms[static_cast<std::size_t>(*freedom)].is_rotation;
+  return turns ? input_inertias(analysis.mechanism, gear) : std::nullopt;
 }
 
 std::vector<RatiosInUnits> gear_ratios(const Analysis& analysis,

@@ -55,14 +55,16 @@ void ReducedSystem::add_held(std::span<const double> held, std::vector<BodyWrenc
 
 std::optional<ReducedSystem::ActingFriction> ReducedSystem::acting_friction(std::size_t i) {
   const auto free = static_cast<Eigen::Index>(free_count_);
-  const CouplingId id = mechanism_.frictions[i].coupling;
-  const int freedom = mechanism_.topology.coupling(id).first_freedom;
+  const CouplingId id = frictions_[i].coupling;
   const int sense = senses_[i].sense;
-  const double rate = state_.rates[at(freedom)].value_or(0.0);
+  double rate = 0.0;
+  for (const SlidingTerm& term : frictions_[i].slides) {
+    rate += term.factor * state_.rates[at(term.freedom)].value_or(0.0);
+  }
   ActingFriction one{.index = i,
                      .law = balance_->law_of(i, sense, rate, senses_[i].at_rest),
                      .rate = sense * rate,
-                     .work = -sense * direction_of(freedom)};
+                     .work = -sense * direction_of(frictions_[i].slides)};
   if (!one.law.has_value) {
     obstacle_ = {.kind = SimulationObstacle::Kind::open_friction, .coupling = id};
     return std::nullopt;
@@ -135,12 +137,12 @@ bool ReducedSystem::add_friction(VecX& accelerations) {
   for (std::size_t i = 0; i < acting.size(); ++i) {
     const ActingFriction& one = acting[i];
     const double size = found.values[static_cast<Eigen::Index>(i)];
-    const CouplingTopology& coupling = mechanism_.topology.coupling(one.law.coupling);
+    const BodyPair bodies = balance_->rubbed_bodies(one.law);
     forces_ += size * one.work;
     accelerations += size * one.answer;
     friction_[one.index] = -senses_[one.index].sense * size;
-    rubbing_.push_back({.body = coupling.head, .wrench = size * one.law.unit});
-    rubbing_.push_back({.body = coupling.tail, .wrench = -size * one.law.unit});
+    rubbing_.push_back({.body = bodies.head, .wrench = size * one.law.unit});
+    rubbing_.push_back({.body = bodies.tail, .wrench = -size * one.law.unit});
     powers_.lost += size * one.rate;
   }
   return true;

@@ -48,6 +48,24 @@ bool are_independent(std::vector<VecX> directions) {
   return true;
 }
 
+// How it speeds up.
+std::optional<double> sliding_acceleration(const Rubbing& friction,
+                                           ReducedSystem& system,
+                                           const Configuration& configuration,
+                                           std::span<const double> speeds,
+                                           std::span<const double> accelerations) {
+  double sum = 0.0;
+  for (const SlidingTerm& term : friction.slides) {
+    const std::optional<double> one =
+        system.acceleration_of(term.freedom, configuration, speeds, accelerations);
+    if (!one) {
+      return std::nullopt;
+    }
+    sum += term.factor * *one;
+  }
+  return sum;
+}
+
 }  // namespace
 
 bool Simulator::rests(std::size_t friction) const {
@@ -57,7 +75,8 @@ bool Simulator::rests(std::size_t friction) const {
 }
 
 bool Simulator::is_joint(std::size_t friction) const {
-  return rate_of_freedom(network_, freedom_of(friction)) >= 0;
+  return frictions_[friction].slides.size() == 1 &&
+         rate_of_freedom(network_, freedom_of(friction)) >= 0;
 }
 
 double Simulator::no_sliding(std::size_t friction) const {
@@ -68,7 +87,10 @@ void Simulator::read_senses() {
   senses_.assign(senses_.size(), {});
   const double most = fastest();
   for (const std::size_t i : dry_) {
-    const double speed = speed_along(freedom_of(i));
+    double speed = 0.0;
+    for (const SlidingTerm& term : frictions_[i].slides) {
+      speed += term.factor * speed_along(term.freedom);
+    }
     if (std::abs(speed) > kAtRest * most * unit(freedom_of(i))) {
       senses_[i].sense = speed > 0.0 ? 1 : -1;
     }
@@ -79,7 +101,7 @@ void Simulator::read_senses() {
 VecX Simulator::direction_in_sizes(std::size_t friction) const {
   const auto free = static_cast<Eigen::Index>(free_count());
   VecX direction =
-      system_->direction_of(freedom_of(friction)).head(free) / unit(freedom_of(friction));
+      system_->direction_of(frictions_[friction].slides).head(free) / unit(freedom_of(friction));
   for (Eigen::Index j = 0; j < free; ++j) {
     direction[j] *= unit_of(static_cast<std::size_t>(j));
   }
@@ -130,20 +152,17 @@ std::optional<SimulationObstacle> Simulator::obstacle_of(
   std::vector<VecX> directions;
   for (const StuckGroup& group : groups) {
     const std::size_t lead = group.frictions.front();
-    const bool has_both = std::ranges::any_of(group.frictions, [&](std::size_t i) {
-      const CouplingFriction& one = mechanism_.frictions[i];
-      return one.mu_static.value_or(one.mu) > one.mu;
-    });
+    const bool has_both = std::ranges::any_of(
+        group.frictions, [&](std::size_t i) { return frictions_[i].has_more_at_rest(); });
     if (has_both && !is_joint(lead)) {
       return SimulationObstacle{.kind = SimulationObstacle::Kind::stuck_in_circuit,
-                                .coupling = mechanism_.frictions[lead].coupling};
+                                .coupling = frictions_[lead].coupling};
     }
     directions.push_back(direction_in_sizes(lead));
   }
   if (groups.size() > kMostGroups || !are_independent(std::move(directions))) {
-    return SimulationObstacle{
-        .kind = SimulationObstacle::Kind::open_friction,
-        .coupling = mechanism_.frictions[groups.front().frictions.front()].coupling};
+    return SimulationObstacle{.kind = SimulationObstacle::Kind::open_friction,
+                              .coupling = frictions_[groups.front().frictions.front()].coupling};
   }
   return std::nullopt;
 }
@@ -174,8 +193,12 @@ bool Simulator::is_consistent(const std::vector<StuckGroup>& groups,
     if (pattern[g] == 0 || g == given) {
       continue;
     }
-    const std::optional<double> leaves = system_->acceleration_of(
-        freedom_of(groups[g].frictions.front()), anchor_, speeds_of(state_), accelerations);
+    const std::optional<double> leaves =
+        sliding_acceleration(frictions_[groups[g].frictions.front()],
+                             *system_,
+                             anchor_,
+                             speeds_of(state_),
+                             accelerations);
     if (!leaves || !(pattern[g] * *leaves > 0.0)) {
       return false;
     }
@@ -198,7 +221,7 @@ std::optional<std::vector<int>> Simulator::find_pattern(const std::vector<StuckG
   const std::vector<FrictionSense> sliding = senses_;
   const SimulationObstacle in_two_ways{
       .kind = SimulationObstacle::Kind::friction_in_two_ways,
-      .coupling = mechanism_.frictions[groups.front().frictions.front()].coupling};
+      .coupling = frictions_[groups.front().frictions.front()].coupling};
   std::optional<SimulationObstacle> why;
   std::optional<std::vector<int>> found;
   for (const std::vector<int>& pattern : patterns_of(groups.size())) {
@@ -208,7 +231,7 @@ std::optional<std::vector<int>> Simulator::find_pattern(const std::vector<StuckG
       if (pattern[g] == 0 && !is_joint(lead)) {
         is_left_out = true;
         why = SimulationObstacle{.kind = SimulationObstacle::Kind::stuck_in_circuit,
-                                 .coupling = mechanism_.frictions[lead].coupling};
+                                 .coupling = frictions_[lead].coupling};
       }
     }
     if (is_left_out || (found && std::ranges::count(pattern, 0) < std::ranges::count(*found, 0))) {
@@ -330,8 +353,8 @@ std::optional<double> Simulator::breakaway(std::size_t group,
     obstacle_ = trial.obstacle();
     return std::numeric_limits<double>::infinity();
   }
-  const std::optional<double> found = trial.acceleration_of(
-      freedom_of(one.frictions.front()), configuration, speeds, accelerations);
+  const std::optional<double> found = sliding_acceleration(
+      frictions_[one.frictions.front()], trial, configuration, speeds, accelerations);
   return found ? std::optional(sense * *found) : std::nullopt;
 }
 

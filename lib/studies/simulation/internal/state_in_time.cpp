@@ -20,9 +20,10 @@ StateInTime::StateInTime(const Mechanism& mechanism,
       network_(network),
       plan_(plan),
       balance_(mechanism, mechanism.cases.front(), network, drawn),
-      senses_(mechanism.frictions.size()) {
-  for (std::size_t i = 0; i < mechanism.frictions.size(); ++i) {
-    if (is_dry(mechanism.frictions[i])) {
+      frictions_(find_rubbing(mechanism)),
+      senses_(frictions_.size()) {
+  for (std::size_t i = 0; i < frictions_.size(); ++i) {
+    if (frictions_[i].is_dry()) {
       dry_.push_back(i);
     }
   }
@@ -255,7 +256,7 @@ double StateInTime::speed_along(int freedom) const {
 }
 
 int StateInTime::freedom_of(std::size_t friction) const {
-  return topology_.coupling(mechanism_.frictions[friction].coupling).first_freedom;
+  return frictions_[friction].slides.front().freedom;
 }
 
 double StateInTime::fastest() const {
@@ -278,8 +279,15 @@ std::optional<double> StateInTime::sliding_at(std::size_t friction,
     slid_ = system_->rates(configuration, speeds_of(y));
     slid_at_ = time;
   }
-  const std::size_t freedom = at(freedom_of(friction));
-  return freedom < slid_.size() ? slid_[freedom] : std::nullopt;
+  double sum = 0.0;
+  for (const SlidingTerm& term : frictions_[friction].slides) {
+    const std::size_t freedom = at(term.freedom);
+    if (freedom >= slid_.size() || !slid_[freedom]) {
+      return std::nullopt;
+    }
+    sum += term.factor * *slid_[freedom];
+  }
+  return sum;
 }
 
 }  // namespace kinestat

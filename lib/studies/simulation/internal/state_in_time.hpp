@@ -77,6 +77,7 @@ class StateInTime {
 
   bool has_dry() const { return !dry_.empty(); }
 
+  // The first, of which it has the kind.
   int freedom_of(std::size_t friction) const;
   std::optional<double> sliding_at(std::size_t friction, double time, std::span<const double> y);
 
@@ -89,7 +90,8 @@ class StateInTime {
   const SimulationPlan& plan_;
   StateBalance balance_;
   bool needs_balance_ = false;
-  std::vector<std::size_t> dry_;       // frictions
+  std::vector<Rubbing> frictions_;
+  std::vector<std::size_t> dry_;       // of these
   std::vector<FrictionSense> senses_;  // of all frictions
   std::vector<StuckGroup> groups_;
   std::vector<std::unique_ptr<ReducedSystem>> trials_;  // each with one group that is free

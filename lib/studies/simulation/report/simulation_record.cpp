@@ -85,7 +85,7 @@ class ColumnMaker {
     }
     for (std::size_t i = 0; i < v_.mechanism.frictions.size(); ++i) {
       const CouplingFriction& friction = v_.mechanism.frictions[i];
-      if (is_dry(friction)) {
+      if (Rubbing{.coupling = friction.coupling, .slides = {}, .friction = friction}.is_dry()) {
         const CouplingTopology& coupling = topology_.coupling(friction.coupling);
         add(coupling.name,
             kFrictionColumn,

@@ -72,9 +72,9 @@ class StartFinder {
   // And those that may stick, as far as no circuit closes in them.
   std::vector<int> with_frictions(const std::vector<DrawnCoupling>& drawn) const {
     std::vector<int> all = named();
-    for (const CouplingFriction& friction : mechanism_.frictions) {
-      const int freedom = topology_.coupling(friction.coupling).first_freedom;
-      if (!is_dry(friction) || std::ranges::find(all, freedom) != all.end()) {
+    for (const Rubbing& one : find_rubbing(mechanism_)) {
+      const int freedom = one.slides.front().freedom;
+      if (one.slides.size() > 1 || !one.is_dry() || std::ranges::find(all, freedom) != all.end()) {
         continue;
       }
       all.push_back(freedom);

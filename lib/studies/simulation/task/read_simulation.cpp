@@ -311,10 +311,20 @@ class SimulationReader {
     }
     for (const LossyMesh& mesh : mechanism_.lossy_meshes) {
       const CouplingTopology& coupling = topology_.coupling(mesh.coupling);
-      refuse(coupling.where,
-             fmt::format("a simulation does not know what mesh '{}' loses", coupling.name),
-             "remove 'losses' for it: its teeth lose nothing then");
-      break;
+      if (mesh.law) {
+        refuse(
+            coupling.where,
+            fmt::format("a simulation does not know what mesh '{}' loses: that hangs on speed or "
+                        "force",
+                        coupling.name),
+            "give its 'losses' a number");
+      } else if (mesh.share > 0.0 && !turns_on_carrier(mechanism_, mesh.coupling)) {
+        refuse(coupling.where,
+               fmt::format("a simulation does not know what mesh '{}' loses: hinges on their axes "
+                           "do not join both gears with one body",
+                           coupling.name),
+               "remove 'losses' for it: its teeth lose nothing then");
+      }
     }
     for (const CouplingDescription& coupling : couplings_) {
       if (coupling.one_way) {

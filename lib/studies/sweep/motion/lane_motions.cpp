@@ -231,6 +231,7 @@ std::optional<double> LaneMotions::value_of(const Source& source, std::size_t la
       return in_unit(all.mean);
     case MotionFigure::peak:
       return in_unit(std::max(std::abs(all.least), std::abs(all.greatest)));
+    case MotionFigure::rms:  // of motions in time, which are none of these
     case MotionFigure::dead_points:
       break;
   }

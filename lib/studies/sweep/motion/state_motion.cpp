@@ -55,6 +55,8 @@ class FigureReader {
         return greatest - least;
       case MotionFigure::mean:
         return figures.mean.value_or(kNone);
+      case MotionFigure::rms:
+        return figures.rms.value_or(kNone);
       case MotionFigure::peak:
         return figures.least && figures.greatest ? std::max(std::abs(least), std::abs(greatest))
                                                  : kNone;

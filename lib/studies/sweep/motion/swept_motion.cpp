@@ -123,10 +123,17 @@ std::optional<SweepColumn> MotionColumnSearch::find(const Name& name) {
     }
     return std::nullopt;
   }
+  if (asked.figure == MotionFigure::rms && !plan_.schedule) {
+    found_.error("E0305",
+                 name.where,
+                 fmt::format("'{}' is a mean in time, and the motion has none", name.text),
+                 "add 'time' to 'motion', or ask for the mean or the peak");
+    return std::nullopt;
+  }
   unite(asked_.report, column->needs);
   asked_.is_of_case = asked_.is_of_case || needs_case(column->needs);
   // Positions are extreme where a freedom turns back.
-  const bool is_extreme = asked.figure != MotionFigure::mean;
+  const bool is_extreme = asked.figure != MotionFigure::mean && asked.figure != MotionFigure::rms;
   asked_.scope.dead_points = asked_.scope.dead_points || (is_extreme && !needs_case(column->needs));
   asked_.scope.columns->push_back(column->name);
   if (is_extreme) {

@@ -1,15 +1,19 @@
 #include "studies/sweep/report/sweep_column.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "cases/gear_answer.hpp"
+#include "cases/input_inertia.hpp"
 #include "cases/report/ratio_in_units.hpp"
 #include "core/contract.hpp"
+#include "core/text.hpp"
 #include "core/utf8.hpp"
 #include "kinematics/bounded_motion.hpp"
+#include "mechanism/check/report_name_check.hpp"
 #include "mechanism/label_kind.hpp"
 #include "mechanism/motion_figure.hpp"
 #include "power/ratio.hpp"
@@ -26,6 +30,12 @@ using enum SweepColumnKind;
 // Of the two that the columns may show.
 const RatioInUnits& ratio_in(const RatiosInUnits& ratios, SweepColumnKind kind) {
   return kind == ratio ? ratios.ratio : ratios.torque_ratio;
+}
+
+QuantityKind inertia_kind(const Mechanism& mechanism, int freedom) {
+  return mechanism.topology.freedoms[static_cast<std::size_t>(freedom)].is_rotation
+             ? QuantityKind::inertia
+             : QuantityKind::mass;
 }
 
 class ColumnSearch {
@@ -81,6 +91,9 @@ class ColumnSearch {
     if (name.text == "limit_use") {
       return limit_use_of_gears(name);
     }
+    if (name.text == kEquivalentInertiaWord) {
+      return equivalent_inertia_of(name);
+    }
     if (name.text == "efficiency" || name.text == "recirculation") {
       return SweepColumn{.kind = name.text == "efficiency" ? efficiency : recirculation,
                          .index = -1,
@@ -133,6 +146,51 @@ class ColumnSearch {
       return std::nullopt;
     }
     return SweepColumn{.kind = limit_use, .index = -1, .name = name.text, .unit = {}};
+  }
+
+  // At the one input of a case, as its kind of freedom has it.
+  std::optional<SweepColumn> equivalent_inertia_of(const Name& name) {
+    const auto refuse = [&](std::string message, std::string hint) {
+      found_.error("E0305", name.where, std::move(message), std::move(hint));
+      return std::nullopt;
+    };
+    if (std::ranges::none_of(mechanism_.masses, &BodyMass::counts)) {
+      return refuse("'equivalent_inertia' is of the inertia of bodies, and none has any",
+                    "give 'bodies' mass, centre_of_mass and inertia, or remove "
+                    "'equivalent_inertia'");
+    }
+    std::optional<QuantityKind> kind;
+    for (const Case& one : cases_) {
+      const std::optional<int> freedom = only_input_freedom(mechanism_, one);
+      if (!freedom) {
+        return refuse(fmt::format("'equivalent_inertia' is that at the input of a case, and case "
+                                  "'{}' names {}",
+                                  printable(one.label),
+                                  one.inputs.empty() ? "none" : "several"),
+                      fmt::format("add input: one of {}", plain_list(actuator_names())));
+      }
+      const QuantityKind its = inertia_kind(mechanism_, *freedom);
+      if (kind && *kind != its) {
+        return refuse(fmt::format("'equivalent_inertia' is in '{}' in one case and in '{}' in "
+                                  "another",
+                                  units_.text(*kind),
+                                  units_.text(its)),
+                      "name cases under 'cases:' of 'sweep' whose inputs are alike");
+      }
+      kind = its;
+    }
+    return SweepColumn{.kind = equivalent_inertia,
+                       .index = -1,
+                       .name = name.text,
+                       .unit = kind ? units_.text(*kind) : ""};
+  }
+
+  std::vector<std::string> actuator_names() const {
+    std::vector<std::string> names;
+    for (const ActuatorTopology& one : topology_.actuators) {
+      names.push_back(one.name);
+    }
+    return names;
   }
 
   SweepColumn rate_of(int freedom) const {
@@ -226,6 +284,16 @@ std::optional<double> action_value(const CaseAnalysis& one, std::size_t action, 
                    : std::nullopt;
 }
 
+std::optional<double> equivalent_inertia_value(const CaseAnalysis& one,
+                                               const Mechanism& mechanism,
+                                               const FileUnits& units) {
+  const auto shares = input_inertias(mechanism, one);
+  return shares ? std::optional(units.from_si(
+                      inertia_kind(mechanism, *only_input_freedom(mechanism, one.which)),
+                      std::accumulate(shares->begin(), shares->end(), 0.0)))
+                : std::nullopt;
+}
+
 bool is_same_freedom(const FreedomLabel& a, const FreedomLabel& b) {
   return a.coupling == b.coupling && a.name == b.name && a.is_rotation == b.is_rotation;
 }
@@ -246,7 +314,8 @@ int place_of(const std::vector<Label>& labels, const Label& label, const IsSame&
 }  // namespace
 
 bool needs_statics(SweepColumnKind kind) {
-  return kind != ratio && kind != rate && kind != step && kind != motion;
+  return kind != ratio && kind != rate && kind != step && kind != motion &&
+         kind != equivalent_inertia;
 }
 
 bool needs_power(SweepColumnKind kind) {
@@ -312,6 +381,8 @@ std::optional<double> value_of(const SweepColumn& column,
       return efficiency_value(one, mechanism);
     case recirculation:
       return one.power_graph ? one.power_graph->recirculation : std::nullopt;
+    case equivalent_inertia:
+      return equivalent_inertia_value(one, mechanism, units);
     case rate:
       return one.motion && i < one.motion->rates.size() && one.motion->knows_rate(column.index)
                  ? std::optional(in.rate(bounded_rate(*one.motion, column.index).zeroed(),

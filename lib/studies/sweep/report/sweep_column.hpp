@@ -18,7 +18,8 @@ enum class SweepColumnKind {
   step,
   efficiency,
   recirculation,
-  limit_use,  ///< of a gear: the largest of its torques and speeds over their limits
+  limit_use,           ///< of a gear: the largest of its torques and speeds over their limits
+  equivalent_inertia,  ///< or mass, at the input of the case
   rate,
   action,
   lossy_action,  ///< as meshes with their losses by the carrier model leave it

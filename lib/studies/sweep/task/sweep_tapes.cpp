@@ -161,7 +161,8 @@ std::optional<std::vector<CaseTape>> note_cases(const SweepTask& task,
 
 std::optional<SweepTapes> record_tapes(const SweepTask& task) {
   // What a case that the file does not write itself knows is not looked into.
-  if (task.motion) {
+  // Nor is how places of masses move.
+  if (task.motion || asks(task.columns, SweepColumnKind::equivalent_inertia)) {
     return std::nullopt;
   }
   const std::size_t written = task.description.cases.size();

@@ -170,10 +170,16 @@ void refuse_twin_titles(const SweepDescription& sweep,
 // Everything that decides the bytes of the rows.
 std::string plan_text(const SourceFile& source,
                       const SweepOptions& options,
+                      const MechanismDescription& description,
                       const SweepPlan& plan) {
   std::string text = fmt::format("kinestat {} sweep 1\n", kVersion);
   for (const Override& one : options.load.overrides) {
     text += fmt::format("set {}:{}\n", one.size(), one);
+  }
+  for (const CurveDescription& one : description.curves) {
+    if (!one.table.empty()) {
+      text += fmt::format("curve {}:{} {}\n", one.name.text.size(), one.name.text, one.table_hash);
+    }
   }
   text += fmt::format("format {}\nchunks {} of {}\n",
                       word_of(options.format),
@@ -207,7 +213,7 @@ SweepMetadata metadata_of(const SourceFile& source,
                           const SweepTask& task) {
   SweepMetadata metadata;
   metadata.version = std::string(kVersion);
-  metadata.plan = hash_of(plan_text(source, options, task.plan));
+  metadata.plan = hash_of(plan_text(source, options, task.description, task.plan));
   metadata.stem = report_stem(source.path);
   metadata.name = task.description.name;
   metadata.format = options.format;
