@@ -66,7 +66,9 @@ class StructureSearchJob {
     work_left_ = most_work;
     is_counting_ = true;
     search_all();
-    return {.found = result_.stages.found, .is_of_a_part = is_of_a_part_ || work_left_ == 0};
+    return {.found = result_.stages.found,
+            .is_of_a_part = is_of_a_part_ || work_left_ == 0,
+            .work = most_work - work_left_};
   }
 
  private:
@@ -252,6 +254,13 @@ class SearchTeller {
   double all_weight_ = 0.0;
 };
 
+// What is counted of one structure for one task.
+struct CountedPart {
+  TransmissionCount count = {};
+  std::size_t layouts = 0;
+  bool is_cut = true;  // for want of work
+};
+
 // Structures that are searched, by their numbers.
 std::vector<std::size_t> searched_numbers(const TransmissionTask& task,
                                           std::size_t structures,
@@ -349,19 +358,46 @@ std::vector<TransmissionCount> count_transmissions(std::span<const TransmissionT
   const std::vector<TransmissionStructure> structures =
       enumerate_structures(first.sets(), first.engaged, first.free_shafts);
   const std::vector<std::size_t> numbers = searched_numbers(first, structures.size(), {});
-  const std::uint64_t work_of_layout = most_work / (layouts * tasks.size()) + 1;
-  std::mutex mutex;
-  for_each(numbers.size(), [&](std::size_t i) {
-    const SearchedStructure structure(first, structures[numbers[i]]);
-    for (std::size_t t = 0; t < tasks.size() && !structure.layouts.empty(); ++t) {
-      const LadderBounds bounds(tasks[t].ladder);
-      const TransmissionCount one = StructureSearchJob(tasks[t], bounds, structure)
-                                        .count(work_of_layout * structure.layouts.size());
-      const std::lock_guard lock(mutex);
-      result[t].found += one.found;
-      result[t].is_of_a_part = result[t].is_of_a_part || one.is_of_a_part;
-    }
-  });
+  std::vector<CountedPart> parts(numbers.size() * tasks.size());
+  // A share of the work by the layouts, and what others left of theirs once more.
+  const auto count_parts = [&](std::uint64_t work_of_layout) {
+    for_each(numbers.size(), [&](std::size_t i) {
+      const std::span its = std::span(parts).subspan(i * tasks.size(), tasks.size());
+      if (std::ranges::none_of(its, &CountedPart::is_cut)) {
+        return;
+      }
+      const SearchedStructure structure(first, structures[numbers[i]]);
+      for (std::size_t t = 0; t < tasks.size(); ++t) {
+        its[t].layouts = structure.layouts.size();
+        its[t].is_cut = its[t].is_cut && its[t].layouts > 0;
+        if (its[t].is_cut) {
+          const LadderBounds bounds(tasks[t].ladder);
+          const std::uint64_t most = work_of_layout * its[t].layouts;
+          its[t].count = StructureSearchJob(tasks[t], bounds, structure).count(most);
+          its[t].is_cut = its[t].count.work == most;
+        }
+      }
+    });
+  };
+  const std::uint64_t half = most_work / 2;
+  const std::uint64_t share = half / (layouts * tasks.size()) + 1;
+  count_parts(share);
+  std::uint64_t work = 0;
+  std::uint64_t cut_layouts = 0;
+  for (const CountedPart& part : parts) {
+    work += part.count.work;
+    cut_layouts += part.is_cut ? part.layouts : 0;
+  }
+  const std::uint64_t more = cut_layouts > 0 ? (most_work - std::min(work, half)) / cut_layouts : 0;
+  if (more > share) {
+    count_parts(more);
+  }
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    TransmissionCount& sum = result[i % tasks.size()];
+    sum.found += parts[i].count.found;
+    sum.is_of_a_part = sum.is_of_a_part || parts[i].count.is_of_a_part;
+    sum.work += parts[i].count.work;
+  }
   return result;
 }
 

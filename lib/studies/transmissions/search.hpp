@@ -91,6 +91,7 @@ TransmissionSearch search_transmissions(
 struct TransmissionCount {
   std::uint64_t found = 0;
   bool is_of_a_part = false;
+  std::uint64_t work = 0;  ///< that it took
 };
 
 /// Counts for tasks that differ in nothing but what they ask of ratios, changes, limits and layout,

@@ -12,7 +12,7 @@ namespace kinestat {
 
 namespace {
 
-// About ten seconds on one core.
+// About half a minute on one core where it is used up.
 constexpr std::uint64_t kMostWork = 100'000'000;
 
 // A requirement that may be left out, and what the task is without it.
@@ -93,7 +93,9 @@ std::string relaxation_text(const TransmissionTask& task,
   return fmt::format("without '{}' there would be {}{}",
                      all[static_cast<std::size_t>(most - counts.begin())].name,
                      most->found,
-                     is_of_a_part ? " or more; not all were tried" : "");
+                     most->is_of_a_part ? " or more; not all were tried"
+                     : is_of_a_part     ? "; of others not all were tried"
+                                        : "");
 }
 
 }  // namespace kinestat
