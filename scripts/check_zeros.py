@@ -48,7 +48,7 @@ DECISIONS = {
     "lib/studies/motion/joint_follower.cpp": "rank: which joints tell motions apart",
     "lib/studies/simulation/internal/simulator_events.cpp": "search: a rebound by rounding alone is none",
     "lib/studies/simulation/internal/simulator_friction.cpp": "search: where sliding comes to its end",
-    "lib/studies/motion/lanes/lane_looks.cpp": "search: rates so slow that the whole motion decides",
+    "lib/studies/motion/lanes/lane_dead_point_search.cpp": "search: rates so slow that the whole motion decides",
     "lib/studies/motion/report/motion_text.cpp": "words: a range whose ends are the same number is constant",
     "lib/studies/motion/task/motion_events.cpp": "search: rates so slow that their bounds are asked for",
     "lib/studies/motion/task/idle_rates.cpp": "rank: what a passive freedom moves",

@@ -14,7 +14,7 @@ std::vector<CaseAnalysis> solve_magnitudes(const Mechanism& mechanism);
 struct KnownState {
   const KinematicSolution* motion = nullptr;  ///< its motion, or why it has none
   const InertialMotion* inertial = nullptr;   ///< of a case with inertia
-  const LoadPlace* place = nullptr;           ///< where it stands; null: as drawn
+  const LoadState* place = nullptr;           ///< where it stands; null: as drawn
 };
 
 /// What a row of a motion holds and is judged by: no power graph, unless the losses of meshes need

@@ -10,8 +10,8 @@ namespace kinestat {
 namespace {
 
 // With the speeds of the case.
-LoadPlace drawn_place(const Mechanism& mechanism, const CaseAnalysis& one) {
-  LoadPlace place;
+LoadState drawn_place(const Mechanism& mechanism, const CaseAnalysis& one) {
+  LoadState place;
   if (!one.motion) {
     return place;
   }
@@ -33,7 +33,7 @@ void add(std::vector<Load> loads, CaseAnalysis& one) {
 
 // Those of a mechanism that stands there.
 void add_spring_loads(const Mechanism& mechanism,
-                      const LoadPlace& place,
+                      const LoadState& place,
                       const std::vector<double>& forces,
                       CaseAnalysis& one) {
   auto found = spring_states(mechanism, place, forces);
@@ -47,8 +47,8 @@ void add_spring_loads(const Mechanism& mechanism,
 
 }  // namespace
 
-void add_placed_loads(const Mechanism& mechanism, const LoadPlace* place, CaseAnalysis& one) {
-  const LoadPlace there = place != nullptr ? *place : drawn_place(mechanism, one);
+void add_placed_loads(const Mechanism& mechanism, const LoadState* place, CaseAnalysis& one) {
+  const LoadState there = place != nullptr ? *place : drawn_place(mechanism, one);
   auto found = curve_numbers(mechanism, one.which, there);
   if (const auto* obstacle = std::get_if<CurveObstacle>(&found)) {
     one.curve_obstacle = *obstacle;

@@ -10,7 +10,7 @@ namespace kinestat {
 /// Gives a case whose motion is solved what hangs on where the mechanism stands: loads and actions
 /// that follow curves and the forces of springs, unless nothing can be said of one. `place` is
 /// null as drawn with the speeds of the case.
-void add_placed_loads(const Mechanism& mechanism, const LoadPlace* place, CaseAnalysis& one);
+void add_placed_loads(const Mechanism& mechanism, const LoadState* place, CaseAnalysis& one);
 
 /// Adds the forces of inertia of a case that has them; `known` is how the bodies speed up, null
 /// as drawn. Empty where that is not known: then nothing can be said of the actions.

@@ -136,7 +136,7 @@ struct CaseRequest {
   CasePasses passes = CasePasses::all;
   const KinematicSolution* motion = nullptr;  // null: to be solved
   const InertialMotion* inertial = nullptr;   // of a case with inertia; null: as drawn
-  const LoadPlace* place = nullptr;           // null: as drawn
+  const LoadState* place = nullptr;           // null: as drawn
 };
 
 // Friction is followed in doubles: there is no bound for it.

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "core/internal/study_codes.hpp"
+#include "core/internal/analysis_codes.hpp"
 #include "core/internal/warning_codes.hpp"
 
 namespace kinestat {
@@ -302,7 +302,7 @@ constexpr auto kErrorCodes = std::to_array<Code>({
 
 std::vector<Code> joined() {
   std::vector<Code> codes(kErrorCodes.begin(), kErrorCodes.end());
-  for (const std::span<const Code> more : {study_codes(), warning_codes()}) {
+  for (const std::span<const Code> more : {analysis_codes(), warning_codes()}) {
     codes.insert(codes.end(), more.begin(), more.end());
   }
   return codes;

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "core/tolerance.hpp"
-#include "math/numbers/settled.hpp"
+#include "math/numbers/zero_within_bound.hpp"
 #include "screw/exact_input_vector.hpp"
 
 namespace kinestat {
@@ -112,7 +112,7 @@ Vec3Of<Scalar> along_segment(const Vec3Of<Scalar>& from, const Vec3Of<Scalar>& t
       const double bound =
           kCancellation * (std::abs(value_of(from[i])) + std::abs(value_of(to[i])));
       const double value = value_of(along[i]);
-      along[i] -= Scalar(value - settled(value, bound));
+      along[i] -= Scalar(value - zero_within_bound(value, bound));
     }
   }
   return along;

@@ -6,7 +6,7 @@
 #include "core/index.hpp"
 #include "core/tolerance.hpp"
 #include "dynamics/body_inertia.hpp"
-#include "math/numbers/settled.hpp"
+#include "math/numbers/zero_within_bound.hpp"
 
 namespace kinestat {
 
@@ -56,7 +56,7 @@ ReducedEquation find_reduced(const Mechanism& mechanism, const InertialMotion& m
     terms += speeds_up.cwiseAbs();
   }
   for (Eigen::Index j = 0; j < count; ++j) {
-    result.bias[j] = settled(result.bias[j], kBiasRounding * terms[j]);
+    result.bias[j] = zero_within_bound(result.bias[j], kBiasRounding * terms[j]);
   }
   if (count == 1 && motion.rates.front() != 0.0) {
     result.derivative = 2.0 * result.bias[0] / (motion.rates.front() * motion.rates.front());

@@ -13,7 +13,7 @@ namespace {
 
 class CurveReader {
  public:
-  CurveReader(const Mechanism& mechanism, const LoadPlace& place)
+  CurveReader(const Mechanism& mechanism, const LoadState& place)
       : mechanism_(mechanism), place_(place) {}
 
   const std::optional<CurveObstacle>& obstacle() const { return obstacle_; }
@@ -95,7 +95,7 @@ class CurveReader {
   }
 
   const Mechanism& mechanism_;
-  const LoadPlace& place_;
+  const LoadState& place_;
   std::optional<CurveObstacle> obstacle_;
 };
 
@@ -121,7 +121,7 @@ Load load_of(const MovingLoad& load, CurveReader& reader) {
 
 std::variant<CurveNumbers, CurveObstacle> curve_numbers(const Mechanism& mechanism,
                                                         const Case& which,
-                                                        const LoadPlace& place) {
+                                                        const LoadState& place) {
   CurveReader reader(mechanism, place);
   CurveNumbers result;
   for (const MovingLoad& load : which.moving_loads) {

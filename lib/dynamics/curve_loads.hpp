@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "dynamics/load_place.hpp"
+#include "dynamics/load_state.hpp"
 #include "mechanism/mechanism.hpp"
 
 namespace kinestat {
@@ -36,6 +36,6 @@ struct CurveNumbers {
 /// are.
 std::variant<CurveNumbers, CurveObstacle> curve_numbers(const Mechanism& mechanism,
                                                         const Case& which,
-                                                        const LoadPlace& place);
+                                                        const LoadState& place);
 
 }  // namespace kinestat

@@ -16,7 +16,7 @@ struct Ends {
   Vec3 to;
 };
 
-Ends ends_of(const Spring& spring, const LoadPlace& place) {
+Ends ends_of(const Spring& spring, const LoadState& place) {
   if (place.poses.empty()) {
     return {.from = spring.from, .to = spring.to};
   }
@@ -36,7 +36,7 @@ double cut_off(SpringSense acts, double tension) {
   return tension;
 }
 
-SpringState state_of_freedom(const Spring& spring, const LoadPlace& place) {
+SpringState state_of_freedom(const Spring& spring, const LoadState& place) {
   const auto value = [&](const std::vector<std::optional<double>>& list) {
     return list.empty() ? 0.0 : list[at(spring.freedom)].value_or(0.0);
   };
@@ -66,7 +66,7 @@ std::string load_name(const Spring& spring, BodyId body, const Topology& topolog
 }  // namespace
 
 std::variant<std::vector<SpringState>, SpringObstacle> spring_states(
-    const Mechanism& drawn, const LoadPlace& place, std::span<const double> forces) {
+    const Mechanism& drawn, const LoadState& place, std::span<const double> forces) {
   std::vector<SpringState> states;
   for (std::size_t i = 0; i < drawn.springs.size(); ++i) {
     const Spring& spring = drawn.springs[i];
@@ -135,7 +135,7 @@ double elastic_tension(const Spring& spring, double position) {
 }
 
 std::vector<Load> spring_loads(const Mechanism& moved,
-                               const LoadPlace& place,
+                               const LoadState& place,
                                const std::vector<SpringState>& states) {
   const Topology& topology = moved.topology;
   std::vector<Load> loads;

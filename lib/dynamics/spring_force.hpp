@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "dynamics/load_place.hpp"
+#include "dynamics/load_state.hpp"
 #include "mechanism/mechanism.hpp"
 
 namespace kinestat {
@@ -33,7 +33,7 @@ struct SpringObstacle {
 /// Of each spring of a mechanism that stands there; `forces` are what each has beside stiffness and
 /// damping (curve_numbers).
 std::variant<std::vector<SpringState>, SpringObstacle> spring_states(
-    const Mechanism& drawn, const LoadPlace& place, std::span<const double> forces);
+    const Mechanism& drawn, const LoadState& place, std::span<const double> forces);
 
 /// What the stiffness or the gas of a spring holds at that length or position [J]; none where they
 /// act not.
@@ -47,7 +47,7 @@ double elastic_tension(const Spring& spring, double position);
 /// the names are `spring_load_names`, in that order.
 /// `moved` has the screws of the position.
 std::vector<Load> spring_loads(const Mechanism& moved,
-                               const LoadPlace& place,
+                               const LoadState& place,
                                const std::vector<SpringState>& states);
 
 std::vector<std::string> spring_load_names(const Mechanism& mechanism);

@@ -8,7 +8,7 @@
 #include "kinematics/bounded_motion.hpp"
 #include "math/elimination/bounded_solve.hpp"
 #include "math/elimination/data_zero.hpp"
-#include "mechanism/place_error.hpp"
+#include "mechanism/position_error.hpp"
 #include "network/node_system.hpp"
 
 namespace kinestat {
@@ -96,7 +96,7 @@ KinematicSolution solve_velocity(const Mechanism& mechanism,
   solution.counts = motion_counts(mechanism, basis.order(), elimination.rank());
   InexactBlocks inexact{.rows = basis.order(),
                         .first_column = velocity_column(topology, basis, 0),
-                        .share = std::max(place_error(mechanism), kDataRounding)};
+                        .share = std::max(position_error(mechanism), kDataRounding)};
   solution.check = check_primaries(
       elimination, inexact, rate_units(topology, basis), {}, topology.driven_freedoms());
   if (!solution.check.dependences.empty()) {
@@ -110,7 +110,7 @@ KinematicSolution solve_velocity(const Mechanism& mechanism,
   const std::vector<bool> counts(
       static_cast<std::size_t>(velocity_column(topology, basis, topology.freedom_count())), true);
   BoundedSolution solved = solve_to_digits(elimination, known, {}, request, counts);
-  inexact.share = std::max(place_error(mechanism), drawing_error(mechanism));
+  inexact.share = std::max(position_error(mechanism), drawing_error(mechanism));
   if (inexact.share > 0.0) {
     settle_inexact(elimination, {}, inexact, solved.solution.x);
   }

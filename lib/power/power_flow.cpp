@@ -6,8 +6,8 @@
 
 #include "core/contract.hpp"
 #include "core/tolerance.hpp"
-#include "math/numbers/settled.hpp"
-#include "mechanism/place_error.hpp"
+#include "math/numbers/zero_within_bound.hpp"
+#include "mechanism/position_error.hpp"
 #include "power/efficiency.hpp"
 #include "power/internal/bounded_magnitude.hpp"
 
@@ -83,7 +83,7 @@ Vec6 terms_of(const Wrench& wrench, const Vec3& point) {
 // What a power may be off by where the bodies of a moved position are: lines of action are shifted,
 // and the points on which they act.
 double misplaced_power(const Mechanism& mechanism, const Wrench& wrench, const Twist& twist) {
-  const double share = place_error(mechanism);
+  const double share = position_error(mechanism);
   if (share == 0.0) {
     return 0.0;
   }
@@ -95,7 +95,7 @@ double misplaced_power(const Mechanism& mechanism, const Wrench& wrench, const T
 // its bodies may be off: equations are off by the sum of their terms, whatever their directions.
 double unreported_power(const Mechanism& mechanism, const Wrench& wrench, const Twist& twist) {
   const double length = mechanism.geometry.length;
-  return place_error(mechanism) * (length * wrench.force.norm() + wrench.moment.norm()) *
+  return position_error(mechanism) * (length * wrench.force.norm() + wrench.moment.norm()) *
          (twist.linear.norm() / length + twist.angular.norm());
 }
 
@@ -214,7 +214,7 @@ PowerFlow find_power(const Mechanism& mechanism,
   flow.largest = largest;
   flow.balance_residual = largest == 0.0 ? 0.0 : std::abs(sum.value) / largest;
   flow.is_balanced = std::abs(sum.value) <= kPowerBalance * largest ||
-                     settled(sum.value, sum.bound + rounding) == 0.0;
+                     zero_within_bound(sum.value, sum.bound + rounding) == 0.0;
   flow.error_bound = bound_of_powers(mechanism, motion, action, largest);
   return flow;
 }

@@ -4,7 +4,7 @@
 #include <variant>
 #include <vector>
 
-#include "mechanism/place_error.hpp"
+#include "mechanism/position_error.hpp"
 #include "network/bases.hpp"
 #include "statics/action.hpp"
 #include "statics/coupling_wrenches.hpp"
@@ -116,7 +116,7 @@ AngleOrObstacle find_angle(const Mechanism& mechanism, int input, int output) {
   return angle_between(*wrench,
                        mechanism.geometry.motions[freedom],
                        mechanism.geometry.points[at],
-                       place_error(mechanism) * mechanism.geometry.length);
+                       position_error(mechanism) * mechanism.geometry.length);
 }
 
 }  // namespace

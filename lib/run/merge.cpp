@@ -14,7 +14,7 @@
 #include "core/text.hpp"
 #include "core/utf8.hpp"
 #include "core/version.hpp"
-#include "io/chunk_record.hpp"
+#include "io/stored_chunk.hpp"
 #include "studies/sweep/task/sweep_result.hpp"
 
 namespace kinestat {
@@ -64,7 +64,7 @@ class ShardCheck {
  private:
   bool read_pieces(RecordFile& file, WholeShard& shard) {
     const SweepMetadata& metadata = shard.header.metadata;
-    ChunkRecord record;
+    StoredChunk record;
     for (std::uint64_t c = shard.header.shard.first_chunk(metadata.chunks);
          c < shard.header.shard.end_chunk(metadata.chunks);
          ++c) {

@@ -12,7 +12,7 @@ namespace kinestat {
 /// What its bound does not tell from zero becomes zero, in place.
 inline void settle(const Vec3& bound, Vec3& value) {
   for (int i = 0; i < 3; ++i) {
-    value[i] = settled(value[i], bound[i]);
+    value[i] = zero_within_bound(value[i], bound[i]);
   }
 }
 

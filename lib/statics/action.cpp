@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "core/tolerance.hpp"
-#include "mechanism/place_error.hpp"
+#include "mechanism/position_error.hpp"
 #include "statics/coupling_wrenches.hpp"
 #include "statics/equilibrium.hpp"
-#include "statics/internal/tied_action.hpp"
+#include "statics/internal/slipping_cable_tension.hpp"
 
 namespace kinestat {
 
@@ -62,15 +62,15 @@ StaticSolution solve_action(const Mechanism& mechanism,
                             std::span<const Primary> primaries,
                             std::span<const BodyWrench> loads,
                             const AccuracyRequest& request) {
-  return solve_tied_action(mechanism, basis, primaries, loads, request, {});
+  return solve_tied_tensions(mechanism, basis, primaries, loads, request, {});
 }
 
-StaticSolution solve_tied_action(const Mechanism& mechanism,
-                                 const CoordinateBasis& basis,
-                                 std::span<const Primary> primaries,
-                                 std::span<const BodyWrench> loads,
-                                 const AccuracyRequest& request,
-                                 const std::vector<TiedAction>& ties) {
+StaticSolution solve_tied_tensions(const Mechanism& mechanism,
+                                   const CoordinateBasis& basis,
+                                   std::span<const Primary> primaries,
+                                   std::span<const BodyWrench> loads,
+                                   const AccuracyRequest& request,
+                                   const std::vector<SlippingCableTension>& ties) {
   std::vector<int> indices;
   std::vector<double> known;
   indices.reserve(primaries.size());
@@ -100,7 +100,7 @@ StaticSolution solve_tied_action(const Mechanism& mechanism,
   solution.status = solution.check.missing > 0 ? SolveStatus::underdetermined : SolveStatus::solved;
   solution.residual = actions.residual;
   solution.answer = actions.answer;
-  if (place_error(mechanism) > 0.0) {
+  if (position_error(mechanism) > 0.0) {
     equilibrium.settle(mechanism, loads, actions.magnitudes);
   }
   fill_magnitudes(actions.magnitudes, solution);

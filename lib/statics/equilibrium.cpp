@@ -11,7 +11,7 @@
 #include "math/dense/span.hpp"
 #include "math/elimination/bounded_solve.hpp"
 #include "math/elimination/data_zero.hpp"
-#include "mechanism/place_error.hpp"
+#include "mechanism/position_error.hpp"
 #include "network/node_system.hpp"
 
 namespace kinestat {
@@ -60,7 +60,7 @@ void hand_on(const Topology& topology, std::vector<double>& largest) {
 // The largest tension that pulls on each body, that to which the others are tied being 1; on one
 // that no cable touches, what its neighbours may hand on. Zero if there is none, and of the ground.
 std::vector<double> largest_tensions(const Topology& topology,
-                                     const std::vector<TiedAction>& ties) {
+                                     const std::vector<SlippingCableTension>& ties) {
   std::vector<double> largest(topology.bodies.size(), 0.0);
   const auto include = [&](int action, double share) {
     const CouplingTopology& segment =
@@ -70,7 +70,7 @@ std::vector<double> largest_tensions(const Topology& topology,
       of_body = body.value == 0 ? 0.0 : std::max(of_body, share);
     }
   };
-  for (const TiedAction& tie : ties) {
+  for (const SlippingCableTension& tie : ties) {
     include(tie.action, tie.share);
     include(tie.to, 1.0);
   }
@@ -81,7 +81,8 @@ std::vector<double> largest_tensions(const Topology& topology,
 // Where tensions are very large multiples of each other, the largest entries of rows and columns do
 // not tell in which sizes actions must be counted for a rank decision: those on a body are as large
 // as the largest tension on it. Powers of two, which round nothing.
-std::vector<double> action_sizes(const Topology& topology, const std::vector<TiedAction>& ties) {
+std::vector<double> action_sizes(const Topology& topology,
+                                 const std::vector<SlippingCableTension>& ties) {
   std::vector<double> sizes(topology.actions.size(), 1.0);
   if (ties.empty()) {
     return sizes;
@@ -93,7 +94,7 @@ std::vector<double> action_sizes(const Topology& topology, const std::vector<Tie
                                     tensions[static_cast<std::size_t>(coupling.head.value)]);
     sizes[a] = tension > 0.0 ? rough_size(tension) : 1.0;
   }
-  for (const TiedAction& tie : ties) {
+  for (const SlippingCableTension& tie : ties) {
     sizes[static_cast<std::size_t>(tie.to)] = 1.0;
     sizes[static_cast<std::size_t>(tie.action)] =
         tie.friction_share > 0.0 ? rough_size(tie.friction_share) : 1.0;
@@ -104,13 +105,13 @@ std::vector<double> action_sizes(const Topology& topology, const std::vector<Tie
 std::vector<double> action_units(const Topology& topology,
                                  const CoordinateBasis& basis,
                                  const std::vector<double>& sizes,
-                                 const std::vector<TiedAction>& ties) {
+                                 const std::vector<SlippingCableTension>& ties) {
   std::vector<double> units;
   units.reserve(topology.actions.size());
   for (int a = 0; a < topology.action_count(); ++a) {
     units.push_back(action_unit(topology, basis, a) * sizes[static_cast<std::size_t>(a)]);
   }
-  for (const TiedAction& tie : ties) {
+  for (const SlippingCableTension& tie : ties) {
     units[static_cast<std::size_t>(tie.action)] = 1.0;  // the tension, in newtons as all of them
   }
   return units;
@@ -118,16 +119,17 @@ std::vector<double> action_units(const Topology& topology,
 
 // The tension to which others are tied counts in the unit of forces, 1 N.
 SparseMatrix tied_system(SparseMatrix system,
-                         const std::vector<TiedAction>& ties,
+                         const std::vector<SlippingCableTension>& ties,
                          const std::vector<double>& sizes,
                          int body_count,
                          const CoordinateBasis& basis) {
-  std::vector<const TiedAction*> tie_of(static_cast<std::size_t>(system.columns), nullptr);
-  for (const TiedAction& tie : ties) {
+  std::vector<const SlippingCableTension*> tie_of(static_cast<std::size_t>(system.columns),
+                                                  nullptr);
+  for (const SlippingCableTension& tie : ties) {
     tie_of[static_cast<std::size_t>(tie.action)] = &tie;
   }
   for (SparseEntry& entry : system.entries) {
-    if (const TiedAction* tie = tie_of[static_cast<std::size_t>(entry.column)]) {
+    if (const SlippingCableTension* tie = tie_of[static_cast<std::size_t>(entry.column)]) {
       entry.column = tie->to;
       entry.value *= tie->share;
     } else {
@@ -135,7 +137,7 @@ SparseMatrix tied_system(SparseMatrix system,
     }
   }
   std::erase_if(system.entries, [](const SparseEntry& entry) { return entry.value == 0.0; });
-  for (const TiedAction& tie : ties) {
+  for (const SlippingCableTension& tie : ties) {
     const std::vector<double> column = load_vector(body_count, basis, tie.pulls);
     for (std::size_t row = 0; row < column.size(); ++row) {
       const double size = sizes[static_cast<std::size_t>(tie.action)];
@@ -150,7 +152,7 @@ SparseMatrix tied_system(SparseMatrix system,
 Equilibrium::Equilibrium(const Mechanism& mechanism,
                          CoordinateBasis basis,
                          std::vector<int> primaries,
-                         std::vector<TiedAction> ties)
+                         std::vector<SlippingCableTension> ties)
     : basis_(std::move(basis)),
       primaries_(std::move(primaries)),
       ties_(std::move(ties)),
@@ -165,7 +167,7 @@ Equilibrium::Equilibrium(const Mechanism& mechanism,
                                basis_),
                    primaries_),
       counts_(action_counts(mechanism, basis_.order(), elimination_.rank())),
-      blocks_{.rows = basis_.order(), .share = std::max(place_error(mechanism), kDataRounding)} {
+      blocks_{.rows = basis_.order(), .share = std::max(position_error(mechanism), kDataRounding)} {
   if (mechanism.closure_error > 0.0) {
     find_stresses(mechanism.closure_error);
   }
@@ -196,7 +198,7 @@ void Equilibrium::find_stresses(double closure_error) {
 
 // From the friction that was unknown to the tension, or how far it may be off.
 void Equilibrium::tie(VecX& per_action) const {
-  for (const TiedAction& one : ties_) {
+  for (const SlippingCableTension& one : ties_) {
     per_action[one.action] = one.share * per_action[one.to];
   }
 }
@@ -255,13 +257,13 @@ void Equilibrium::settle(const Mechanism& mechanism,
                          VecX& magnitudes) const {
   const Eigen::Map<const VecX> units(units_.data(), static_cast<Eigen::Index>(units_.size()));
   VecX x = magnitudes.cwiseQuotient(units);
-  for (const TiedAction& one : ties_) {
+  for (const SlippingCableTension& one : ties_) {
     const double size = sizes_[static_cast<std::size_t>(one.action)];
     x[one.action] = one.friction_share * x[one.to] / size;
   }
   settle_inexact(elimination_,
                  load_vector(body_count_, basis_, loads),
-                 {.rows = basis_.order(), .share = place_error(mechanism)},
+                 {.rows = basis_.order(), .share = position_error(mechanism)},
                  x);
   tie(x);
   magnitudes = units.cwiseProduct(x);

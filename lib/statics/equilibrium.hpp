@@ -23,7 +23,7 @@ struct EquilibriumActions {
 
 /// A tension that is a fixed share of another one, because a cable slips between them. The friction
 /// that holds the pulley back is unknown in its place.
-struct TiedAction {
+struct SlippingCableTension {
   int action = 0;
   int to = 0;                     ///< is no tied action itself
   double share = 0.0;             ///< of that tension: this one
@@ -42,7 +42,7 @@ class Equilibrium {
   Equilibrium(const Mechanism& mechanism,
               CoordinateBasis basis,
               std::vector<int> primaries,
-              std::vector<TiedAction> ties = {});
+              std::vector<SlippingCableTension> ties = {});
 
   const CoordinateBasis& basis() const { return basis_; }
 
@@ -82,7 +82,7 @@ class Equilibrium {
 
   CoordinateBasis basis_;
   std::vector<int> primaries_;
-  std::vector<TiedAction> ties_;
+  std::vector<SlippingCableTension> ties_;
   std::vector<int> driving_;   ///< actions of actuators
   std::vector<double> sizes_;  ///< of what each action may become, a tension being 1: see ties
   std::vector<double> units_;  ///< SI per unit of the unknown of each action

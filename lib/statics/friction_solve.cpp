@@ -11,7 +11,7 @@
 #include "statics/internal/friction_hold.hpp"
 #include "statics/internal/friction_loads.hpp"
 #include "statics/internal/friction_system.hpp"
-#include "statics/internal/tied_action.hpp"
+#include "statics/internal/slipping_cable_tension.hpp"
 #include "statics/one_sided_action.hpp"
 
 namespace kinestat {
@@ -26,7 +26,7 @@ bool has_answer(const StaticSolution& solution) {
 StaticSolution follow(const Mechanism& mechanism,
                       const CoordinateBasis& basis,
                       const FrictionLoads& given,
-                      const std::vector<TiedAction>& ties,
+                      const std::vector<SlippingCableTension>& ties,
                       StaticSolution frictionless) {
   FrictionSystem system(mechanism, basis, given.primaries, given.loads, given.laws, ties);
   system.find_open(frictionless.check.undetermined);
@@ -72,7 +72,8 @@ std::optional<StaticSolution> solve_tied(const Mechanism& mechanism,
                                          const CoordinateBasis& basis,
                                          const FrictionLoads& given,
                                          TiedTo to) {
-  const std::vector<TiedAction> ties = find_ties(mechanism, given.primaries, given.laws, to);
+  const std::vector<SlippingCableTension> ties =
+      find_ties(mechanism, given.primaries, given.laws, to);
   if (ties.empty()) {
     return std::nullopt;
   }
@@ -83,7 +84,7 @@ std::optional<StaticSolution> solve_tied(const Mechanism& mechanism,
     }
   }
   StaticSolution solution =
-      solve_tied_action(mechanism, basis, given.primaries, given.loads, {}, ties);
+      solve_tied_tensions(mechanism, basis, given.primaries, given.loads, {}, ties);
   if (solution.status == SolveStatus::solved) {
     solution = follow(mechanism,
                       basis,

@@ -5,7 +5,7 @@
 
 #include "cases/analysis.hpp"
 #include "draw/picture.hpp"
-#include "mechanism/lever.hpp"
+#include "mechanism/gears/lever_analogy.hpp"
 
 namespace kinestat {
 

@@ -3,8 +3,8 @@
 #include <string_view>
 
 #include "core/contract.hpp"
-#include "expression/evaluate/carrier.hpp"
 #include "expression/evaluate/evaluate_as.hpp"
+#include "expression/evaluate/number_traits.hpp"
 #include "expression/expression.hpp"
 #include "expression/parameters/parameter_values.hpp"
 #include "expression/units.hpp"
@@ -13,7 +13,7 @@
 namespace kinestat {
 
 template <>
-struct Carrier<Dual> {
+struct NumberTraits<Dual> {
   static Dual number(std::string_view literal, double value);
   static Dual pi();
   static Dual to_si(const Dual& count, const UnitScale& unit);
@@ -86,23 +86,23 @@ Dual apply_function(Function function, const Dual& a, const Dual& b) {
 
 }  // namespace
 
-Dual Carrier<Dual>::number(std::string_view /*literal*/, double value) {
+Dual NumberTraits<Dual>::number(std::string_view /*literal*/, double value) {
   return {value, {}};
 }
 
-Dual Carrier<Dual>::pi() {
+Dual NumberTraits<Dual>::pi() {
   return {};
 }
 
-Dual Carrier<Dual>::to_si(const Dual& count, const UnitScale& unit) {
+Dual NumberTraits<Dual>::to_si(const Dual& count, const UnitScale& unit) {
   return chain(0.0, unit.factor(), count);
 }
 
-Dual Carrier<Dual>::from_si(const Dual& value, const UnitScale& unit) {
+Dual NumberTraits<Dual>::from_si(const Dual& value, const UnitScale& unit) {
   return chain(0.0, unit.from_si(1.0), value);
 }
 
-Dual Carrier<Dual>::apply(const Node& operation, const Dual& a, const Dual& b) {
+Dual NumberTraits<Dual>::apply(const Node& operation, const Dual& a, const Dual& b) {
   switch (operation.kind) {
     case NodeKind::negate:
       return -a;

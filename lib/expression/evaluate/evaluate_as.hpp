@@ -24,7 +24,7 @@ Number in_si(const Number& count, const UnitScale& unit) {
   if constexpr (std::same_as<Number, double>) {
     return unit.to_si(count);
   } else {
-    Number result = Carrier<Number>::to_si(count, unit);
+    Number result = NumberTraits<Number>::to_si(count, unit);
     result.value = unit.to_si(count.value);
     return result;
   }

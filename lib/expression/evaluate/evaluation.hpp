@@ -11,8 +11,8 @@
 
 #include "expression/evaluate.hpp"
 #include "expression/evaluate/arithmetic.hpp"
-#include "expression/evaluate/carrier.hpp"
 #include "expression/evaluate/evaluation_errors.hpp"
+#include "expression/evaluate/number_traits.hpp"
 
 namespace kinestat {
 
@@ -98,7 +98,7 @@ BasicQuantity<Number> Evaluation<Number>::completed(const Node& node, const Quan
 // Only of types beside double.
 template <class Number>
 Number Evaluation<Number>::carried(const Node& node) const {
-  using Carry = Carrier<Number>;
+  using Carry = NumberTraits<Number>;
   switch (node.kind) {
     case NodeKind::number:
       return Carry::number(expression_.text_of(node), node.value);

@@ -2,7 +2,7 @@
 #include "expression/evaluate/condition_value.hpp"
 #include "expression/evaluate/evaluate_as.hpp"
 #include "expression/evaluate/exact_arithmetic.hpp"
-#include "expression/evaluate/exact_carrier.hpp"
+#include "expression/evaluate/exact_number_traits.hpp"
 #include "expression/parameters/parameter_values.hpp"
 
 namespace kinestat {

@@ -2,10 +2,10 @@
 #include <string_view>
 #include <utility>
 
-#include "expression/evaluate/carrier.hpp"
 #include "expression/evaluate/evaluate_as.hpp"
 #include "expression/evaluate/exact_arithmetic.hpp"
-#include "expression/evaluate/exact_carrier.hpp"
+#include "expression/evaluate/exact_number_traits.hpp"
+#include "expression/evaluate/number_traits.hpp"
 #include "expression/evaluate/precise_operations.hpp"
 #include "expression/expression.hpp"
 #include "expression/parameters/parameter_values.hpp"
@@ -15,7 +15,7 @@
 namespace kinestat {
 
 template <>
-struct Carrier<ExactInput> {
+struct NumberTraits<ExactInput> {
   static ExactInput number(std::string_view literal, double value);
   static ExactInput pi();
   static ExactInput to_si(const ExactInput& count, const UnitScale& unit);
@@ -107,28 +107,28 @@ std::optional<ExactInput> apply_to_roots(const Node& operation,
 
 }  // namespace
 
-ExactInput Carrier<ExactInput>::number(std::string_view literal, double value) {
-  const Exact exact = Carrier<Exact>::number(literal, value);
+ExactInput NumberTraits<ExactInput>::number(std::string_view literal, double value) {
+  const Exact exact = NumberTraits<Exact>::number(literal, value);
   return exact.exact ? exact_input(*exact.exact)
                      : ExactInput(0.0, precise_number(literal), std::nullopt, 0);
 }
 
-ExactInput Carrier<ExactInput>::pi() {
+ExactInput NumberTraits<ExactInput>::pi() {
   return exact_input_pi();
 }
 
-ExactInput Carrier<ExactInput>::to_si(const ExactInput& count, const UnitScale& unit) {
+ExactInput NumberTraits<ExactInput>::to_si(const ExactInput& count, const UnitScale& unit) {
   return count * exact_input(size_of(unit));
 }
 
-ExactInput Carrier<ExactInput>::from_si(const ExactInput& value, const UnitScale& unit) {
+ExactInput NumberTraits<ExactInput>::from_si(const ExactInput& value, const UnitScale& unit) {
   return value / to_si(ExactInput(1.0), unit);
 }
 
-ExactInput Carrier<ExactInput>::apply(const Node& operation,
-                                      const ExactInput& a,
-                                      const ExactInput& b) {
-  const Exact fraction = Carrier<Exact>::apply(operation, exact_of(a), exact_of(b));
+ExactInput NumberTraits<ExactInput>::apply(const Node& operation,
+                                           const ExactInput& a,
+                                           const ExactInput& b) {
+  const Exact fraction = NumberTraits<Exact>::apply(operation, exact_of(a), exact_of(b));
   if (fraction.exact) {
     return exact_input(*fraction.exact);
   }

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "math/numbers/settled.hpp"
+#include "math/numbers/zero_within_bound.hpp"
 
 namespace kinestat {
 
@@ -43,7 +43,7 @@ void settle_column(const Elimination& factors,
     if (row.size() == 0) {
       row = factors.solve_adjoint(VecX::Unit(factors.matrix().columns, column)).rows.cwiseAbs();
     }
-    value = settled(value, row.dot(errors[i]));
+    value = zero_within_bound(value, row.dot(errors[i]));
   }
 }
 

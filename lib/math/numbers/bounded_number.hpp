@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/types.hpp"
-#include "math/numbers/settled.hpp"
+#include "math/numbers/zero_within_bound.hpp"
 
 namespace kinestat {
 
@@ -17,7 +17,7 @@ struct BoundedNumber {
   double relative_bound() const;
 
   /// The value, or zero where its bound does not tell it from zero.
-  double zeroed() const { return settled(value, bound); }
+  double zeroed() const { return zero_within_bound(value, bound); }
 };
 
 BoundedNumber operator+(const BoundedNumber& a, const BoundedNumber& b);

@@ -22,7 +22,7 @@
 #include "mechanism/curves/moving_number_binder.hpp"
 #include "mechanism/gears/internal/gear_binder.hpp"
 #include "mechanism/gears/internal/gear_check.hpp"
-#include "mechanism/gears/internal/losses.hpp"
+#include "mechanism/gears/internal/mesh_loss_binder.hpp"
 #include "mechanism/gears/internal/planet_set.hpp"
 #include "mechanism/inertia/mass_binder.hpp"
 #include "mechanism/springs/spring_binder.hpp"

@@ -6,7 +6,7 @@
 
 #include "mechanism/cases/load_binder.hpp"
 #include "mechanism/check/report_name_check.hpp"
-#include "mechanism/gears/internal/losses.hpp"
+#include "mechanism/gears/internal/mesh_loss_binder.hpp"
 #include "mechanism/motion_figure.hpp"
 
 namespace kinestat {

@@ -6,7 +6,7 @@
 
 #include "core/text.hpp"
 #include "description/gear_expansion.hpp"
-#include "math/draws/sobol_sequence.hpp"
+#include "math/sampling/sobol_sequence.hpp"
 #include "mechanism/check/report_name_check.hpp"
 #include "mechanism/check/section_checks.hpp"
 #include "mechanism/gears/planet_question.hpp"

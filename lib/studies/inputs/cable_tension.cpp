@@ -8,7 +8,7 @@
 #include "core/rounding.hpp"
 #include "math/dense/linear_programme.hpp"
 #include "math/dense/span.hpp"
-#include "math/numbers/settled.hpp"
+#include "math/numbers/zero_within_bound.hpp"
 #include "network/bases.hpp"
 #include "studies/inputs/solution_space.hpp"
 
@@ -97,7 +97,7 @@ VecX told_from_zero(const MatX& A, const VecX& b, const VecX& x) {
   VecX result = x;
   for (std::size_t i = 0; i < used.size(); ++i) {
     const double bound = inverse.row(static_cast<Eigen::Index>(i)).cwiseAbs().sum() * error;
-    result[used[i]] = settled(x[used[i]], bound);
+    result[used[i]] = zero_within_bound(x[used[i]], bound);
   }
   return result;
 }

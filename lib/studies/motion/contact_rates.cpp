@@ -5,7 +5,7 @@
 
 #include "core/contract.hpp"
 #include "core/rounding.hpp"
-#include "math/numbers/settled.hpp"
+#include "math/numbers/zero_within_bound.hpp"
 #include "studies/motion/internal/coupling_poses.hpp"
 #include "studies/motion/internal/motion_limits.hpp"
 #include "studies/motion/internal/pivoted_qr.hpp"
@@ -105,7 +105,7 @@ void add_contact_rates(const MotionNetwork& network,
     for (int f = 0; f < coupling.freedom_count; ++f) {
       const std::size_t freedom = at(coupling.first_freedom + f);
       const double unit = mechanism.topology.freedoms[freedom].is_rotation ? 1.0 : length;
-      state.rates[freedom] = unit * settled(rates[f], bounds[f]);
+      state.rates[freedom] = unit * zero_within_bound(rates[f], bounds[f]);
       state.bounds.rates[freedom] = unit * bounds[f];
     }
   }

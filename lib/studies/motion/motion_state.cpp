@@ -8,7 +8,7 @@
 #include "core/index.hpp"
 #include "core/motion_tolerance.hpp"
 #include "core/tolerance.hpp"
-#include "math/numbers/settled.hpp"
+#include "math/numbers/zero_within_bound.hpp"
 #include "studies/motion/internal/closure_system.hpp"
 #include "studies/motion/internal/joint_errors.hpp"
 #include "studies/motion/internal/motion_limits.hpp"
@@ -446,7 +446,7 @@ Vec3 point_position(const MotionState& state,
   }
   const double bound = position_bound(state.bounds.bodies[b], position, position);
   return in_world.binaryExpr(origin.place(), [&](double x, double shift) {
-    return settled(x, bound + kEpsilon * std::abs(shift));
+    return zero_within_bound(x, bound + kEpsilon * std::abs(shift));
   });
 }
 

@@ -1,12 +1,12 @@
 #include "studies/motion/state_bounds.hpp"
 
 #include "core/tolerance.hpp"
-#include "math/numbers/settled.hpp"
+#include "math/numbers/zero_within_bound.hpp"
 
 namespace kinestat {
 
 double settled_rate(double value, double bound, double rounding) {
-  return bound <= rounding ? settled(value, bound) : value;
+  return bound <= rounding ? zero_within_bound(value, bound) : value;
 }
 
 double position_bound(const BodyBounds& body, const Vec3& arm, const Vec3& position) {

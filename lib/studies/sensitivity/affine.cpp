@@ -54,7 +54,7 @@ std::optional<AffineValue> fit_one(std::span<const FreeParameter> parameters,
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const BoundedNumber change = values[i + 1] - values[0];
     const BoundedNumber slope = change / moved_by(parameters[i]);
-    const double coefficient = settled(slope.value, slope.bound);
+    const double coefficient = zero_within_bound(slope.value, slope.bound);
     result.coefficients.push_back(coefficient);
     if (coefficient != 0.0) {
       constant = constant - slope * as_typed(parameters[i].value);

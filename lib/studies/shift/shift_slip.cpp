@@ -13,7 +13,7 @@
 #include "core/tolerance.hpp"
 #include "dynamics/case_dynamics.hpp"
 #include "kinematics/velocity.hpp"
-#include "math/numbers/settled.hpp"
+#include "math/numbers/zero_within_bound.hpp"
 #include "network/bases.hpp"
 
 namespace kinestat {
@@ -33,7 +33,7 @@ class RoundedSum {
     terms_ += std::abs(term);
   }
 
-  double value() const { return kinestat::settled(sum_, kCancellation * terms_); }
+  double value() const { return kinestat::zero_within_bound(sum_, kCancellation * terms_); }
 
  private:
   double sum_ = 0.0;
@@ -353,7 +353,7 @@ class SlipSolver {
     const double det = inertia_(kInput, kInput) * inertia_(kSlip, kSlip) -
                        inertia_(kInput, kSlip) * inertia_(kInput, kSlip);
     const double bound = kCancellation * inertia_(kInput, kInput) * inertia_(kSlip, kSlip);
-    return kinestat::settled(det, bound) > 0.0 ||
+    return kinestat::zero_within_bound(det, bound) > 0.0 ||
            refuse(asked_.name.where,
                   "input or output has no inertia, so that nothing resists the torques",
                   "give 'inertia' to the bodies of input and output, with what they drive");
@@ -372,11 +372,11 @@ class SlipSolver {
     const Pair unit = accelerations(Pair::Unit(kSlip));
     const Pair free = accelerations(forces_.head<2>());
     result_.holding_torque =
-        kinestat::settled(-free[kSlip] / unit[kSlip], kCancellation * asked_.capacity);
+        kinestat::zero_within_bound(-free[kSlip] / unit[kSlip], kCancellation * asked_.capacity);
     result_.least_capacity = std::max(0.0, -sense * result_.holding_torque);
     const double torque = -sense * asked_.capacity;
     const Pair rates = free + torque * unit;
-    result_.slip_rate = kinestat::settled(
+    result_.slip_rate = kinestat::zero_within_bound(
         rates[kSlip], kCancellation * (std::abs(free[kSlip]) + std::abs(torque * unit[kSlip])));
     result_.peak_power = asked_.capacity * std::abs(result_.slip);
     result_.end =

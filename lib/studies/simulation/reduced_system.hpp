@@ -134,7 +134,7 @@ class ReducedSystem {
   std::vector<std::optional<double>> friction_;  // of each
   std::vector<Wrench> inertial_;                 // of the bodies, the coordinates being steady
   std::vector<std::vector<Wrench>> carried_;     // momentum for a unit speed of each coordinate
-  LoadPlace place_;
+  LoadState place_;
   std::vector<SpringState> springs_;
   std::vector<double> actions_;
   MatX inertia_;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "expression/slots.hpp"
-#include "studies/sweep/state_draw.hpp"
+#include "studies/sweep/state_sampler.hpp"
 #include "studies/sweep/sweep_axis.hpp"
 
 namespace kinestat {
@@ -42,7 +42,7 @@ class SweepPlan {
   /// Whether the states are all combinations, and neither rows nor a sample.
   bool is_product() const { return is_product_; }
 
-  const std::optional<StateDraw>& draw() const { return draw_; }
+  const std::optional<StateSampler>& draw() const { return draw_; }
 
   std::span<const SweepAxis> axes() const { return axes_; }
 
@@ -87,7 +87,7 @@ class SweepPlan {
   std::vector<std::uint64_t> strides_;
   std::uint64_t state_count_ = 1;
   bool is_product_ = true;
-  std::optional<StateDraw> draw_;
+  std::optional<StateSampler> draw_;
 };
 
 }  // namespace kinestat

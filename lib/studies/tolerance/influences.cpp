@@ -7,7 +7,7 @@
 #include "core/rounding.hpp"
 #include "math/dense/least_norm.hpp"
 #include "math/elimination/data_zero.hpp"
-#include "mechanism/place_error.hpp"
+#include "mechanism/position_error.hpp"
 #include "network/node_system.hpp"
 
 namespace kinestat {
@@ -71,7 +71,7 @@ class HeldMechanism {
     elimination_.emplace(action_system(topology_, geometry_, basis_), std::span<const int>());
     inexact_ = {.rows = basis_.order(),
                 .first_column = 0,
-                .share = std::max(place_error(mechanism), kDataRounding)};
+                .share = std::max(position_error(mechanism), kDataRounding)};
   }
 
   // Whether equilibrium alone tells the action that holds each of the deviations.

@@ -5,7 +5,7 @@
 #include "core/index.hpp"
 #include "core/rounding.hpp"
 #include "math/dense/least_norm.hpp"
-#include "math/numbers/settled.hpp"
+#include "math/numbers/zero_within_bound.hpp"
 #include "mechanism/label_kind.hpp"
 
 namespace kinestat {
@@ -25,7 +25,7 @@ Vec3 influence_vector(const std::vector<Vec3>& directions, const std::vector<dou
 
 // A unit vector; what rounding leaves of its components is zero.
 Vec3 direction_of(const Vec3& vector, double size) {
-  return (vector / size).unaryExpr([](double x) { return settled(x, kDataRounding); });
+  return (vector / size).unaryExpr([](double x) { return zero_within_bound(x, kDataRounding); });
 }
 
 class StackMaker {

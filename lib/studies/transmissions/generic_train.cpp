@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-#include "math/draws/counted_bits.hpp"
+#include "math/sampling/counter_based_random.hpp"
 
 namespace kinestat {
 
@@ -17,7 +17,7 @@ constexpr std::uint64_t kSeed = 0x7472'6169'6e73'2121;
 constexpr std::uint8_t kNoClass = 0xff;
 
 Residue draw(std::uint64_t number) {
-  return Residue(CountedBits(kSeed).at(0, number));
+  return Residue(CounterBasedRandom(kSeed).at(0, number));
 }
 
 // w_0 + t w_1 - (1 + t) w_2 = 0, which says all that some stationary ratio does.

@@ -1,4 +1,4 @@
-#include "math/draws/permutation.hpp"
+#include "math/sampling/permutation.hpp"
 
 #include <algorithm>
 #include <map>
@@ -10,7 +10,7 @@ namespace kinestat {
 namespace {
 
 std::vector<std::uint64_t> order_of(std::uint64_t size, std::uint64_t seed) {
-  const Permutation permutation(size, CountedBits(seed), 0);
+  const Permutation permutation(size, CounterBasedRandom(seed), 0);
   std::vector<std::uint64_t> order;
   for (std::uint64_t i = 0; i < size; ++i) {
     order.push_back(permutation.at(i));
@@ -30,7 +30,7 @@ TEST(Permutation, HasEachNumberOnce) {
 }
 
 TEST(Permutation, TakesSizesThatNobodyKeeps) {
-  const Permutation permutation(999'999'999'989, CountedBits(1), 0);
+  const Permutation permutation(999'999'999'989, CounterBasedRandom(1), 0);
 
   EXPECT_LT(permutation.at(0), 999'999'999'989U);
   EXPECT_NE(permutation.at(0), permutation.at(1));

@@ -1,4 +1,4 @@
-#include "math/draws/sobol_sequence.hpp"
+#include "math/sampling/sobol_sequence.hpp"
 
 #include <algorithm>
 #include <vector>

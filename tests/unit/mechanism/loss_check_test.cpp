@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "mechanism/gears/internal/losses.hpp"
+#include "mechanism/gears/internal/mesh_loss_binder.hpp"
 #include "unit/mechanism/checked_text.hpp"
 
 namespace kinestat {

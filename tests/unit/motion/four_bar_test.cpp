@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "studies/motion/stretch_cubic.hpp"
+#include "studies/motion/hermite_cubic.hpp"
 #include "support/angles.hpp"
 #include "unit/motion/moving.hpp"
 
@@ -149,14 +149,14 @@ TEST(FourBar, CrankThatTurnsFullyComesToNoLimit) {
 
 // 0.001 + t³ - 0.3 t² (1 - t)² is zero at two places between ends that are positive; the cubic of
 // the ends is 0.001 + t³, and off it by 0.3/16 at most.
-TEST(StretchCubic, DoubtsARateThatHardlyLeavesZeroAtAnEnd) {
+TEST(HermiteCubic, DoubtsARateThatHardlyLeavesZeroAtAnEnd) {
   const auto rate = [](double t) {
     return 0.001 + t * t * t - 0.3 * t * t * (1.0 - t) * (1.0 - t);
   };
   ASSERT_LT(rate(0.15), 0.0);
-  const StretchCubic from_low{.low = 0.001, .high = 1.001, .low_slope = 0.0, .high_slope = 3.0};
-  const StretchCubic from_high{.low = -1.001, .high = -0.001, .low_slope = 3.0, .high_slope = 0.0};
-  for (const StretchCubic& ends : {from_low, from_high}) {
+  const HermiteCubic from_low{.low = 0.001, .high = 1.001, .low_slope = 0.0, .high_slope = 3.0};
+  const HermiteCubic from_high{.low = -1.001, .high = -0.001, .low_slope = 3.0, .high_slope = 0.0};
+  for (const HermiteCubic& ends : {from_low, from_high}) {
     EXPECT_TRUE(ends.doubtful_part(0.3 / 16.0).has_value());
     EXPECT_FALSE(ends.doubtful_part(1e-5).has_value());
   }

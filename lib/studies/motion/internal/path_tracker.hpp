@@ -10,9 +10,9 @@
 #include "studies/motion/internal/closure_blocks.hpp"
 #include "studies/motion/internal/closure_system.hpp"
 #include "studies/motion/internal/drive_line.hpp"
+#include "studies/motion/internal/hermite_predictor.hpp"
 #include "studies/motion/internal/path_point.hpp"
 #include "studies/motion/internal/pivoted_qr.hpp"
-#include "studies/motion/internal/trail.hpp"
 #include "studies/motion/motion_solution.hpp"
 
 namespace kinestat {
@@ -132,7 +132,7 @@ class PathTracker {
   bool has_surplus_ = false;
   bool is_square_ = false;            ///< as many conditions as unknowns, and none is passive
   std::vector<ClosureBlock> blocks_;  ///< empty where the closure is one
-  Trail trail_;
+  HermitePredictor trail_;
   double flattening_ =
       0.0;  ///< how fast the reciprocal condition number fell in the step before, by the share
   std::vector<SpecialPosition> special_;

@@ -205,7 +205,7 @@ void LaneFollower::predict_part(double last, double part) {
       const double now = x;
       const double now_rate = now_.rates[k].numbers[lane];
       x = last == 0.0 ? now + part * now_rate
-                      : StretchCubic{was, now, last * rate, last * now_rate}.at(1.0 + part / last);
+                      : HermiteCubic{was, now, last * rate, last * now_rate}.at(1.0 + part / last);
       was = now;
       rate = now_rate;
     }

@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <vector>
 
-#include "studies/motion/lanes/lane_climbs.hpp"
+#include "studies/motion/lanes/lane_dead_point.hpp"
+#include "studies/motion/lanes/lane_extreme_targets.hpp"
 #include "studies/motion/lanes/lane_group.hpp"
 #include "studies/motion/lanes/lane_question.hpp"
-#include "studies/motion/lanes/lane_turn.hpp"
 
 namespace kinestat {
 
@@ -82,7 +82,7 @@ class LaneFollower {
   void find_turns();
   void judge(std::size_t lane, const LaneStretch& stretch);
   bool is_doubtful(std::size_t lane, const LaneStretch& stretch) const;
-  StretchCubic rate_in(std::size_t lane, const LaneStretch& stretch, std::size_t watched) const;
+  HermiteCubic rate_in(std::size_t lane, const LaneStretch& stretch, std::size_t watched) const;
   void look_closer();
   void go_to_turns();
   void go_to_turn(std::size_t index, bool is_last, Group& which);
@@ -141,9 +141,9 @@ class LaneFollower {
   LaneAngle angle_;  ///< of transmission: the last one
   LaneAngle least_angle_;
   LaneAngle greatest_angle_;
-  LaneClimbs climbs_;
+  LaneExtremeTargets climbs_;
   std::array<std::vector<LaneStretch>, kMotionLanes> doubtful_;
-  std::array<std::vector<LaneTurn>, kMotionLanes> turns_of_lane_;
+  std::array<std::vector<LaneDeadPoint>, kMotionLanes> turns_of_lane_;
 };
 
 }  // namespace kinestat

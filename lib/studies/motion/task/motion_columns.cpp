@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "core/axis_name.hpp"
-#include "math/numbers/settled.hpp"
+#include "math/numbers/zero_within_bound.hpp"
 #include "mechanism/label_kind.hpp"
 #include "studies/motion/task/dynamic_columns.hpp"
 #include "studies/motion/task/motion_column_choice.hpp"
@@ -145,8 +145,8 @@ class ReadingList {
           std::string("rotation/") + kAxisNames[static_cast<std::size_t>(i)],
           QuantityKind::angle,
           [b, i](const MotionPosition& at) {
-            return std::optional(settled(rotation_vector(at.state.poses[b].rotation)[i],
-                                         at.state.bounds.bodies[b].turn));
+            return std::optional(zero_within_bound(rotation_vector(at.state.poses[b].rotation)[i],
+                                                   at.state.bounds.bodies[b].turn));
           });
     }
   }

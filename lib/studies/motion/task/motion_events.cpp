@@ -8,9 +8,9 @@
 
 #include "core/motion_tolerance.hpp"
 #include "core/tolerance.hpp"
+#include "studies/motion/hermite_cubic.hpp"
 #include "studies/motion/motion.hpp"
 #include "studies/motion/motion_state.hpp"
-#include "studies/motion/stretch_cubic.hpp"
 
 namespace kinestat {
 
@@ -260,7 +260,7 @@ class DeadPointFinder {
       return std::nullopt;
     }
     const double way = to.share - from.share;
-    const StretchCubic rate{.low = from.rates[freedom],
+    const HermiteCubic rate{.low = from.rates[freedom],
                             .high = to.rates[freedom],
                             .low_slope = way * from.bends[freedom],
                             .high_slope = way * to.bends[freedom]};

@@ -8,7 +8,7 @@
 #include "cases/case_passes.hpp"
 #include "core/motion_tolerance.hpp"
 #include "core/tolerance.hpp"
-#include "math/numbers/settled.hpp"
+#include "math/numbers/zero_within_bound.hpp"
 #include "power/transmission_angle.hpp"
 #include "studies/motion/contact_rates.hpp"
 #include "studies/motion/moved_mechanism.hpp"
@@ -140,13 +140,14 @@ void MotionPositions::place(const Configuration& configuration, MotionPosition& 
   for (std::size_t f = 0; f < position.freedoms.size(); ++f) {
     std::optional<double>& freedom = position.freedoms[f];
     if (freedom) {
-      freedom = settled(*freedom, position.state.bounds.positions[f]);
+      freedom = zero_within_bound(*freedom, position.state.bounds.positions[f]);
     }
   }
   if (mechanism_.space == Space::planar) {
     position.turns = body_turns(network_, configuration);
     for (std::size_t b = 0; b < position.turns.size(); ++b) {
-      position.turns[b] = settled(position.turns[b], position.state.bounds.bodies[b].turn);
+      position.turns[b] =
+          zero_within_bound(position.turns[b], position.state.bounds.bodies[b].turn);
     }
   }
 }
@@ -228,7 +229,7 @@ void MotionPositions::solve_passes(const Configuration& configuration,
   const bool is_at_rest = !which.asks_motions;
   const std::vector<std::optional<double>> unknown(
       is_at_rest ? 0 : mechanism_.topology.freedoms.size());
-  const LoadPlace place{
+  const LoadState place{
       .poses = position.state.poses,
       .twists = position.has_speeds() ? position.state.twists : std::vector<Twist>(),
       .positions = position.freedoms,

@@ -10,7 +10,7 @@
 #include "studies/motion/motion.hpp"
 #include "studies/motion/task/drive_counts.hpp"
 #include "studies/motion/task/figures/curve_corners.hpp"
-#include "studies/motion/task/figures/pole_watch.hpp"
+#include "studies/motion/task/figures/unbounded_quotients.hpp"
 #include "studies/motion/task/friction_turns.hpp"
 #include "studies/motion/task/idle_rates.hpp"
 #include "studies/motion/task/motion_column_choice.hpp"
@@ -477,7 +477,7 @@ class TableMaker {
   std::vector<int> driven_;                 // of each reading the drive whose position it is, or -1
   std::vector<std::vector<Vec3>> sliding_;  // of each row
   std::vector<CaseFindings> said_;          // likewise
-  PoleWatch poles_;
+  UnboundedQuotients poles_;
   MotionTable table_;
 };
 

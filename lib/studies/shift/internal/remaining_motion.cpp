@@ -11,7 +11,7 @@ namespace kinestat {
 namespace {
 
 // Zero where its own bound does not tell it from zero.
-BoundedNumber settled(const BoundedNumber& number) {
+BoundedNumber zero_within_bound(const BoundedNumber& number) {
   return number.zeroed() == 0.0 ? BoundedNumber{} : number;
 }
 
@@ -24,7 +24,7 @@ BoundedNumber rate_in(const RateRow& row, const std::vector<BoundedNumber>& moti
   for (std::size_t i = 0; i < row.size(); ++i) {
     sum = bounded_sum(sum, bounded_product(row[i], motion[i]));
   }
-  return settled(sum);
+  return zero_within_bound(sum);
 }
 
 }  // namespace
@@ -57,7 +57,7 @@ bool RemainingMotion::prescribe(const RateRow& row, double rate) {
   const Motion motion = std::move(basis_[pivot]);
   const auto add = [&](const BoundedNumber& share, Motion& sum) {
     for (std::size_t i = 0; i < sum.size(); ++i) {
-      sum[i] = settled(bounded_sum(sum[i], bounded_product(share, motion[i])));
+      sum[i] = zero_within_bound(bounded_sum(sum[i], bounded_product(share, motion[i])));
     }
   };
   add((BoundedNumber{.value = rate, .bound = 0.0} + minus(rate_in(row, value_))) / rates[pivot],

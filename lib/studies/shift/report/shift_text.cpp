@@ -13,7 +13,7 @@
 #include "report/number_format.hpp"
 #include "studies/shift/report/change_text.hpp"
 #include "studies/shift/report/gear_report.hpp"
-#include "studies/shift/report/shift_others.hpp"
+#include "studies/shift/report/non_gear_states.hpp"
 #include "studies/shift/report/shift_sums.hpp"
 
 namespace kinestat {

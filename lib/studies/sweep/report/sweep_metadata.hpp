@@ -9,7 +9,7 @@
 
 #include "studies/sweep/best_choice.hpp"
 #include "studies/sweep/report/sweep_rows.hpp"
-#include "studies/sweep/state_draw.hpp"
+#include "studies/sweep/state_sampler.hpp"
 #include "studies/sweep/sweep_counts.hpp"
 
 namespace kinestat {

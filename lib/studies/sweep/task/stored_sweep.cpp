@@ -67,7 +67,7 @@ bool StoredSweep::finish() {
     files.push_back({.path = path_in(work_->path(), chunk_name(c))});
   }
   PieceReader reader(files, task_.metadata.plan);
-  ChunkRecord record;
+  StoredChunk record;
   while (reader.next(record)) {
     counts_.add(read_counts(record.note).value_or(SweepCounts{}));
   }
@@ -109,7 +109,7 @@ NextPiece StoredSweep::shard_pieces(const std::vector<PieceFile>& files) const {
   return [reader = std::make_shared<PieceReader>(files, task_.metadata.plan),
           plan = task_.metadata.plan,
           has_end = false](std::string& piece) mutable {
-    ChunkRecord record;
+    StoredChunk record;
     if (reader->next(record)) {
       piece = write_record(record, plan);
       return true;
@@ -169,7 +169,7 @@ bool StoredSweep::take_stock() {
 
 bool StoredSweep::take_stock_of(const std::string& name) {
   RecordFile file(path_in(work_->path(), name));
-  ChunkRecord record;
+  StoredChunk record;
   const RecordState state = file.read_record(task_.metadata.plan, record);
   if (state == RecordState::foreign) {
     found_.error("E0908",
@@ -189,7 +189,7 @@ bool StoredSweep::take_stock_of(const std::string& name) {
 // Syncing every chunk would take longer than writing the rows. What a crash of the system leaves of
 // one is found by its hash, and made anew.
 bool StoredSweep::store(ChunkResult result) {
-  const ChunkRecord record{
+  const StoredChunk record{
       .index = result.chunk, .note = write_counts(result.counts), .body = std::move(result.body)};
   const OutputFile file{.path = path_in(work_->path(), chunk_name(record.index)),
                         .content = write_record(record, task_.metadata.plan),

@@ -14,7 +14,7 @@ namespace {
 ChosenRows best_rows(const SweepMetadata& metadata, const std::vector<PieceFile>& files) {
   BestOfPieces best(*metadata.best);
   PieceReader reader(files, metadata.plan);
-  ChunkRecord record;
+  StoredChunk record;
   while (reader.next(record)) {
     best.add(record.body);
   }
@@ -23,7 +23,7 @@ ChosenRows best_rows(const SweepMetadata& metadata, const std::vector<PieceFile>
 
 }  // namespace
 
-bool PieceReader::next(ChunkRecord& record) {
+bool PieceReader::next(StoredChunk& record) {
   while (!open_ || piece_ == files_[file_].pieces) {
     file_ += open_ ? 1 : 0;
     open_.reset();
@@ -64,7 +64,7 @@ NextPiece result_pieces(const SweepMetadata& metadata,
   // Shared, because a function object must be copyable.
   struct State {
     PieceReader reader;
-    ChunkRecord record;
+    StoredChunk record;
     std::string ready;
     bool has_ready = true;
   };

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "io/atomic_file.hpp"
-#include "io/chunk_record.hpp"
+#include "io/stored_chunk.hpp"
 #include "studies/sweep/best_rows.hpp"
 #include "studies/sweep/task/sweep_options.hpp"
 
@@ -26,7 +26,7 @@ class PieceReader {
 
   /// False at the end. A piece that is no longer what it was when it was checked, because another
   /// process has changed its file meanwhile, throws std::runtime_error.
-  bool next(ChunkRecord& record);
+  bool next(StoredChunk& record);
 
  private:
   std::vector<PieceFile> files_;

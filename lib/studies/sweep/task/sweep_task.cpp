@@ -11,7 +11,7 @@
 #include "core/utf8.hpp"
 #include "core/version.hpp"
 #include "files/output.hpp"
-#include "io/chunk_record.hpp"
+#include "io/stored_chunk.hpp"
 #include "studies/shift/task/gear_cases.hpp"
 #include "studies/sweep/report/sweep_array.hpp"
 

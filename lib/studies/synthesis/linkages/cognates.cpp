@@ -5,7 +5,7 @@
 
 #include "core/rounding.hpp"
 #include "core/tolerance.hpp"
-#include "math/numbers/settled.hpp"
+#include "math/numbers/zero_within_bound.hpp"
 
 namespace kinestat {
 
@@ -16,7 +16,9 @@ struct SurePlace {
   Point at;
   double bound = 0.0;
 
-  Point settled_point() const { return {settled(at.real(), bound), settled(at.imag(), bound)}; }
+  Point settled_point() const {
+    return {zero_within_bound(at.real(), bound), zero_within_bound(at.imag(), bound)};
+  }
 };
 
 SurePlace place_of(const Point& at, const Point& bound, double terms) {

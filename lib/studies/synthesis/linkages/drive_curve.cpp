@@ -10,7 +10,7 @@
 
 #include "core/rounding.hpp"
 #include "core/tolerance.hpp"
-#include "math/numbers/settled.hpp"
+#include "math/numbers/zero_within_bound.hpp"
 #include "studies/synthesis/linkages/rounded_dyad.hpp"
 
 namespace kinestat {
@@ -54,7 +54,7 @@ double length_sum(std::initializer_list<BoundedNumber> terms) {
     sum += term.value;
     bound += term.bound + kDataRounding * std::abs(term.value);
   }
-  return settled(sum, bound);
+  return zero_within_bound(sum, bound);
 }
 
 // a² - b².
@@ -250,7 +250,7 @@ int DriveCurve::sense_of(const PositionJets& position) const {
       kDataRounding * (std::abs(origin(position, 1)) + std::abs(turn * input_.circle_point)) +
       std::abs(turn) * std::abs(circle_point_of(input_).bound());
   const double rate = dot(along, place[1]);
-  return sign_of(settled(rate, bound + kCancellation * std::abs(place[1])));
+  return sign_of(zero_within_bound(rate, bound + kCancellation * std::abs(place[1])));
 }
 
 DriveCurve::Offset DriveCurve::offset_of(double x) const {

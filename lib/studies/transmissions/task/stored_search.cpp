@@ -12,7 +12,7 @@
 #include "core/version.hpp"
 #include "format/mechanism_writer.hpp"
 #include "io/atomic_file.hpp"
-#include "io/chunk_record.hpp"
+#include "io/stored_chunk.hpp"
 #include "studies/transmissions/found_text.hpp"
 
 namespace kinestat {
@@ -56,7 +56,7 @@ bool StoredSearch::prepare(Diagnostics& found) {
   }
   for (const std::string& path : paths) {
     RecordFile file(path);
-    ChunkRecord record;
+    StoredChunk record;
     if (file.is_open() && file.read_record(plan_, record) == RecordState::foreign) {
       found.error(
           "E0908",
@@ -80,7 +80,7 @@ SearchStore StoredSearch::store() {
 // What is not there or damaged is searched anew.
 std::optional<TransmissionSearch> StoredSearch::find(std::size_t structure) const {
   RecordFile file(path_of(structure));
-  ChunkRecord record;
+  StoredChunk record;
   const bool is_there = file.is_open() && file.read_record(plan_, record) == RecordState::whole &&
                         record.index == structure;
   return is_there ? read_found(record.body) : std::nullopt;

@@ -9,7 +9,7 @@
 #include "core/index.hpp"
 #include "core/motion_tolerance.hpp"
 #include "core/tolerance.hpp"
-#include "math/numbers/settled.hpp"
+#include "math/numbers/zero_within_bound.hpp"
 #include "power/efficiency.hpp"
 
 namespace kinestat {
@@ -158,13 +158,14 @@ class ActuatorFinder {
     const GreatestValue greatest =
         found_->greatest([&](double time) { return std::abs(value_of(function, time)); });
     const double value = value_of(function, greatest.argument);
-    return {.value =
-                settled(std::copysign(greatest.value, value), kNoHarmonic * found_->size(function)),
+    return {.value = zero_within_bound(std::copysign(greatest.value, value),
+                                       kNoHarmonic * found_->size(function)),
             .at = sampler_.drive_at(greatest.argument)};
   }
 
   double integral_of(std::size_t function) const {
-    return duration_ * settled(found_->integral(function), kNoHarmonic * found_->size(function));
+    return duration_ *
+           zero_within_bound(found_->integral(function), kNoHarmonic * found_->size(function));
   }
 
   // Where a function passes zero, in order, with both ends.
@@ -210,8 +211,8 @@ class ActuatorFinder {
       const double part = found_->integral(power, zeros[i]) - found_->integral(power, zeros[i - 1]);
       (part > 0.0 ? given : taken) += std::abs(part);
     }
-    to.energy_in = duration_ * settled(given, least);
-    to.energy_out = duration_ * settled(taken, least);
+    to.energy_in = duration_ * zero_within_bound(given, least);
+    to.energy_out = duration_ * zero_within_bound(taken, least);
   }
 
   ActuatorFigures figures_of(std::size_t i) {
@@ -228,7 +229,7 @@ class ActuatorFinder {
     found_->for_each_point(1.0, [&](double, double weight, const VecX& values) {
       square += weight * std::pow(values[static_cast<Eigen::Index>(action)], 2);
     });
-    figures.rms = settled(std::sqrt(square), kNoHarmonic * found_->size(action));
+    figures.rms = zero_within_bound(std::sqrt(square), kNoHarmonic * found_->size(action));
     figures.peak_speed = peak_of(speed);
     figures.peak_power = peak_of(power);
     figures.mean_power = integral_of(power) / duration_;
@@ -254,7 +255,7 @@ class ActuatorFinder {
                           .no_efficiency = {}};
     const double change =
         found_->value(kKinetic, found_->to()) - found_->value(kKinetic, found_->from());
-    figures.kinetic_change = settled(change, kNoHarmonic * found_->size(kKinetic));
+    figures.kinetic_change = zero_within_bound(change, kNoHarmonic * found_->size(kKinetic));
     if (figures.greatest_kinetic > 0.0) {
       figures.audit =
           std::abs(change - duration_ * found_->integral(kBalance)) / figures.greatest_kinetic;

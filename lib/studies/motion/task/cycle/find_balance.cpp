@@ -9,7 +9,7 @@
 #include "core/motion_tolerance.hpp"
 #include "math/dense/least_squares.hpp"
 #include "math/dense/span.hpp"
-#include "math/numbers/settled.hpp"
+#include "math/numbers/zero_within_bound.hpp"
 
 namespace kinestat {
 
@@ -126,7 +126,7 @@ class BalanceFinder {
       const auto first = static_cast<Eigen::Index>(w);
       Vec3 sum = amounts_[first] * weights_[w].place + amounts_[first + 1] * weights_[w + 1].place;
       const double size = sum.norm();
-      sum = sum.unaryExpr([size](double x) { return settled(x, kNoHarmonic * size); });
+      sum = sum.unaryExpr([size](double x) { return zero_within_bound(x, kNoHarmonic * size); });
       figures.counterweights.push_back(
           {.body = mechanism_.topology.body(weights_[w].body).name, .mass_radius = sum});
     }
@@ -176,8 +176,8 @@ class BalanceFinder {
     });
     const GreatestValue greatest =
         found.greatest([&](double time) { return force(found.values(time)).norm(); });
-    return {.rms = settled(std::sqrt(square), least),
-            .greatest = settled(greatest.value, least),
+    return {.rms = zero_within_bound(std::sqrt(square), least),
+            .greatest = zero_within_bound(greatest.value, least),
             .greatest_at = sampler_.drive_at(greatest.argument)};
   }
 

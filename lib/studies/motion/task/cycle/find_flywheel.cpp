@@ -8,7 +8,7 @@
 
 #include "core/motion_tolerance.hpp"
 #include "core/tolerance.hpp"
-#include "math/numbers/settled.hpp"
+#include "math/numbers/zero_within_bound.hpp"
 
 namespace kinestat {
 
@@ -137,8 +137,8 @@ class FlywheelFinder {
     mean_ = found_->integral(supply);
     const GreatestValue most = found_->greatest([this](double t) { return surplus(t); });
     const GreatestValue least = found_->greatest([this](double t) { return -surplus(t); });
-    const double energy =
-        settled(most.value + least.value, kNoHarmonic * found_->size(supply) * std::abs(way_));
+    const double energy = zero_within_bound(most.value + least.value,
+                                            kNoHarmonic * found_->size(supply) * std::abs(way_));
     const double to_motor = ratio_of(motor_ratio, motor_);
     const double to_wheel = ratio_of(wheel_ratio, plan_.actuator);
     const double wheel_speed = speed_ * to_wheel;
@@ -149,7 +149,7 @@ class FlywheelFinder {
             topology_.freedoms[static_cast<std::size_t>(actuator(motor_).freedom)].is_rotation,
         .fluctuation = plan_.fluctuation,
         .speed = wheel_speed,
-        .mean_action = settled(mean_, kNoHarmonic * found_->size(supply)) / to_motor,
+        .mean_action = zero_within_bound(mean_, kNoHarmonic * found_->size(supply)) / to_motor,
         .energy = energy,
         .inertia = energy / (plan_.fluctuation * wheel_speed * wheel_speed),
         .with_it = std::nullopt};

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/motion_tolerance.hpp"
-#include "math/numbers/settled.hpp"
+#include "math/numbers/zero_within_bound.hpp"
 #include "studies/motion/task/dynamic_columns.hpp"
 
 namespace kinestat {
@@ -92,7 +92,7 @@ class HarmonicFinder {
   void take_apart(const LegendrePieces& found, std::size_t s) {
     HarmonicSeries& one = series_[s];
     const double least = kNoHarmonic * found.size(s);
-    one.mean = settled(found.integral(s), least);
+    one.mean = zero_within_bound(found.integral(s), least);
     const double way = sampler_.drive_at(1.0) - sampler_.drive_at(0.0);
     for (int order = 1; order <= orders_; ++order) {
       double cosine = 0.0;
@@ -104,7 +104,7 @@ class HarmonicFinder {
         cosine += value * std::cos(angle);
         sine += value * std::sin(angle);
       });
-      const double amplitude = settled(std::hypot(cosine, sine), least);
+      const double amplitude = zero_within_bound(std::hypot(cosine, sine), least);
       one.orders.push_back(
           {.order = order,
            .amplitude = amplitude,

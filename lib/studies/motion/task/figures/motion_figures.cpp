@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/tolerance.hpp"
-#include "math/numbers/settled.hpp"
+#include "math/numbers/zero_within_bound.hpp"
 #include "studies/motion/peak_search.hpp"
 
 namespace kinestat {
@@ -164,7 +164,8 @@ class FigureMaker {
       }
       add(*value, *value, width);
     }
-    return settled(sum, kCancellation * size) / static_cast<double>(table_.rows.size() - 1);
+    return zero_within_bound(sum, kCancellation * size) /
+           static_cast<double>(table_.rows.size() - 1);
   }
 
   std::span<const double> shares_;
