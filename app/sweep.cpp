@@ -107,13 +107,7 @@ void add_form(CLI::App& command, SweepCommand& sweep) {
       sweep.options.format,
       "form of the rows; json is one object a line,\n"
       "npy an array of NumPy, which needs --out");
-  add_choice<ProgressChoice>(command,
-                             "--progress",
-                             {{"auto", ProgressChoice::automatic},
-                              {"always", ProgressChoice::always},
-                              {"never", ProgressChoice::never}},
-                             sweep.progress,
-                             "tell how far it is on standard error; auto\nis on a terminal");
+  add_progress(command, sweep.progress);
 }
 
 // Options that need each other.
@@ -164,7 +158,16 @@ void check_together(CLI::App& command, SweepCommand& sweep) {
 
 Outcome run_sweep(const SweepCommand& sweep) {
   ProgressLine line(sweep.progress);
-  const auto show = [&line](const SweepProgress& progress) { line.show(progress); };
+  const auto show = [&line](const SweepProgress& progress) {
+    const auto all = static_cast<double>(std::max<std::uint64_t>(progress.total, 1));
+    line.show({.done = progress.states,
+               .known = progress.resumed,
+               .total = progress.total,
+               .things = "states",
+               .result = std::to_string(progress.rows) + " rows",
+               .share = static_cast<double>(progress.states) / all,
+               .known_share = static_cast<double>(progress.resumed) / all});
+  };
   Outcome outcome = run_streaming(
       [&](const SweepHooks& hooks) {
         Outcome done = sweep_file(sweep.path, sweep.options, hooks);

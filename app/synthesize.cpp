@@ -5,6 +5,7 @@
 #include "command.hpp"
 #include "options/sweep_options.hpp"
 #include "run/synthesis.hpp"
+#include "terminal/progress_line.hpp"
 #include "usage_error.hpp"
 
 namespace kinestat::app {
@@ -15,6 +16,7 @@ struct SynthesizeCommand {
   FileOptions files;
   SynthesisOptions options;
   TransmissionOptions transmissions;
+  ProgressChoice progress = ProgressChoice::automatic;
 };
 
 void add_written_mechanisms(CLI::App& command, SynthesizeCommand& options) {
@@ -111,6 +113,26 @@ void check_together(const CLI::App& command, const SynthesizeCommand& options) {
   }
 }
 
+Outcome run_synthesis(const SynthesizeCommand& options) {
+  ProgressLine line(options.progress);
+  TransmissionOptions transmissions = options.transmissions;
+  if (line.is_wanted()) {
+    transmissions.progress = [&line](const SearchProgress& progress) {
+      line.show({.done = progress.structures,
+                 .known = progress.known,
+                 .total = progress.total,
+                 .things = "structures",
+                 .result = std::to_string(progress.found) + " transmissions",
+                 .share = progress.share,
+                 .known_share = progress.known_share});
+    };
+  }
+  Outcome outcome =
+      synthesize_files(options.files.paths, options.files.analyse, options.options, transmissions);
+  line.finish();
+  return outcome;
+}
+
 }  // namespace
 
 void add_synthesize(CLI::App& command, Job& job) {
@@ -149,14 +171,12 @@ void add_synthesize(CLI::App& command, Job& job) {
       "ladders of transmissions that are listed, the\nbest first; default 20");
   add_rank(command, options->transmissions);
   add_stored_search(command, options->transmissions);
+  add_progress(command, options->progress);
   add_strict(command, options->files);
   add_quiet(command, options->files);
   command.callback([options, &command, &job] {
     check_together(command, *options);
-    job = [options] {
-      return synthesize_files(
-          options->files.paths, options->files.analyse, options->options, options->transmissions);
-    };
+    job = [options] { return run_synthesis(*options); };
   });
 }
 

@@ -39,13 +39,30 @@ std::vector<std::string> option_names(const CLI::App& command) {
   return names;
 }
 
+bool has_option(const CLI::App& command, const std::string& option) {
+  return std::ranges::count(option_names(command), option) > 0;
+}
+
 // The first command that has an option, or null.
 const CLI::App* command_with(const CLI::App& app, const std::string& option) {
   const std::vector<const CLI::App*> commands = app.get_subcommands({});
-  const auto at = std::ranges::find_if(commands, [&option](const CLI::App* command) {
-    return std::ranges::count(option_names(*command), option) > 0;
-  });
+  const auto at = std::ranges::find_if(
+      commands, [&option](const CLI::App* command) { return has_option(*command, option); });
   return at == commands.end() ? nullptr : *at;
+}
+
+// What to type where an option is of other commands; empty where there is nothing better than
+// a guess.
+std::string other_way(const CLI::App& command, const std::string& option) {
+  if ((option == "-o" || option == "--out") && has_option(command, "--format")) {
+    return "the report goes to standard output: add '> FILE'" +
+           std::string(has_option(command, "--write-mechanism")
+                           ? ", or give --write-mechanism FOLDER for mechanism files"
+                           : "");
+  }
+  return option == "--resume" && has_option(command, "--work")
+             ? "the same command with --work FOLDER goes on after an interruption"
+             : "";
 }
 
 UsageMessage unknown_option(const CLI::App& app, const CLI::App& command, const std::string& word) {
@@ -63,6 +80,9 @@ UsageMessage unknown_option(const CLI::App& app, const CLI::App& command, const 
   if (is_file_name(word)) {
     return {"unknown option '" + printable(word) + "'",
             "write './" + printable(word) + "' for a file of this name"};
+  }
+  if (const std::string way = other_way(command, name); !way.empty()) {
+    return {"unknown option '" + name + "'", way};
   }
   const std::string list = "'kinestat" + name_of(command) + " --help' lists the options";
   return {"unknown option '" + name + "'", guess.empty() ? list : guess};

@@ -53,6 +53,16 @@ ShardNumber read_shard(const std::string& word) {
   return {.number = parts[0], .count = parts[1]};
 }
 
+void add_progress(CLI::App& command, ProgressChoice& choice) {
+  add_choice<ProgressChoice>(command,
+                             "--progress",
+                             {{"auto", ProgressChoice::automatic},
+                              {"always", ProgressChoice::always},
+                              {"never", ProgressChoice::never}},
+                             choice,
+                             "tell how far it is on standard error; auto\nis on a terminal");
+}
+
 void add_messages(CLI::App& command, DiagnosticsForm& form, bool& is_quiet) {
   add_diagnostics_form(command, form);
   add_flag(

@@ -7,6 +7,7 @@
 
 #include "options/file_options.hpp"
 #include "run/sweep.hpp"
+#include "terminal/progress_line.hpp"
 
 namespace kinestat::app {
 
@@ -25,6 +26,9 @@ void add_result_folder(CLI::App& command,
 
 /// "2/7"; anything else throws.
 ShardNumber read_shard(const std::string& word);
+
+/// Declares --progress.
+void add_progress(CLI::App& command, ProgressChoice& choice);
 
 /// Declares --diagnostics and --quiet.
 void add_messages(CLI::App& command, DiagnosticsForm& form, bool& is_quiet);

@@ -12,19 +12,15 @@ namespace kinestat::app {
 
 namespace {
 
-std::string line_of(const SweepProgress& progress, double seconds) {
-  const auto done = static_cast<double>(progress.states - progress.resumed);
-  const double rate = seconds > 0.0 ? done / seconds : 0.0;
-  const double share = progress.total == 0 ? 1.0
-                                           : static_cast<double>(progress.states) /
-                                                 static_cast<double>(progress.total);
-  std::string line = std::to_string(static_cast<int>(100.0 * share)) + " %, " +
-                     std::to_string(progress.states) + " of " + std::to_string(progress.total) +
-                     " states, " + std::to_string(progress.rows) + " rows";
-  if (rate > 0.0) {
-    const double left = static_cast<double>(progress.total - progress.states) / rate;
-    line += ", " + std::to_string(static_cast<std::int64_t>(rate)) + " states/s, " +
-            duration_text(left) + " left";
+std::string line_of(const Progress& progress, double seconds) {
+  std::string line = std::to_string(static_cast<int>(100.0 * progress.share)) + " %, " +
+                     std::to_string(progress.done) + " of " + std::to_string(progress.total) + " " +
+                     progress.things + ", " + progress.result;
+  const double share = progress.share - progress.known_share;
+  if (seconds > 0.0 && share > 0.0) {
+    const double rate = static_cast<double>(progress.done - progress.known) / seconds;
+    line += ", " + std::to_string(static_cast<std::int64_t>(rate)) + " " + progress.things +
+            "/s, " + duration_text((1.0 - progress.share) * seconds / share) + " left";
   }
   return line;
 }
@@ -37,10 +33,10 @@ ProgressLine::ProgressLine(ProgressChoice choice)
       choice == ProgressChoice::always || (choice == ProgressChoice::automatic && is_terminal_);
 }
 
-void ProgressLine::show(const SweepProgress& progress) {
+void ProgressLine::show(const Progress& progress) {
   const Clock::time_point now = Clock::now();
   const auto pause = is_terminal_ ? std::chrono::milliseconds(200) : std::chrono::seconds(1);
-  const bool is_last = progress.states == progress.total;
+  const bool is_last = progress.done == progress.total;
   if (has_shown_ && !is_last && now - last_ < pause) {
     return;
   }

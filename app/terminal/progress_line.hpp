@@ -1,10 +1,10 @@
-// How far a sweep is, on standard error.
+// How far a long run is, on standard error.
 #pragma once
 
 #include <chrono>
 #include <cstddef>
-
-#include "run/sweep.hpp"
+#include <cstdint>
+#include <string>
 
 namespace kinestat::app {
 
@@ -12,6 +12,17 @@ enum class ProgressChoice {
   automatic,  ///< where standard error is a terminal
   always,
   never
+};
+
+/// What there is to tell: so many of the things that a run goes through, and what came of them.
+struct Progress {
+  std::uint64_t done = 0;
+  std::uint64_t known = 0;  ///< of those, from before the run began
+  std::uint64_t total = 0;
+  std::string things;        ///< "states"
+  std::string result;        ///< "12 rows"
+  double share = 1.0;        ///< of the work that is done
+  double known_share = 0.0;  ///< from before
 };
 
 /// One line that is written over again on a terminal, elsewhere a line now and then. The clock is
@@ -22,7 +33,7 @@ class ProgressLine {
 
   bool is_wanted() const { return is_wanted_; }
 
-  void show(const SweepProgress& progress);
+  void show(const Progress& progress);
 
   /// Makes room for what is written next.
   void finish();

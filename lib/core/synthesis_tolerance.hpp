@@ -46,6 +46,10 @@ inline constexpr double kChangePoint = 1e-10;
 /// 1e-14, and teeth are a thousand times as coarse.
 inline constexpr double kRangeSlack = 1e-9;
 
+/// Teeth that are off a stationary ratio by no more have it nearly: those of a search over ranges
+/// are thousandths.
+inline constexpr double kNearStationaryRatio = 1e-3;
+
 /// Ranks of transmissions that differ by less are the same: rounding leaves 1e-15.
 inline constexpr double kSameRank = 1e-9;
 

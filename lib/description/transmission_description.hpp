@@ -77,6 +77,7 @@ struct TransmissionLimitsDescription {
   std::optional<Value> planet_speed;
   std::optional<Value> efficiency;
   std::optional<Value> rotating_clutches;
+  std::optional<Value> hollow_shafts;
 };
 
 struct SetLosses {
@@ -93,11 +94,11 @@ struct StructureSlice {
 
 enum class SectionArrangement { any, coaxial, sideways };
 
-enum class TransmissionOrder { efficiency, steps, torque, speed };
+enum class TransmissionOrder { efficiency, steps, torque, speed, elements };
 
 /// As files and command lines have them.
-inline constexpr std::array<std::string_view, 4> kTransmissionOrders = {
-    "efficiency", "steps", "torque", "speed"};
+inline constexpr std::array<std::string_view, 5> kTransmissionOrders = {
+    "efficiency", "steps", "torque", "speed", "elements"};
 
 /// What stands where the file says nothing.
 inline constexpr double kUsualLeastStationaryRatio = 1.5;

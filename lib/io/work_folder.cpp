@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include "io/internal/refuse_writing.hpp"
+#include "io/internal/temporary_file.hpp"
 
 namespace kinestat {
 
@@ -34,8 +35,8 @@ bool is_current(int descriptor, const std::string& path) {
          opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
 }
 
-bool is_temporary(std::string_view name) {
-  return name.starts_with(".kinestat-") && name.ends_with(".tmp");
+bool is_temporary(std::string_view name, std::string_view prefix = kTemporaryPrefix) {
+  return name.starts_with(prefix) && name.ends_with(kTemporaryEnding);
 }
 
 // What stands in a folder, the lock excepted, in order; nothing if there is no folder.
@@ -50,6 +51,14 @@ std::vector<std::string> names_in(const std::string& path) {
   }
   std::ranges::sort(names);
   return names;
+}
+
+void remove_temporaries(const std::string& path, std::string_view prefix) {
+  for (const std::string& name : names_in(path)) {
+    if (is_temporary(name, prefix)) {
+      ::unlink(fmt::format("{}/{}", path, name).c_str());
+    }
+  }
 }
 
 bool has_nothing_else(const std::string& path, WorkFolder::IsOwn is_own, Diagnostics& found) {
@@ -109,11 +118,7 @@ std::optional<WorkFolder> WorkFolder::open(const std::string& path,
       continue;
     }
     WorkFolder folder(path, is_own, descriptor);
-    for (const std::string& name : names_in(path)) {
-      if (is_temporary(name)) {
-        ::unlink(fmt::format("{}/{}", path, name).c_str());
-      }
-    }
+    remove_temporaries(path, kTemporaryPrefix);
     return folder;
   }
   refuse_writing(path, EAGAIN, found);
@@ -149,6 +154,22 @@ void WorkFolder::remove() {
   ::unlink(lock_path(path_).c_str());
   ::rmdir(path_.c_str());
   ::close(std::exchange(lock_, -1));
+}
+
+SharedFolder::SharedFolder(const std::string& path)
+    : lock_(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+  if (lock_ >= 0 && ::flock(lock_, LOCK_EX | LOCK_NB) == 0) {
+    remove_temporaries(path, kPiecePrefix);
+  }
+  if (lock_ >= 0) {
+    ::flock(lock_, LOCK_SH);
+  }
+}
+
+SharedFolder::~SharedFolder() {
+  if (lock_ >= 0) {
+    ::close(lock_);
+  }
 }
 
 bool is_work_folder(const std::string& path) {

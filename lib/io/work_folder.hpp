@@ -47,6 +47,23 @@ class WorkFolder {
   int lock_ = -1;
 };
 
+/// A folder in which several processes may keep what they have finished, each file by itself. Who
+/// comes to it alone removes the temporaries of pieces that killed processes left; until it goes
+/// out of scope others do not. On file systems that cannot lock a folder nothing is removed.
+class SharedFolder {
+ public:
+  explicit SharedFolder(const std::string& path);
+
+  SharedFolder(const SharedFolder&) = delete;
+  SharedFolder& operator=(const SharedFolder&) = delete;
+  SharedFolder(SharedFolder&&) = delete;
+  SharedFolder& operator=(SharedFolder&&) = delete;
+  ~SharedFolder();
+
+ private:
+  int lock_ = -1;
+};
+
 /// Whether there is such a folder, so that it may hold something of an earlier run.
 bool is_work_folder(const std::string& path);
 

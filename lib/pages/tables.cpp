@@ -127,20 +127,24 @@ void add_box(const Table& table, std::string_view name, Html& html) {
   html.close();
 }
 
-// A paragraph for each line that is not empty.
+// A paragraph for each line that is not empty. A heading after an empty one begins something new.
 void add_lines(std::string_view lines, Html& html) {
   if (lines.find_first_not_of(" \n") == std::string_view::npos) {
     return;
   }
   html.open("div", {{"class", "lines"}});
+  bool is_after_empty = false;
   while (!lines.empty()) {
     const std::size_t end = std::min(lines.find('\n'), lines.size());
     std::string_view line = lines.substr(0, end);
     lines.remove_prefix(std::min(end + 1, lines.size()));
     const std::size_t first = line.find_first_not_of(' ');
-    if (first != std::string_view::npos) {
+    if (first == 0 && is_after_empty) {
+      html.element("p", line, {{"class", "heading"}});
+    } else if (first != std::string_view::npos) {
       html.element("p", line.substr(first));
     }
+    is_after_empty = first == std::string_view::npos;
   }
   html.close();
 }

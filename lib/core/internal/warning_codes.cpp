@@ -333,6 +333,14 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "Its "
      "ratio, a torque or an efficiency differs from that of the search by more than rounding, or "
      "it has no such gear. This program is wrong then: please report it with the task."},
+    {"W0805",
+     done,
+     "stationary ratio without common teeth",
+     "A transmission is written with the smallest teeth that have the stationary ratios of the "
+     "search, or have them to a thousandth, and with planets of 15 teeth or more. Of a simple set "
+     "close to 1 sun and ring are nearly of one size, and there is no room for such planets: the "
+     "teeth told here have another ratio, or planets that nobody would cut. Begin "
+     "'stationary_ratio' higher, or give 'teeth': all that is found is met by such teeth then."},
     {"W0901",
      done,
      "tolerance meets no value",

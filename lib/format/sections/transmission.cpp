@@ -228,6 +228,8 @@ const Mapping<TransmissionLimitsDescription>& transmission_limits() {
         .may(&Limits::efficiency, efficiency(), "0.94");
     m.key("rotating_clutches", "Most elements between two turning shafts.")
         .may(&Limits::rotating_clutches, element_count(), "3");
+    m.key("hollow_shafts", "Most shafts of suns that others pass between them and the axis.")
+        .may(&Limits::hollow_shafts, not_negative_whole(), "3");
   });
   return mapping;
 }
@@ -283,7 +285,9 @@ void declare_preference(Mapping<Wanted>& m) {
                 {kTransmissionOrders[1],
                  "how even the steps are: the deviation of their logarithms"},
                 {kTransmissionOrders[2], "the largest torque of an element"},
-                {kTransmissionOrders[3], "the largest speed of a shaft"}}),
+                {kTransmissionOrders[3], "the largest speed of a shaft"},
+                {kTransmissionOrders[4],
+                 "rotating clutches and hollow shafts together; of as many the efficiency"}}),
            "efficiency")
       .usual("efficiency");
   m.key("structures", "A part of all structures, by number; the report says how many there are.")

@@ -17,9 +17,13 @@ namespace kinestat {
 namespace {
 
 // Its length does not depend on the target's name, which may be as long as the system allows.
-std::string random_name() {
+std::string random_name(bool survives_crash) {
   std::random_device random;
-  return fmt::format(".kinestat-{:08x}{:08x}.tmp", random(), random());
+  return fmt::format("{}{:08x}{:08x}{}",
+                     survives_crash ? kTemporaryPrefix : kPiecePrefix,
+                     random(),
+                     random(),
+                     kTemporaryEnding);
 }
 
 int write_all(int descriptor, std::string_view content) {
@@ -76,7 +80,8 @@ TemporaryFile::~TemporaryFile() {
 int TemporaryFile::create() {
   constexpr int kAttempts = 16;
   for (int i = 0; i < kAttempts; ++i) {
-    path_ = fmt::format("{}/{}", scratch_.empty() ? folder_of(target_) : scratch_, random_name());
+    path_ = fmt::format(
+        "{}/{}", scratch_.empty() ? folder_of(target_) : scratch_, random_name(survives_crash_));
     const int descriptor =
         ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0666);
     if (descriptor >= 0 || errno != EEXIST) {

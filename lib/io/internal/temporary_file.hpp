@@ -8,6 +8,12 @@
 
 namespace kinestat {
 
+/// How the names of temporaries begin and end; of those that need not survive a crash, which are
+/// pieces of long results, the beginning goes on so.
+inline constexpr std::string_view kTemporaryPrefix = ".kinestat-";
+inline constexpr std::string_view kPiecePrefix = ".kinestat-piece-";
+inline constexpr std::string_view kTemporaryEnding = ".tmp";
+
 /// The folder in which a path lies.
 std::string folder_of(const std::string& path);
 

@@ -58,6 +58,7 @@ class TransmissionCheck {
     check(task_.limits.planet_speed, kRatio, "planet_speed", "limits");
     check(task_.limits.efficiency, kLeastEfficiency, "efficiency", "limits");
     check(task_.limits.rotating_clutches, kElementCount, "rotating_clutches", "limits");
+    check(task_.limits.hollow_shafts, kNumber, "hollow_shafts", "limits");
     check(task_.losses.simple, kShare, "simple", "losses");
     check(task_.losses.double_planet, kShare, "double_planet", "losses");
     if (task_.structures) {

@@ -2,6 +2,8 @@
 
 #include <charconv>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -103,6 +105,11 @@ void figures(Text& text, LadderFigures& figures) {
     text.one(*one);
   }
   text.one(figures.rotating_clutches);
+  std::int64_t hollow =
+      figures.hollow_shafts ? static_cast<std::int64_t>(*figures.hollow_shafts) : -1;
+  text.one(hollow);
+  figures.hollow_shafts =
+      hollow < 0 ? std::nullopt : std::optional(static_cast<std::uint64_t>(hollow));
 }
 
 template <class Text>

@@ -77,13 +77,26 @@ LabelledOutcome LabelledSearch::run() {
     return LabelledOutcome::found;
   }
   if (has_ladder_) {
-    return placements_ && placements_->empty() ? LabelledOutcome::not_buildable
-                                               : LabelledOutcome::over_limits;
+    return placements_ && placements_->empty() && !has_too_many_parts_
+               ? LabelledOutcome::not_buildable
+               : LabelledOutcome::over_limits;
   }
   return is_undecided ? LabelledOutcome::undecided : LabelledOutcome::refuted;
 }
 
+bool LabelledSearch::has_any(int most_parts) {
+  parts_left_ = most_parts;
+  needs_one_ = true;
+  if (!axes_.is_grid()) {
+    try_samples();
+    parts_ += kSamples / kRatioLanes;
+  }
+  search(axes_.whole());
+  return is_found_;
+}
+
 bool LabelledSearch::may_have_ladder(const StationaryPart& part) {
+  ++parts_;
   std::array<ClosedRange, kMostGears> ranges;
   const std::span<ClosedRange> its = std::span(ranges).first(layout_.states.size());
   table_.set_corners(choice_, axes_.box(part));
@@ -93,7 +106,8 @@ bool LabelledSearch::may_have_ladder(const StationaryPart& part) {
 
 void LabelledSearch::search(const StationaryPart& part) {
   const bool is_grid = axes_.is_grid();
-  const bool is_done = (is_found_ && !is_grid) || (placements_ && placements_->empty());
+  const bool is_done =
+      (is_found_ && (needs_one_ || !is_grid)) || (placements_ && placements_->empty());
   if (is_done || parts_left_ < 0 || !may_have_ladder(part)) {
     return;
   }
@@ -240,15 +254,26 @@ StationaryPoint LabelledSearch::neighbour(StationaryPoint point,
 
 void LabelledSearch::find_placements() {
   placements_.emplace();
+  const TransmissionStructure& structure = train_.structure();
   for (ElementPlacement& one : placements_of(train_, layout_.layout)) {
     const auto brakes = static_cast<int>(
         std::ranges::count_if(one, [](const ShaftPair& pair) { return pair[0] == kHousing; }));
-    const int clutches = static_cast<int>(one.size()) - brakes;
-    if (brakes == task_.brakes.value_or(brakes) &&
-        clutches <= task_.limits.rotating_clutches.value_or(clutches) &&
-        can_be_arranged(train_.structure(), choice_, one, task_.layout)) {
-      placements_->push_back(std::move(one));
+    if (brakes != task_.brakes.value_or(brakes) ||
+        !can_be_arranged(structure, choice_, one, task_.layout)) {
+      continue;
     }
+    const int clutches = static_cast<int>(one.size()) - brakes;
+    const std::uint64_t hollow =
+        task_.limits.hollow_shafts || counts_parts()
+            ? least_hollow_shafts(structure, choice_, one, task_.layout).value_or(0)
+            : 0;
+    if (clutches > task_.limits.rotating_clutches.value_or(clutches) ||
+        hollow > task_.limits.hollow_shafts.value_or(hollow)) {
+      has_too_many_parts_ = true;
+      continue;
+    }
+    placements_->push_back(
+        {.elements = std::move(one), .parts = static_cast<std::uint64_t>(clutches) + hollow});
   }
   best_.placements = static_cast<std::uint32_t>(placements_->size());
 }
@@ -306,7 +331,7 @@ bool LabelledSearch::try_ladder(const StationaryPoint& point,
   const TransmissionLimits& limits = task_.limits;
   const bool needs_figures = limits.element_torque || limits.element_slip || limits.shaft_speed ||
                              limits.planet_speed || task_.rank == TransmissionRank::torque ||
-                             task_.rank == TransmissionRank::speed;
+                             task_.rank == TransmissionRank::speed || counts_parts();
   if (!needs_figures && candidate.rank >= best_.rank - kSameRank) {
     return true;
   }
@@ -340,8 +365,8 @@ std::vector<double> LabelledSearch::planet_turns(const StationaryPoint& point) c
   return turns;
 }
 
-// The placement that keeps the limits and of which the elements bear least; false if none keeps
-// them.
+// The placement that keeps the limits and, of those with the fewest parts where they are counted,
+// of which the elements bear least; false if none keeps them.
 bool LabelledSearch::choose_placement(FoundTransmission& candidate) const {
   const auto exceeds = [](double value, const std::optional<double>& limit) {
     return limit && value > *limit * (1.0 + kRangeSlack);
@@ -350,7 +375,9 @@ bool LabelledSearch::choose_placement(FoundTransmission& candidate) const {
   const std::vector<double> turns =
       limits.planet_speed ? planet_turns(candidate.stationary_ratios) : std::vector<double>();
   double least = std::numeric_limits<double>::infinity();
-  for (const ElementPlacement& placement : *placements_) {
+  std::uint64_t fewest = std::numeric_limits<std::uint64_t>::max();
+  const double rank = candidate.rank;  // but for what the placement adds
+  for (const Placement& placement : *placements_) {
     double torque = 0.0;
     double slip = 0.0;
     double speed = 0.0;
@@ -358,7 +385,7 @@ bool LabelledSearch::choose_placement(FoundTransmission& candidate) const {
     const TransmissionTrain transmission{.train = &train_,
                                          .roles = choice_,
                                          .stationary_ratios = candidate.stationary_ratios,
-                                         .elements = placement};
+                                         .elements = placement.elements};
     for (const std::uint8_t engaged : candidate.ladder) {
       const GearFigures figures = find_gear_figures(transmission, engaged);
       torque = std::max(torque, largest_size(figures.torques));
@@ -368,14 +395,17 @@ bool LabelledSearch::choose_placement(FoundTransmission& candidate) const {
         planets = std::max(planets, std::abs(figures.rolling[set] * turns[set]));
       }
     }
-    if (torque < least * (1.0 - kRangeSlack) && !exceeds(torque, limits.element_torque) &&
+    const std::uint64_t parts = counts_parts() ? placement.parts : 0;
+    const bool is_better = parts != fewest ? parts < fewest : torque < least * (1.0 - kRangeSlack);
+    if (is_better && !exceeds(torque, limits.element_torque) &&
         !exceeds(slip, limits.element_slip) && !exceeds(speed, limits.shaft_speed) &&
         !exceeds(planets, limits.planet_speed)) {
       least = torque;
-      candidate.elements = placement;
+      fewest = parts;
+      candidate.elements = placement.elements;
       candidate.rank = task_.rank == TransmissionRank::torque  ? torque
                        : task_.rank == TransmissionRank::speed ? speed
-                                                               : candidate.rank;
+                                                               : rank + static_cast<double>(parts);
     }
   }
   return !candidate.elements.empty();

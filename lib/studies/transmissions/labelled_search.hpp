@@ -40,7 +40,21 @@ class LabelledSearch {
 
   const FoundTransmission& best() const { return best_; }
 
+  /// Whether it finds one, with at most so many parts of ranges looked at beside some points.
+  bool has_any(int most_parts);
+
+  /// Whether that were too few.
+  bool is_given_up() const { return !is_found_ && parts_left_ < 0; }
+
+  /// How many parts were looked at.
+  std::uint64_t parts() const { return parts_; }
+
  private:
+  struct Placement {
+    ElementPlacement elements;
+    std::uint64_t parts = 0;  // rotating clutches and, where they are asked for, hollow shafts
+  };
+
   void search(const StationaryPart& part);
   void try_corners(const StationaryPart& part);
   void try_samples();
@@ -53,6 +67,9 @@ class LabelledSearch {
                   std::span<const double> ratios,
                   const Ladder& ladder);
   bool choose_placement(FoundTransmission& candidate) const;
+
+  bool counts_parts() const { return task_.rank == TransmissionRank::elements; }
+
   double mean_loss(const Ladder& ladder) const;
 
   std::size_t forward_gears() const { return static_cast<std::size_t>(task_.ladder.forward); }
@@ -68,9 +85,12 @@ class LabelledSearch {
   RoleChoice choice_;
   StationaryAxes axes_;
   RatioTable table_;
-  std::optional<std::vector<ElementPlacement>> placements_;  // that can be built as asked
+  std::optional<std::vector<Placement>> placements_;  // that can be built as asked
+  bool has_too_many_parts_ = false;                   // one that could be arranged
   std::vector<GearLosses> losses_;
   int parts_left_;
+  std::uint64_t parts_ = 0;
+  bool needs_one_ = false;
   bool has_ladder_ = false;
   bool is_found_ = false;
   FoundTransmission best_;

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "studies/transmissions/section_layout.hpp"
+
 namespace kinestat {
 
 namespace {
@@ -61,7 +63,7 @@ std::vector<LadderGear> find_ladder_gears(const TransmissionTask& task,
 }
 
 LadderFigures find_ladder_figures(const TransmissionTask& task,
-                                  const ElementPlacement& elements,
+                                  const TransmissionTrain& transmission,
                                   const std::vector<LadderGear>& gears) {
   LadderFigures figures{.least_efficiency = 1.0};
   std::vector<double> ratios;
@@ -79,8 +81,10 @@ LadderFigures find_ladder_figures(const TransmissionTask& task,
   }
   figures.spread = ratios.front() / ratios.back();
   figures.unevenness = unevenness(ratios);
-  figures.rotating_clutches = static_cast<std::size_t>(
-      std::ranges::count_if(elements, [](const ShaftPair& pair) { return pair[0] != kHousing; }));
+  figures.rotating_clutches = static_cast<std::size_t>(std::ranges::count_if(
+      transmission.elements, [](const ShaftPair& pair) { return pair[0] != kHousing; }));
+  figures.hollow_shafts = least_hollow_shafts(
+      transmission.train->structure(), transmission.roles, transmission.elements, task.layout);
   return figures;
 }
 

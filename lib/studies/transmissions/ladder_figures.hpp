@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -30,6 +31,7 @@ struct LadderFigures {
   double shaft_speed = 0.0;
   double planet_speed = 0.0;  ///< of planets in their carriers
   std::size_t rotating_clutches = 0;
+  std::optional<std::uint64_t> hollow_shafts = {};  ///< at least; empty: around no axis
 };
 
 /// The gears of a ladder: engaged elements as bits, the reverse gear last.
@@ -38,7 +40,7 @@ std::vector<LadderGear> find_ladder_gears(const TransmissionTask& task,
                                           std::span<const std::uint8_t> ladder);
 
 LadderFigures find_ladder_figures(const TransmissionTask& task,
-                                  const ElementPlacement& elements,
+                                  const TransmissionTrain& transmission,
                                   const std::vector<LadderGear>& gears);
 
 /// Root mean square deviation of the logarithms of the steps between these ratios from their mean.

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "math/numbers/for_each_number.hpp"
@@ -67,10 +68,38 @@ struct SearchStore {
   std::function<void(std::size_t structure, const TransmissionSearch& found)> keep;
 };
 
+/// How far a search is.
+struct SearchProgress {
+  std::size_t structures = 0;  ///< done
+  std::size_t known = 0;       ///< of those, from the store
+  std::size_t total = 0;
+  std::uint64_t found = 0;
+  double share = 0.0;  ///< done of all layouts, which differ widely from structure to structure
+  double known_share = 0.0;  ///< of those, from the store
+};
+
 /// The task is right by itself. What is found hangs neither on the order of jobs nor on threads.
-TransmissionSearch search_transmissions(const TransmissionTask& task,
-                                        const ForEach& for_each,
-                                        const SearchShare& share = {},
-                                        const SearchStore* store = nullptr);
+/// `tell`, if any, hears of every structure that is done, by one thread at a time.
+TransmissionSearch search_transmissions(
+    const TransmissionTask& task,
+    const ForEach& for_each,
+    const SearchShare& share = {},
+    const SearchStore* store = nullptr,
+    const std::function<void(const SearchProgress&)>& tell = {});
+
+/// How many transmissions there are for a task, or of a part of all that there would be to try.
+struct TransmissionCount {
+  std::uint64_t found = 0;
+  bool is_of_a_part = false;
+  std::uint64_t work = 0;  ///< that it took
+};
+
+/// Counts for tasks that differ in nothing but what they ask of ratios, changes, limits and layout,
+/// with about `most_work` tests of a layout in all. Over ranges what is hard to find is not
+/// counted. `layouts` is how many all structures have (SearchStages).
+std::vector<TransmissionCount> count_transmissions(std::span<const TransmissionTask> tasks,
+                                                   std::uint64_t layouts,
+                                                   std::uint64_t most_work,
+                                                   const ForEach& for_each);
 
 }  // namespace kinestat

@@ -4,8 +4,12 @@
 // its sun over the carrier, on which the planet sits, to its ring; an element is an edge. Where no
 // two regions cross, the graph is planar. Coaxial input and output end on the axis, as the housing
 // does: a vertex more, which the three border. Where a gear or chain takes the drive off sideways,
-// input and output border the housing instead.
+// input and output border the housing instead. What passes between a sun and the axis makes the
+// shaft of the sun hollow; where nothing does, an edge more leads from the sun down to the axis.
 #pragma once
+
+#include <cstdint>
+#include <optional>
 
 #include "studies/transmissions/layouts.hpp"
 #include "studies/transmissions/roles.hpp"
@@ -19,5 +23,13 @@ bool can_be_arranged(const TransmissionStructure& structure,
                      const RoleChoice& choice,
                      const ElementPlacement& elements,
                      SectionLayout layout);
+
+/// How many shafts have a sun of which the set is passed below by another shaft, in the drawing of
+/// the section in which they are fewest. The housing is no shaft. Empty where the layout is `any`,
+/// which has no axis; where the section cannot be drawn the number means nothing.
+std::optional<std::uint64_t> least_hollow_shafts(const TransmissionStructure& structure,
+                                                 const RoleChoice& choice,
+                                                 const ElementPlacement& elements,
+                                                 SectionLayout layout);
 
 }  // namespace kinestat

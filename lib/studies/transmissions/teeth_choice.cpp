@@ -27,9 +27,6 @@ TeethLimits usual_limits(int largest_ring) {
           .planets = {kUsualPlanetCounts.begin(), kUsualPlanetCounts.end()}};
 }
 
-// The stationary ratios of a search over ranges are thousandths.
-constexpr double kNearRatio = 1.0 / 1000;
-
 // Tips stand a module outside of the pitch circle: two teeth of the diameter.
 constexpr double kTips = 2.0;
 
@@ -142,7 +139,7 @@ SetTeeth choose_teeth(SetKind kind,
     return find_set(kind, stationary_ratio, kRangeSlack, *limits).value_or(SetTeeth{});
   }
   for (const auto& [error, largest] :
-       {std::pair(kRangeSlack, kLargestExactRing), std::pair(kNearRatio, kLargestRing)}) {
+       {std::pair(kRangeSlack, kLargestExactRing), std::pair(kNearStationaryRatio, kLargestRing)}) {
     if (const auto set = find_set(kind, stationary_ratio, error, usual_limits(largest))) {
       return *set;
     }

@@ -35,7 +35,7 @@ struct TeethLimits {
 
 /// The set with the smallest ring without profile shift of which the planets can be assembled and
 /// do not touch, that has the ratio; within limits only ratios of `ratios_of_teeth` have one.
-/// Without limits it is the smallest within a thousandth where only large ones have the ratio, and
+/// Without limits it is the smallest that has the ratio nearly where only large ones have it, and
 /// the nearest, with planets of any size, where it is close to 1.
 SetTeeth choose_teeth(SetKind kind,
                       double stationary_ratio,

@@ -46,6 +46,7 @@ struct TransmissionLimits {
   std::optional<double> planet_speed = {};  ///< in its carrier
   std::optional<double> efficiency = {};    ///< least, of each gear
   std::optional<int> rotating_clutches = {};
+  std::optional<std::uint64_t> hollow_shafts = {};
 };
 
 /// By what transmissions are compared; less is better.
@@ -53,7 +54,8 @@ enum class TransmissionRank {
   efficiency,  ///< mean share of the power that the forward gears lose
   steps,       ///< root mean square deviation of the logarithms of the steps from their mean
   torque,      ///< largest torque of an element in any gear
-  speed        ///< largest speed of a shaft in any gear
+  speed,       ///< largest speed of a shaft in any gear
+  elements     ///< rotating clutches and hollow shafts together; of as many the efficiency
 };
 
 /// How the transmission shall be arranged.

@@ -370,5 +370,75 @@ TEST(TransmissionSearch, KeepsLimits) {
   }
 }
 
+// What is left out by a limit on parts is what has more of them.
+TEST(TransmissionSearch, KeepsLimitsOfParts) {
+  TransmissionTask task = reference_tasks()[2].task;
+  task.layout = SectionLayout::coaxial;
+  const TransmissionSearch free = search_transmissions(task, one_after_another);
+  for (const std::uint64_t most : {0U, 1U, 2U}) {
+    task.limits.hollow_shafts = most;
+    const TransmissionSearch limited = search_transmissions(task, one_after_another);
+    EXPECT_EQ(limited.stages.not_buildable, free.stages.not_buildable);
+    EXPECT_EQ(limited.stages.found + limited.stages.over_limits, free.stages.found);
+    for (const FoundTransmission& one : limited.found) {
+      EXPECT_LE(one.figures.hollow_shafts, most);
+    }
+    for (const FoundTransmission& one : free.found) {
+      const bool is_kept = std::ranges::any_of(limited.found, [&](const FoundTransmission& other) {
+        return one.structure == other.structure && one.layout == other.layout &&
+               one.roles == other.roles;
+      });
+      // Another placement of the elements may have fewer.
+      EXPECT_TRUE(is_kept || one.figures.hollow_shafts > most);
+    }
+  }
+}
+
+TEST(TransmissionSearch, RanksByPartsAndThenByLosses) {
+  TransmissionTask task = reference_tasks()[2].task;
+  task.layout = SectionLayout::coaxial;
+  task.rank = TransmissionRank::elements;
+  const TransmissionSearch search = search_transmissions(task, one_after_another);
+  ASSERT_FALSE(search.found.empty());
+  for (const FoundTransmission& one : search.found) {
+    EXPECT_NEAR(one.rank,
+                static_cast<double>(one.figures.rotating_clutches) +
+                    static_cast<double>(one.figures.hollow_shafts.value()) + 1.0 -
+                    one.figures.mean_efficiency,
+                1e-12);
+  }
+}
+
+// With enough work the count is that of a search; with little it is less and says so.
+TEST(TransmissionSearch, CountsWhatItWouldFind) {
+  const std::vector<ReferenceTask> references = reference_tasks();
+  std::vector<TransmissionTask> tasks = {references[2].task, references[2].task};
+  tasks[1].layout = SectionLayout::coaxial;
+  const std::uint64_t layouts = references[2].counts.layouts;
+  const auto all = count_transmissions(tasks, layouts, 100'000'000, for_each_on_threads(0));
+  EXPECT_EQ(all[0].found, references[2].counts.found);
+  EXPECT_EQ(all[1].found, (*references[2].buildable)[0]);
+  EXPECT_FALSE(all[0].is_of_a_part || all[1].is_of_a_part);
+  const auto some = count_transmissions(tasks, layouts, 1000, one_after_another);
+  EXPECT_LT(some[0].found, references[2].counts.found);
+  EXPECT_TRUE(some[0].is_of_a_part && some[1].is_of_a_part);
+}
+
+TEST(TransmissionSearch, TellsHowFarItIs) {
+  const TransmissionTask task = reference_tasks()[2].task;
+  std::vector<SearchProgress> heard;
+  const TransmissionSearch search =
+      search_transmissions(task, one_after_another, {}, nullptr, [&](const SearchProgress& one) {
+        heard.push_back(one);
+      });
+  ASSERT_EQ(heard.size(), search.stages.structures);
+  EXPECT_TRUE(std::ranges::is_sorted(heard, {}, &SearchProgress::share));
+  EXPECT_EQ(heard.back().structures, heard.back().total);
+  EXPECT_EQ(heard.back().found, search.stages.found);
+  EXPECT_EQ(heard.back().share, 1.0);
+  EXPECT_EQ(heard.back().known_share, 0.0);
+  EXPECT_EQ(search.stages.found, search_transmissions(task, one_after_another).stages.found);
+}
+
 }  // namespace
 }  // namespace kinestat

@@ -20,10 +20,10 @@ namespace {
 constexpr double kAxis = 460.0;  // from the largest ratio to the smallest [px]
 constexpr double kRow = 40.0;
 constexpr double kLeft = 34.0;  // of the number of a ladder
-constexpr double kFirstColumn = 40.0;
+constexpr double kFirstColumn = 58.0;
 constexpr double kColumn = 72.0;
 constexpr double kMark = 4.0;
-constexpr double kLabelDistance = 27.0;
+constexpr double kLabelDistance = 34.0;  // of labels as 0.765
 
 struct Column {
   const char* title;

@@ -241,6 +241,10 @@ const Record<LadderFigures>& ladder_figures_record() {
         keys.count("rotating_clutches", "Elements between two turning shafts.", [](const View& v) {
           return v.rotating_clutches;
         });
+        keys.count("hollow_shafts",
+                   "Shafts of suns that another shaft passes between them and the axis, in the "
+                   "section in which they are fewest; null where 'layout' is any.",
+                   [](const View& v) { return v.hollow_shafts; });
       });
   return record;
 }

@@ -10,8 +10,8 @@ namespace kinestat {
 namespace {
 
 // "1 ladder", "2 ladders".
-std::string several(std::uint64_t number, std::string_view noun) {
-  return fmt::format("{} {}{}", number, noun, number == 1 ? "" : "s");
+std::string several(std::uint64_t number, std::string_view noun, std::string_view ending = "s") {
+  return fmt::format("{} {}{}", number, noun, number == 1 ? "" : ending);
 }
 
 std::string stages_text(const TransmissionAnalysis& analysis) {
@@ -131,11 +131,13 @@ TextBlocks gears_table(const TransmissionVariant& variant) {
 
 std::string figures_text(const LadderFigures& figures) {
   return fmt::format(
-      "  spread {}, mean efficiency of the forward gears {}, torque of an element up to {}, slip "
-      "{},\n"
-      "  speed of a shaft {}, of a planet in its carrier {}\n",
+      "  spread {}, mean efficiency of the forward gears {}; {}{}\n"
+      "  up to: torque of an element {}, slip {}, speed of a shaft {}, of a planet in its carrier "
+      "{}\n",
       format_short(figures.spread),
       format_short(figures.mean_efficiency),
+      several(figures.rotating_clutches, "rotating clutch", "es"),
+      figures.hollow_shafts ? ", " + several(*figures.hollow_shafts, "hollow shaft") : "",
       format_short(figures.element_torque),
       format_short(figures.element_slip),
       format_short(figures.shaft_speed),
@@ -164,8 +166,7 @@ TextBlocks transmission_blocks(const TransmissionAnalysis& analysis) {
   TextBlocks text(stages_text(analysis));
   if (!analysis.groups.empty()) {
     text +=
-        "Torques of engaged elements by that of the input; in brackets slips of open ones by\n"
-        "its speed.\n";
+        "Torques of engaged elements and, in brackets, slips of open ones by those of the input.\n";
   }
   for (std::size_t g = 0; g < analysis.groups.size(); ++g) {
     const std::vector<TransmissionVariant>& variants = analysis.groups[g].variants;

@@ -2,15 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
-#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "core/synthesis_tolerance.hpp"
 #include "files/output.hpp"
 #include "mechanism/bind/bind.hpp"
+#include "report/number_format.hpp"
+#include "studies/transmissions/task/relaxation.hpp"
 #include "studies/transmissions/task/stored_search.hpp"
 #include "studies/transmissions/task/transmission_files.hpp"
 
@@ -67,70 +68,13 @@ void add_groups(const TransmissionSearch& search,
   }
 }
 
-// A requirement that may be left out, and what the task is without it.
-struct Relaxation {
-  std::string_view name;
-  bool is_asked;
-  std::function<void(TransmissionTask&)> relax;
-};
-
-bool is_asked(const ClosedRange& range) {
-  return range.from > 0.0 || std::isfinite(range.to);
-}
-
-std::vector<Relaxation> relaxations(const TransmissionTask& task) {
-  const LadderTask& ladder = task.ladder;
-  const TransmissionLimits& limits = task.limits;
-  const bool has_limits = limits.element_torque || limits.element_slip || limits.shaft_speed ||
-                          limits.planet_speed || limits.efficiency || limits.rotating_clutches;
-  return {
-      {"first", is_asked(ladder.first), [](TransmissionTask& t) { t.ladder.first = {}; }},
-      {"last", is_asked(ladder.last), [](TransmissionTask& t) { t.ladder.last = {}; }},
-      {"spread", is_asked(ladder.spread), [](TransmissionTask& t) { t.ladder.spread = {}; }},
-      {"reverse",
-       ladder.reverse > 0 && is_asked(ladder.reverse_ratio),
-       [](TransmissionTask& t) { t.ladder.reverse_ratio = {}; }},
-      {"direct", ladder.needs_direct, [](TransmissionTask& t) { t.ladder.needs_direct = false; }},
-      {"one_change", ladder.one_change, [](TransmissionTask& t) { t.ladder.one_change = false; }},
-      {"reverse_change",
-       ladder.reverse_change,
-       [](TransmissionTask& t) { t.ladder.reverse_change = false; }},
-      {"layout",
-       task.layout != SectionLayout::any,
-       [](TransmissionTask& t) { t.layout = SectionLayout::any; }},
-      {"limits", has_limits, [](TransmissionTask& t) { t.limits = {}; }}};
-}
-
-// The single requirement without which most would be found; empty where none helps, or where the
-// searches would take long.
-std::string relaxation_text(const TransmissionAnalysis& analysis, const ForEach& for_each) {
-  constexpr std::uint64_t kMostLayouts = 1'000'000;
-  std::string_view best;
-  std::uint64_t most = 0;
-  if (analysis.stages.labelled_layouts > kMostLayouts) {
-    return "widen the ranges, or take a set or an element more";
-  }
-  for (const Relaxation& one : relaxations(analysis.task)) {
-    if (one.is_asked) {
-      TransmissionTask task = analysis.task;
-      one.relax(task);
-      const std::uint64_t count = search_transmissions(task, for_each).stages.found;
-      best = count > most ? one.name : best;
-      most = std::max(most, count);
-    }
-  }
-  return most == 0 ? "no single requirement left out helps: allow other stationary ratios or "
-                     "steps, or take a set or an element more"
-                   : fmt::format("without '{}' there would be {}", best, most);
-}
-
 // Empty iff an error was added.
 std::optional<TransmissionSearch> search_stored(const TransmissionAnalysis& analysis,
                                                 const TransmissionOptions& options,
                                                 Diagnostics& found) {
   const ForEach for_each = for_each_on_threads(options.jobs);
   if (options.work.empty()) {
-    return search_transmissions(analysis.task, for_each);
+    return search_transmissions(analysis.task, for_each, {}, nullptr, options.progress);
   }
   StoredSearch stored(
       options.work, report_stem(analysis.file), analysis.description, analysis.task.rank);
@@ -138,10 +82,53 @@ std::optional<TransmissionSearch> search_stored(const TransmissionAnalysis& anal
     return std::nullopt;
   }
   const SearchStore store = stored.store();
-  TransmissionSearch search =
-      search_transmissions(analysis.task, for_each, options.share.value_or(SearchShare{}), &store);
+  TransmissionSearch search = search_transmissions(
+      analysis.task, for_each, options.share.value_or(SearchShare{}), &store, options.progress);
   stored.tell(found);
   return search;
+}
+
+// Warns of transmissions of which the teeth that are told are but rough: close to 1 planets have no
+// room.
+void warn_of_teeth(const TransmissionAnalysis& analysis, Diagnostics& found) {
+  std::size_t count = 0;
+  std::string example;
+  for (std::size_t g = 0; g < analysis.groups.size(); ++g) {
+    const std::vector<TransmissionVariant>& variants = analysis.groups[g].variants;
+    for (std::size_t i = 0; i < variants.size(); ++i) {
+      const TransmissionVariant& one = variants[i];
+      for (std::size_t s = 0; s < one.teeth.size(); ++s) {
+        const SetTeeth& teeth = one.teeth[s];
+        const double wanted = one.found.stationary_ratios[s];
+        if (std::abs(teeth.stationary_ratio() - wanted) <= kNearStationaryRatio &&
+            teeth.planet >= kUsualLeastPlanet) {
+          continue;
+        }
+        ++count;
+        if (example.empty()) {
+          example = fmt::format(
+              "set {} of transmission {}.{}, of ratio {}, has {} by {} teeth, a ratio of "
+              "{}, and planets of {}",
+              s + 1,
+              g,
+              i,
+              format_short(wanted),
+              teeth.ring,
+              teeth.sun,
+              format_short(teeth.stationary_ratio()),
+              teeth.planet);
+        }
+      }
+    }
+  }
+  if (count > 0) {
+    found.warning(
+        "W0805",
+        analysis.description.synthesis->transmission->where,
+        fmt::format("no common teeth have the stationary ratios of {} sets: {}", count, example),
+        "begin 'stationary_ratio' at 1.1 or above, or give 'teeth', which all that is "
+        "found has then");
+  }
 }
 
 std::string last_stage_text(const SearchStages& stages) {
@@ -223,12 +210,15 @@ std::optional<TransmissionAnalysis> find_transmissions(const std::string& path,
         fmt::format("{} layouts are neither refuted nor solved", analysis.stages.undecided),
         "narrow 'stationary_ratio', or give its values as a list");
   }
+  if (!analysis.task.teeth) {
+    warn_of_teeth(analysis, found);
+  }
   if (analysis.stages.found == 0 && !options.share) {
     found.error(
         "E0804",
         where,
         "no transmission was found that does what is asked: " + last_stage_text(analysis.stages),
-        relaxation_text(analysis, for_each));
+        relaxation_text(analysis.task, analysis.stages, for_each));
   }
   return analysis;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -19,6 +20,7 @@ struct TransmissionOptions {
   std::optional<TransmissionRank> rank;   ///< before what the file says
   std::string work = {};                  ///< folder of a stored search; empty: none
   std::optional<SearchShare> share = {};  ///< of a stored search: that share of its structures
+  std::function<void(const SearchProgress&)> progress = {};  ///< hears how far it is; may be empty
 };
 
 /// The task of a description that is right by itself (check). Empty iff an error was added: E0803.

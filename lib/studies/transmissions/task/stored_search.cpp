@@ -36,7 +36,8 @@ std::string StoredSearch::path_of(std::size_t structure) const {
   return fmt::format("{}/{}.structure-{:08}{}", folder_, stem_, structure, kEnding);
 }
 
-bool StoredSearch::prepare(Diagnostics& found) const {
+bool StoredSearch::prepare(Diagnostics& found) {
+  shared_.emplace(folder_);
   std::error_code failure;
   std::set<std::string> paths;
   for (const auto& entry : std::filesystem::directory_iterator(folder_, failure)) {

@@ -125,6 +125,10 @@ class TaskReader {
     if (wanted_.limits.rotating_clutches) {
       task_.limits.rotating_clutches = count(wanted_.limits.rotating_clutches, 0);
     }
+    if (wanted_.limits.hollow_shafts) {
+      task_.limits.hollow_shafts =
+          static_cast<std::uint64_t>(count(wanted_.limits.hollow_shafts, 0));
+    }
     if (wanted_.teeth) {
       read_teeth(*wanted_.teeth);
     }
@@ -258,6 +262,11 @@ class TaskReader {
                          task_.elements,
                          std::lround(combinations)),
              "take more elements, or want fewer gears");
+    }
+    if (task_.limits.hollow_shafts && task_.layout == SectionLayout::any) {
+      refuse(wanted_.where,
+             "'hollow_shafts' of 'limits' counts around an axis, and 'layout: any' has none",
+             "write layout: coaxial, or sideways, or leave 'hollow_shafts' out");
     }
     if (task_.structures && (*task_.structures)[0] > (*task_.structures)[1]) {
       refuse(wanted_.structures->where,
