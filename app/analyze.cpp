@@ -17,8 +17,8 @@ void add_analyze(CLI::App& command, Job& job) {
   add_accuracy(command, analyse.accuracy);
   add_output(command,
              analyse,
-             "folder for <name>.report.json and one CSV\n"
-             "table a pass; it must exist");
+             "existing folder for <name>.report.json and one CSV\n"
+             "table per pass");
   add_strict(command, *options);
   add_quiet(command, *options);
   add_fail_fast(command, *options);

@@ -30,12 +30,13 @@ void add_bench(CLI::App& command, Job& job) {
   add_curves(command, options->files.analyse.load);
   command.get_option("FILE")->required(false)->description(
       "mechanism files, one after the other; - is\n"
-      "standard input; without any, networks that are\n"
-      "hard to solve: near a dead point, a long train");
+      "standard input; default: built-in networks that\n"
+      "are hard to solve, near a dead point and a long\n"
+      "train");
   add_format(command, options->files);
   add_strict(command, options->files);
   with_value(command,
-             command.add_option("--case", options->choice.case_label, "one case; default all"),
+             command.add_option("--case", options->choice.case_label, "one case; default: all"),
              "CASE");
   add_count(
       command,
@@ -44,8 +45,8 @@ void add_bench(CLI::App& command, Job& job) {
         options->choice.limits.rounds = static_cast<int>(std::min<std::uint64_t>(rounds, 1000000));
         options->choice.limits.seconds = 1e30;
       },
-      "how often each method is timed; default 15, as\n"
-      "far as two seconds a case and side allow");
+      "how often each method is timed; default 15, or\n"
+      "what fits into two seconds per case and side");
   run_when_chosen(command, job, [options] {
     return benchmark_files(options->files.paths, options->choice, options->files.analyse, seconds);
   });

@@ -13,13 +13,17 @@ struct TwoReports {
 };
 
 void add_reports(CLI::App& command, TwoReports& reports) {
-  add_argument(
-      command, "A", reports.a, "report that is expected: <name>.report.json, or a\nCSV table")
+  add_argument(command,
+               "A",
+               reports.a,
+               "the expected report: <name>.report.json or a CSV\n"
+               "table")
       .required();
   add_argument(command,
                "B",
                reports.b,
-               "report that is compared with it; one of the two\nmay be -, standard input")
+               "the report to compare with it; one of the two may\n"
+               "be -, standard input")
       .required();
 }
 
@@ -27,28 +31,27 @@ void add_tolerances(CLI::App& command, ToleranceTexts& texts) {
   with_value(command,
              command.add_option("--rtol",
                                 texts.rtol,
-                                "equal within this share of the larger value;\n"
-                                "default 1e-9"),
+                                "relative tolerance, a fraction of the larger\n"
+                                "value; default 1e-9"),
              "X");
   with_value(command,
              command.add_option("--atol",
                                 texts.atol,
-                                "equal within this much in the unit of A;\n"
-                                "default 1e-12 of the largest value of the\n"
-                                "kind in its case"),
+                                "absolute tolerance in the unit of A; default 1e-12\n"
+                                "of the largest value of the same kind in its case"),
              "X");
-  CLI::Option& rule = with_value(command,
-                                 command.add_option("--tolerance",
-                                                    texts.tolerances,
-                                                    "in place of both for one kind of quantity\n"
-                                                    "(moment, angular_velocity, ratio, …) or for\n"
-                                                    "a place and all below it (/cases/*/ratio,\n"
-                                                    "where * is any one key). VALUE is in the\n"
-                                                    "unit of A, or has a unit, or is a\n"
-                                                    "percentage. Counts must be equal unless they\n"
-                                                    "are named (count=1). May be repeated; the\n"
-                                                    "last that fits decides"),
-                                 "KEY=VALUE");
+  CLI::Option& rule =
+      with_value(command,
+                 command.add_option("--tolerance",
+                                    texts.tolerances,
+                                    "replaces both for one kind of quantity (moment,\n"
+                                    "angular_velocity, ratio, …) or for a place and\n"
+                                    "everything below it (/cases/*/ratio, where * is\n"
+                                    "any one key). VALUE is in the unit of A, has a\n"
+                                    "unit, or is a percentage. Counts must be equal\n"
+                                    "unless named (count=1). May be repeated; the last\n"
+                                    "match applies"),
+                 "KEY=VALUE");
   rule.expected(1)->take_all()->allow_extra_args(false);
 }
 
@@ -57,13 +60,13 @@ void add_form(CLI::App& command, CompareOptions& options) {
                            "--format",
                            {{"table", StreamFormat::table}, {"json", StreamFormat::json}},
                            options.format,
-                           "form of the differences on standard output");
+                           "format of the differences on standard output");
   add_diagnostics_form(command, options.diagnostics);
   add_flag(
       command,
       "-q,--quiet",
       [&options] { options.is_quiet = true; },
-      "print nothing; the exit status tells");
+      "print nothing; only the exit status tells");
 }
 
 }  // namespace

@@ -26,9 +26,9 @@ void add_duty(CLI::App& command, Job& job) {
   with_value(command,
              command.add_option("--cycle",
                                 options->cycle,
-                                "a table of points instead of those of the\n"
-                                "file: CSV with columns case, duration [s] or\n"
-                                "time [s], and actuators with their units"),
+                                "a table of points to use instead of those in the\n"
+                                "file: CSV with columns case, duration [s] or time\n"
+                                "[s], and actuators with their units"),
              "FILE");
   run_when_chosen(command, job, [options] {
     return duty_of_files(options->files.paths, options->cycle, options->files.analyse);

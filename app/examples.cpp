@@ -23,8 +23,8 @@ void add_examples(CLI::App& command, Job& job) {
   add_argument(command,
                "EXAMPLE",
                options->name,
-               "a mechanism of the library, or a folder of it;\n"
-               "without it, the list of all");
+               "a mechanism or a folder of the library; without\n"
+               "it, all are listed");
   add_written_file(command, options->path, options->overwrite);
   run_when_chosen(command, job, [options] {
     return library_file(options->name, options->path, options->overwrite);

@@ -9,7 +9,7 @@ void add_explain(CLI::App& command, Job& job) {
       "  kinestat explain E0312\n"
       "  kinestat explain\n");
   auto code = std::make_shared<std::string>();
-  add_argument(command, "CODE", *code, "the code in brackets of a message");
+  add_argument(command, "CODE", *code, "the code in the brackets of a message");
   run_when_chosen(command, job, [code] { return explain(*code); });
 }
 

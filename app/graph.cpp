@@ -17,14 +17,14 @@ void add_matrices(CLI::App& command, GraphOptions& options) {
       command,
       "--matrices",
       [&options] { options.matrices = Matrices::all; },
-      "also every matrix of the method: I, Q, B, B_M,\n"
-      "M_D, M_N, Q_A, A_D, A_N, their echelon forms\n"
+      "also show every matrix of the method: I, Q, B,\n"
+      "B_M, M_D, M_N, Q_A, A_D, A_N, their echelon forms\n"
       "and the partition of a case");
   with_value(command,
              command.add_option("--case",
                                 options.case_label,
-                                "the case whose known magnitudes partition M_N\n"
-                                "and A_N; default the first"),
+                                "the case whose known magnitudes partition M_N and\n"
+                                "A_N; default: the first"),
              "CASE");
 }
 

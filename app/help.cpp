@@ -84,16 +84,20 @@ void add_help(CLI::App& command, Job& job) {
   add_argument(command,
                "TOPIC",
                choice->word,
-               "a topic, a command, a type of coupling, a key of\n"
-               "mechanism files or a code; without it, the list");
-  add_argument(
-      command, "PART", choice->part, "of 'reports': the keys of which report, or of what in it");
+               "a topic, a command, a coupling type, a key of\n"
+               "mechanism files or a code; without it, all topics\n"
+               "are listed");
+  add_argument(command,
+               "PART",
+               choice->part,
+               "after 'reports': show the keys of this report, or\n"
+               "of this part");
   add_flag(
       command,
       "--man",
       [choice] { choice->is_for_man = true; },
-      "as a page for man(1); motion.7 is a topic that\n"
-      "has the name of a command");
+      "print as a page for man(1); a topic with the name\n"
+      "of a command takes the suffix .7: motion.7");
   run_when_chosen(command, job, [choice, &command] {
     const CLI::App& app = *command.get_parent();
     if (!choice->part.empty()) {

@@ -16,28 +16,31 @@ void add_choice_options(CLI::App& command, InputsChoice& choice) {
   add_repeated(command,
                "--among",
                choice.among,
-               "a freedom, action or actuator that may be\n"
-               "given; may be repeated; default all",
+               "a freedom, action or actuator that may be given;\n"
+               "may be repeated; default: all",
                "NAME");
   add_flag(
       command,
       "--actuators",
       [&choice] { choice.only_actuators = true; },
-      "only what actuators drive or bear may be given");
-  add_repeated(
-      command, "--with", choice.required, "one that every set has; may be repeated", "NAME");
+      "only motions and actions of actuators may be given");
+  add_repeated(command,
+               "--with",
+               choice.required,
+               "one that every set must contain; may be repeated",
+               "NAME");
   add_repeated(command,
                "--judge",
                choice.judged,
-               "a set, with commas: says whether it is valid,\n"
-               "and if not, which circuit or cut-set it\n"
+               "a set, separated by commas: reports whether it is\n"
+               "valid and, if not, which circuit or cut-set it\n"
                "contains; may be repeated",
                "NAMES");
   add_count(
       command,
       "--limit",
       [&choice](std::uint64_t count) { choice.listed = count; },
-      "lists at most so many sets; default 20",
+      "maximum number of sets listed; default 20",
       0);
 }
 

@@ -50,8 +50,8 @@ class CommandLine {
   CommandLine(std::span<const Command> some, ColorChoice& color) {
     app_.formatter(std::make_shared<kinestat::app::HelpFormat>());
     app_.set_version_flag(
-        kVersionFlags, "kinestat " + std::string(kinestat::kVersion), "the version");
-    app_.set_help_flag("-h,--help", "this help");
+        kVersionFlags, "kinestat " + std::string(kinestat::kVersion), "print the version");
+    app_.set_help_flag("-h,--help", "print this help");
     app_.require_subcommand(0, 1);
     app_.footer(
         "  kinestat new four-bar crank.yaml\n"
@@ -66,8 +66,8 @@ class CommandLine {
                                              "--color",
                                              {kColorChoices.begin(), kColorChoices.end()},
                                              color,
-                                             "colors of texts for people; auto: on a\n"
-                                             "terminal, unless NO_COLOR is set");
+                                             "colored text; auto: on a terminal, unless NO_COLOR\n"
+                                             "is set");
     }
   }
 

@@ -23,9 +23,9 @@ void add_merge(CLI::App& command, Job& job) {
   add_result_folder(command,
                     merge->options.folder,
                     merge->options.overwrite,
-                    "folder for <name>.sweep.csv (.jsonl, .npy) and\n"
-                    "<name>.sweep.json; it must exist. Without it\n"
-                    "rows go to standard output");
+                    "existing folder for <name>.sweep.csv (.jsonl,\n"
+                    ".npy) and <name>.sweep.json; without it rows go to\n"
+                    "standard output");
   add_messages(command, merge->options.diagnostics, merge->options.is_quiet);
   run_when_chosen(command, job, [merge] {
     return run_streaming(

@@ -15,18 +15,20 @@ void add_motion_choice(CLI::App& command, MotionChoice& choice) {
   with_value(command,
              command.add_option("--drive",
                                 choice.drive,
-                                "the actuator that drives, before what the\n"
-                                "file says; its motion needs --to then"),
+                                "the driving actuator, instead of the one in the\n"
+                                "file; requires --to for its motion"),
              "ACTUATOR");
   with_value(command,
-             command.add_option(
-                 "--from", choice.from, "where its motion begins, from the drawn\nposition"),
+             command.add_option("--from",
+                                choice.from,
+                                "where its motion starts, measured from the drawn\n"
+                                "position"),
              "VALUE");
   with_value(command,
              command.add_option("--to",
                                 choice.to,
                                 "where it ends: '90 deg', '20 mm', 1.5; limit or\n"
-                                "-limit: where the drive turns back"),
+                                "-limit: where the drive reverses"),
              "VALUE");
   with_value(command, command.add_option("--steps", choice.steps, "number of steps"), "N");
   with_value(command,
@@ -35,9 +37,10 @@ void add_motion_choice(CLI::App& command, MotionChoice& choice) {
   add_repeated(command,
                "--report",
                choice.report,
-               "what is reported, before what the file says: a word\n"
-               "of 'kinestat help motion', an actuator, or columns\n"
-               "by their name, 'motor/action'; may be repeated",
+               "what to report, instead of what the file says: a\n"
+               "word from 'kinestat help motion', an actuator, or\n"
+               "a column by its name, 'motor/action'; may be\n"
+               "repeated",
                "QUANTITY");
 }
 
@@ -57,8 +60,8 @@ void add_motion(CLI::App& command, Job& job) {
   add_motion_choice(command, flags->choice);
   add_output(command,
              analyse,
-             "folder for <name>.motion.json and\n"
-             "<name>.motion.csv; it must exist");
+             "existing folder for <name>.motion.json and\n"
+             "<name>.motion.csv");
   add_strict(command, flags->files);
   add_quiet(command, flags->files);
   add_fail_fast(command, flags->files);

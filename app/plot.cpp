@@ -16,43 +16,39 @@ void add_choices(CLI::App& command, PlotChoice& choice) {
   with_value(command,
              command.add_option("--case,--gear",
                                 choice.case_label,
-                                "the case or gear to show; default all, in\n"
-                                "pictures of one the first"),
+                                "the case or gear to show; default: all, or the\n"
+                                "first in pictures of a single one"),
              "CASE");
   add_repeated(command,
                "--at",
                choice.at,
-               "draws the mechanism with its drive there, '30 deg'\n"
-               "from the drawn position; may be repeated: the first\n"
-               "is drawn strongly, the others faintly",
+               "draw the mechanism at this drive position, '30\n"
+               "deg' from the drawn position; may be repeated: the\n"
+               "first is drawn dark, the others light",
                "VALUE");
   with_value(command,
-             command.add_option("--drive",
-                                choice.drive,
-                                "the actuator that drives, before what the\n"
-                                "file says"),
+             command.add_option(
+                 "--drive", choice.drive, "the driving actuator, instead of the one in the file"),
              "ACTUATOR");
   add_repeated(command,
                "--report",
                choice.report,
-               "what charts of a motion show, before what the file\n"
-               "says: a word of 'kinestat help motion', an actuator,\n"
-               "or columns by their name, 'motor/action'; may be\n"
-               "repeated",
+               "what charts of a motion show, instead of what the\n"
+               "file says: a word from 'kinestat help motion', an\n"
+               "actuator, or a column by its name, 'motor/action';\n"
+               "may be repeated",
                "QUANTITY");
   add_choice<PictureForm>(
       command,
       "--emit",
       {{"svg", PictureForm::svg}, {"dot", PictureForm::dot}, {"gnuplot", PictureForm::gnuplot}},
       choice.form,
-      "svg, or text for other programs: dot of\n"
-      "graphs, gnuplot of charts");
-  with_value(command,
-             command.add_option("-o,--out",
-                                choice.path,
-                                "file for the picture; without it the picture\n"
-                                "goes to standard output"),
-             "FILE");
+      "svg, or text for other programs: dot for graphs,\n"
+      "gnuplot for charts");
+  with_value(
+      command,
+      command.add_option("-o,--out", choice.path, "file for the picture; default: standard output"),
+      "FILE");
   add_flag(
       command,
       "--force",

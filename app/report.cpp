@@ -64,10 +64,9 @@ void add_report(CLI::App& command, Job& job) {
   with_value(command,
              command.add_option("-o,--out",
                                 options->page.path,
-                                "file for the page, which needs no network and\n"
-                                "no other file; without it the page goes to\n"
-                                "standard output, or on a terminal into\n"
-                                "FILE.html beside the mechanism file"),
+                                "file for the page, which needs neither a network\n"
+                                "nor other files; default: standard output, or on a\n"
+                                "terminal FILE.html beside the mechanism file"),
              "FILE");
   add_flag(
       command, "--open", [options] { options->opens = true; }, "show the page in a browser");

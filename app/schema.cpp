@@ -10,7 +10,7 @@ void add_schema(CLI::App& command, Job& job) {
       "  kinestat schema > mechanism.schema.json\n"
       "  kinestat schema report\n");
   auto name = std::make_shared<std::string>("mechanism");
-  std::string meaning = "mechanism (default) or what is written:\n" +
+  std::string meaning = "mechanism (default), or an output:\n" +
                         page_lines("", plain_list(schema_names(), schema_names().size()), 0, 50);
   meaning.pop_back();
   add_argument(command, "SCHEMA", *name, meaning);

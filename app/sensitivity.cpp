@@ -15,19 +15,20 @@ void add_choice_options(CLI::App& command, SensitivityChoice& choice) {
   add_repeated(command,
                "--of",
                choice.values,
-               "a value: ratio, torque_ratio, a freedom d.wz, an\n"
-               "action c.Rx, or a path of the JSON report below\n"
-               "the case; may be repeated; default the ratios,\n"
-               "rates and actions that the actuators get, or all\n"
-               "of them without actuators",
+               "a result: ratio, torque_ratio, a freedom d.wz, an\n"
+               "action c.Rx, or a path in the JSON report below\n"
+               "the case; may be repeated; default: ratios, and\n"
+               "the rates and actions solved for actuators, or all\n"
+               "rates and actions if there are no actuators",
                "VALUE");
   add_repeated(command,
                "--by",
                choice.parameters,
-               "one that varies; may be repeated; default all",
+               "differentiate only by this parameter; may be\n"
+               "repeated; default: all",
                "PARAMETER");
   with_value(
-      command, command.add_option("--case", choice.case_label, "one case; default all"), "CASE");
+      command, command.add_option("--case", choice.case_label, "one case; default: all"), "CASE");
 }
 
 }  // namespace

@@ -29,13 +29,13 @@ void add_shift(CLI::App& command, Job& job) {
       command,
       "--one-more",
       [flags] { flags->choice.one_more = true; },
-      "also combinations of one element more than\n"
-      "a gear needs");
+      "also list combinations of one element more than a\n"
+      "gear needs");
   add_flag(
       command,
       "--one-fewer",
       [flags] { flags->choice.one_fewer = true; },
-      "also combinations of one element fewer");
+      "also list combinations of one element fewer");
   run_when_chosen(command, job, [flags] {
     return shift_of_files(flags->files.paths, flags->choice, flags->files.analyse);
   });

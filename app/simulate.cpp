@@ -22,9 +22,9 @@ void add_simulate(CLI::App& command, Job& job) {
   add_repeated(command,
                "--report",
                flags->report,
-               "what is reported, before what the file says: a word\n"
-               "of 'kinestat help simulation', an actuator, or\n"
-               "columns by their name, 'a.Rx'; may be repeated",
+               "what to report, instead of what the file says: a\n"
+               "word from 'kinestat help simulation', an actuator,\n"
+               "or a column by its name, 'a.Rx'; may be repeated",
                "QUANTITY");
   add_strict(command, files);
   add_quiet(command, files);

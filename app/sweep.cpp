@@ -22,19 +22,20 @@ void add_sharing(CLI::App& command, SweepOptions& options) {
       command,
       "--jobs",
       [&options](std::uint64_t count) { options.jobs = count; },
-      "threads; default as many as there are cores.\nThe result does not depend on it");
+      "number of threads; default: one per core. The\n"
+      "result does not depend on it");
   with_value(command,
              command.add_option_function<std::string>(
                  "--shard",
                  [&options](const std::string& word) { options.shard = read_shard(word); },
-                 "run the K-th of N shares of the states only,\n"
-                 "for 'kinestat merge'; needs --out"),
+                 "run only the K-th of N parts of the states, for\n"
+                 "'kinestat merge'; needs --out"),
              "K/N");
   add_flag(
       command,
       "--resume",
       [&options] { options.resume = true; },
-      "go on with what an interrupted run has\nfinished; needs --out");
+      "continue an interrupted run; needs --out");
 }
 
 // "efficiency, smallest abs(ratio - 4)"
@@ -76,26 +77,26 @@ void add_choices(CLI::App& command, BestChoice& top, std::optional<BestChoice>& 
       command,
       "--top",
       [&top](std::uint64_t count) { top.count = count; },
-      "keep the best N rows alone; needs --by");
+      "keep only the best N rows; needs --by");
   with_value(command,
              command.add_option("--by",
                                 top.criteria.front().by,
-                                "the quantity that decides which rows are best,\n"
-                                "or a formula: 'abs(ratio - 25)'"),
+                                "the quantity that decides which rows are best, or\n"
+                                "a formula: 'abs(ratio - 25)'"),
              "QUANTITY");
   add_choice<RankOrder>(command,
                         "--order",
                         {{std::string(word_of(RankOrder::largest)), RankOrder::largest},
                          {std::string(word_of(RankOrder::smallest)), RankOrder::smallest}},
                         top.criteria.front().order,
-                        "which values are best; default largest");
+                        "which values are best; default: largest");
   with_value(command,
              command.add_option_function<std::string>(
                  "--pareto",
                  [&best](const std::string& text) { best = read_pareto(text); },
-                 "keep the rows that no other equals or beats in\n"
-                 "all of two or three criteria:\n"
-                 "'efficiency, smallest abs(ratio - 4)'"),
+                 "keep the rows that no other row equals or beats in\n"
+                 "all of two or three criteria: 'efficiency,\n"
+                 "smallest abs(ratio - 4)'"),
              "CRITERIA");
 }
 
@@ -105,8 +106,8 @@ void add_form(CLI::App& command, SweepCommand& sweep) {
       "--format",
       {{"csv", RowFormat::csv}, {"json", RowFormat::json}, {"npy", RowFormat::npy}},
       sweep.options.format,
-      "form of the rows; json is one object a line,\n"
-      "npy an array of NumPy, which needs --out");
+      "format of the rows; json is one object per line,\n"
+      "npy a NumPy array, which needs --out");
   add_progress(command, sweep.progress);
 }
 
@@ -188,8 +189,11 @@ void add_sweep(CLI::App& command, Job& job) {
       "  kinestat sweep --jobs 8 --resume --out results teeth.yaml\n"
       "  kinestat sweep --shard 2/7 --out shards teeth.yaml\n");
   auto sweep = std::make_shared<SweepCommand>();
-  add_argument(
-      command, "FILE", sweep->path, "mechanism file with a section sweep; - is\nstandard input")
+  add_argument(command,
+               "FILE",
+               sweep->path,
+               "mechanism file with a section sweep; - is standard\n"
+               "input")
       .required();
   add_loading(command, sweep->options.load);
   add_curves(command, sweep->options.load);
@@ -197,17 +201,17 @@ void add_sweep(CLI::App& command, Job& job) {
   add_result_folder(command,
                     sweep->options.folder,
                     sweep->options.overwrite,
-                    "folder for <name>.sweep.csv (.jsonl, .npy) and\n"
-                    "<name>.sweep.json; it must exist. Without it\n"
-                    "rows go to standard output");
+                    "existing folder for <name>.sweep.csv (.jsonl,\n"
+                    ".npy) and <name>.sweep.json; without it rows go to\n"
+                    "standard output");
   add_sharing(command, sweep->options);
   add_flag(
       command,
       "--plan",
       [] {},
-      "tell how many states there are, about how long\n"
-      "they take, and the lines for Slurm; runs nothing\n"
-      "but a sample of a second");
+      "show the number of states, about how long they\n"
+      "take, and commands for Slurm; runs only a\n"
+      "one-second sample");
   add_choices(command, sweep->top, sweep->options.best);
   add_messages(command, sweep->options.diagnostics, sweep->options.is_quiet);
   command.callback([&command, sweep, &job] {

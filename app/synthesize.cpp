@@ -23,22 +23,23 @@ void add_written_mechanisms(CLI::App& command, SynthesizeCommand& options) {
   with_value(command,
              command.add_option("--write-mechanism",
                                 options.files.analyse.output.folder,
-                                "folder for a mechanism file of every usable\n"
-                                "linkage, <name>.linkage_0.yaml and so on, or of\n"
-                                "every transmission that is listed,\n"
-                                "<name>.ladder_0.transmission_0.yaml; it must\n"
-                                "exist"),
+                                "existing folder for mechanism files: one for every\n"
+                                "usable linkage, <name>.linkage_0.yaml and so on,\n"
+                                "or for every listed transmission,\n"
+                                "<name>.ladder_0.transmission_0.yaml"),
              "FOLDER");
   add_flag(
       command,
       "--all-linkages",
       [&options] { options.options.written = WrittenLinkages::all; },
-      "write those with a defect or outside the\nlimits too; needs --write-mechanism");
+      "also write linkages with a defect or outside the\n"
+      "limits; needs --write-mechanism");
   add_flag(
       command,
       "--force",
       [&options] { options.files.analyse.output.overwrite = Overwrite::force; },
-      "replace files that this program did not\nwrite; needs --write-mechanism");
+      "replace files that this program did not write;\n"
+      "needs --write-mechanism");
 }
 
 void add_digits(CLI::App& command, SynthesisOptions& options) {
@@ -57,9 +58,8 @@ void add_digits(CLI::App& command, SynthesisOptions& options) {
         }
         options.digits = static_cast<int>(count);
       },
-      "decimal digits that the positions have as\n"
-      "typed, 17 to 100, where 16 leave too few of\n"
-      "the dyads");
+      "decimal digits of the typed positions to use, 17\n"
+      "to 100, where 16 leave too few of the dyads");
 }
 
 void add_rank(CLI::App& command, TransmissionOptions& options) {
@@ -72,17 +72,17 @@ void add_rank(CLI::App& command, TransmissionOptions& options) {
                                ranks,
                                options.rank,
                                "what transmissions are ranked by, instead of\n"
-                               "'rank' of the file");
+                               "'rank' in the file");
 }
 
 void add_stored_search(CLI::App& command, TransmissionOptions& options) {
   with_value(command,
              command.add_option("--work",
                                 options.work,
-                                "folder in which a search for transmissions\n"
-                                "keeps what it has finished: the same command\n"
-                                "goes on after an interruption, and puts\n"
-                                "shards together; it must exist"),
+                                "existing folder in which a search for\n"
+                                "transmissions keeps finished work: the same\n"
+                                "command continues after an interruption and\n"
+                                "combines shards"),
              "FOLDER");
   with_value(command,
              command.add_option_function<std::string>(
@@ -91,8 +91,8 @@ void add_stored_search(CLI::App& command, TransmissionOptions& options) {
                    const ShardNumber shard = read_shard(word);
                    options.share = {.place = shard.number - 1, .count = shard.count};
                  },
-                 "search the K-th of N shares of the structures\n"
-                 "only; needs --work"),
+                 "search only the K-th of N parts of the structures;\n"
+                 "needs --work"),
              "K/N");
 }
 
@@ -151,8 +151,10 @@ void add_synthesize(CLI::App& command, Job& job) {
       command,
       "--verify",
       [options] { options->options.verifies = true; },
-      "move every linkage as a mechanism and report\nwhether it does what its verdict says, or "
-      "solve\nevery transmission that is listed gear by gear;\nthose that are written always are");
+      "move every linkage as a mechanism and report\n"
+      "whether it does what its verdict says, or solve\n"
+      "every listed transmission gear by gear; those\n"
+      "written are always verified");
   add_digits(command, options->options);
   add_count(
       command,
@@ -161,14 +163,14 @@ void add_synthesize(CLI::App& command, Job& job) {
         options->options.jobs = count;
         options->transmissions.jobs = count;
       },
-      "threads of a search; default as many as\n"
-      "there are cores. The result does not depend\n"
-      "on it");
+      "number of threads for a search; default: one per\n"
+      "core. The result does not depend on it");
   add_count(
       command,
       "--top",
       [options](std::uint64_t count) { options->transmissions.top = count; },
-      "ladders of transmissions that are listed, the\nbest first; default 20");
+      "number of transmission ladders to list, best\n"
+      "first; default 20");
   add_rank(command, options->transmissions);
   add_stored_search(command, options->transmissions);
   add_progress(command, options->progress);

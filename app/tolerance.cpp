@@ -15,37 +15,37 @@ void add_choice_options(CLI::App& command, ToleranceChoice& choice) {
   add_repeated(command,
                "--of",
                choice.positions,
-               "a freedom d.wz, an actuator, a traced point P, a\n"
-               "body, or a component of these two, P/at/x; may\n"
-               "be repeated; default the actuators that are not\n"
-               "held and the traced points, or all freedoms\n"
-               "without any",
+               "the position to watch: a freedom d.wz, an\n"
+               "actuator, a traced point P, a body, or a component\n"
+               "of these two, P/at/x; may be repeated; default:\n"
+               "actuators that are not held and traced points, or\n"
+               "all freedoms if there are none",
                "POSITION");
   with_value(command,
              command.add_option("--place",
                                 choice.place,
-                                "how far the place of a coupling in one part may\n"
+                                "how far the location of a coupling in one part may\n"
                                 "be from that in the other, to either side: 0.1mm"),
              "LENGTH");
-  with_value(
-      command,
-      command.add_option("--angle", choice.angle, "likewise of guides and axes that tilt: 0.05deg"),
-      "ANGLE");
+  with_value(command,
+             command.add_option(
+                 "--angle", choice.angle, "the same for the angle of guides and axes: 0.05deg"),
+             "ANGLE");
   add_repeated(command,
                "--each",
                choice.each,
-               "what one coupling has instead, or one drive that\n"
-               "is held, which is exact otherwise: C=0.02mm,\n"
-               "motor=0.1deg; may be repeated",
+               "tolerance of one coupling, instead of these, or of\n"
+               "one held drive, which is otherwise exact:\n"
+               "C=0.02mm, motor=0.1deg; may be repeated",
                "NAME=VALUE");
   add_flag(
       command,
       "--along",
       [&choice] { choice.along = true; },
-      "at each step of the section motion, its drives\n"
-      "held there; default the drawn position");
+      "at each step of the section motion, with its\n"
+      "drives held; default: the drawn position");
   with_value(
-      command, command.add_option("--case", choice.case_label, "one case; default all"), "CASE");
+      command, command.add_option("--case", choice.case_label, "one case; default: all"), "CASE");
 }
 
 }  // namespace

@@ -65,15 +65,17 @@ void add_loading(CLI::App& command, LoadOptions& options) {
   add_repeated(command,
                "--set",
                options.overrides,
-               "gives a parameter another value;\nmay be repeated",
+               "give a parameter another value; may be repeated",
                "PARAMETER=VALUE");
   const auto take = [&options](const std::string& text) {
     options.limits = ReadLimits::for_size(size_of(text));
   };
   with_value(
       command,
-      command.add_option_function<std::string>(
-          "--max-file-size", take, "reads files of more than 1M, which are\nusually a mistake"),
+      command.add_option_function<std::string>("--max-file-size",
+                                               take,
+                                               "allow files larger than 1M, which are usually a\n"
+                                               "mistake"),
       "SIZE");
 }
 
@@ -81,13 +83,17 @@ void add_curves(CLI::App& command, LoadOptions& options) {
   add_repeated(command,
                "--curve",
                options.curves,
-               "gives a curve the points of a CSV file;\nmay be repeated",
+               "take the points of a curve from a CSV file; may be\n"
+               "repeated",
                "CURVE=FILE");
 }
 
 void add_files(CLI::App& command, FileOptions& options) {
-  add_argument(
-      command, "FILE", options.paths, "mechanism files, one after the other; - is\nstandard input")
+  add_argument(command,
+               "FILE",
+               options.paths,
+               "mechanism files, one after the other; - is\n"
+               "standard input")
       .required();
   add_loading(command, options.analyse.load);
   add_diagnostics_form(command, options.analyse.diagnostics);
@@ -98,9 +104,8 @@ void add_diagnostics_form(CLI::App& command, DiagnosticsForm& form) {
                               "--diagnostics",
                               {kDiagnosticsForms.begin(), kDiagnosticsForms.end()},
                               form,
-                              "form of errors and warnings on standard\n"
-                              "error; json is one line a file, sarif one\n"
-                              "log of all");
+                              "format of errors and warnings on standard error;\n"
+                              "json is one line per file, sarif one log for all");
 }
 
 void add_format(CLI::App& command, FileOptions& options) {
@@ -109,8 +114,8 @@ void add_format(CLI::App& command, FileOptions& options) {
       "--format",
       {{"table", StreamFormat::table}, {"json", StreamFormat::json}, {"csv", StreamFormat::csv}},
       options.analyse.format,
-      "form of the report on standard output;\n"
-      "json of several files is one line a file");
+      "format of the report on standard output; json of\n"
+      "several files is one line per file");
 }
 
 void add_layout(CLI::App& command, FileOptions& options) {
@@ -118,8 +123,8 @@ void add_layout(CLI::App& command, FileOptions& options) {
                           "--layout",
                           {{"long", TableLayout::tidy}, {"wide", TableLayout::wide}},
                           options.analyse.output.layout,
-                          "of CSV: long is a row a value, wide a row a case,\n"
-                          "or a step of a motion");
+                          "layout of CSV: long has one row per value, wide\n"
+                          "one per case or per step of a motion");
 }
 
 void add_fail_fast(CLI::App& command, FileOptions& options) {
@@ -152,8 +157,8 @@ void add_accuracy(CLI::App& command, AccuracyRequest& request) {
                        "--accuracy",
                        {{"auto", automatic}, {"fast", fast}, {"high", high}, {"exact", exact}},
                        request.accuracy,
-                       "how errors are bounded and made smaller;\n"
-                       "'kinestat help accuracy' says at what price");
+                       "how errors are bounded and reduced; see 'kinestat\n"
+                       "help accuracy' for the cost");
   add_count(
       command,
       "--digits",
@@ -164,8 +169,8 @@ void add_accuracy(CLI::App& command, AccuracyRequest& request) {
         }
         request.digits = static_cast<int>(count);
       },
-      "decimal digits of a value that must be right\n"
-      "with auto, 1 to 15; without it 9");
+      "decimal digits that must be correct with\n"
+      "--accuracy auto, 1 to 15; default 9");
 }
 
 void add_written_file(CLI::App& command, std::string& path, Overwrite& overwrite) {
@@ -173,7 +178,7 @@ void add_written_file(CLI::App& command, std::string& path, Overwrite& overwrite
     word = word == "-" ? "" : word;
     return std::string();
   };
-  add_argument(command, "FILE", path, "the file to write; default standard output")
+  add_argument(command, "FILE", path, "the file to write; default: standard output")
       .transform(CLI::Validator(standard_output, ""));
   add_flag(
       command,

@@ -69,7 +69,7 @@ void add_messages(CLI::App& command, DiagnosticsForm& form, bool& is_quiet) {
       command,
       "-q,--quiet",
       [&is_quiet] { is_quiet = true; },
-      "do not tell on standard error what was counted");
+      "do not print the counts on standard error");
 }
 
 Outcome run_streaming(const std::function<Outcome(const SweepHooks&)>& job,

@@ -30,8 +30,8 @@ const Record<BodyDynamicsView>& body_record() {
         keys.sixfold("inertial_wrench",
                      moment,
                      force,
-                     "D'Alembert's couple about the origin and force: what the body exerts because "
-                     "it speeds up. Of planets all of them together.",
+                     "D'Alembert couple about the origin and force: what the body exerts because "
+                     "it accelerates. For planets, all of them together.",
                      [](const BodyDynamicsView& v) {
                        return sixfold_of(about_world(v.body.inertial, v.origin));
                      });
@@ -66,7 +66,9 @@ void emit_shared(const ReducedView& v, const EachNumber& each) {
 
 const Record<ReducedView>& reduced_record() {
   static const Record<ReducedView> record(
-      "What the drive has to speed up: its row of M q'' + h = Q.", [](Record<ReducedView>& keys) {
+      "The inertia that the drive must accelerate: its row of M q'' + h = "
+      "Q.",
+      [](Record<ReducedView>& keys) {
         using enum QuantityKind;
         const auto turns = [](const ReducedView& v) { return v.turns(); };
         const auto slides = [](const ReducedView& v) { return !v.turns(); };
@@ -78,11 +80,10 @@ const Record<ReducedView>& reduced_record() {
         };
         keys.quantity("angular_acceleration",
                       angular_acceleration,
-                      "How fast a drive that turns speeds up.",
+                      "Angular acceleration of a rotating drive.",
                       speeds_up)
             .only_if(turns);
-        keys.quantity(
-                "acceleration", acceleration, "How fast a drive that slides speeds up.", speeds_up)
+        keys.quantity("acceleration", acceleration, "Acceleration of a sliding drive.", speeds_up)
             .only_if(slides);
         keys.quantity("inertia",
                       inertia,
@@ -97,12 +98,14 @@ const Record<ReducedView>& reduced_record() {
             .only_if(slides);
         keys.quantity("bias_moment",
                       moment,
-                      "What the forces of inertia ask of a drive that turns steadily.",
+                      "The action that inertia forces require of a rotating drive at constant "
+                      "speed.",
                       bias)
             .only_if(turns);
         keys.quantity("bias_force",
                       force,
-                      "What the forces of inertia ask of a drive that slides steadily.",
+                      "The action that inertia forces require of a sliding drive at constant "
+                      "speed.",
                       bias)
             .only_if(slides);
         keys.number("derivative",
@@ -146,8 +149,7 @@ std::optional<Sixfold> in_world(const DynamicsView& v, const std::optional<Wrenc
 
 const Record<DynamicsView>& dynamics_record() {
   static const Record<DynamicsView> record(
-      "What the inertia of the bodies does; only in cases with 'acceleration'.",
-      [](Record<DynamicsView>& keys) {
+      "The effects of inertia; only in cases with 'acceleration'.", [](Record<DynamicsView>& keys) {
         using enum QuantityKind;
         keys.quantity("kinetic_energy", energy, "Of all bodies.", [](const DynamicsView& v) {
           return v.dynamics.kinetic_energy;
@@ -161,8 +163,8 @@ const Record<DynamicsView>& dynamics_record() {
         keys.sixfold("shaking",
                      moment,
                      force,
-                     "All forces of inertia together, as they shake the ground: couple about the "
-                     "origin and force; null where a planet stands for several.",
+                     "Shaking wrench, the sum of all inertia forces: couple about the origin and "
+                     "force; null where one planet represents several.",
                      [](const DynamicsView& v) { return in_world(v, v.dynamics.shaking); });
         keys.sixfold("ground",
                      moment,

@@ -109,8 +109,8 @@ Form<Value> above_zero() {
 
 Form<Value> duration() {
   return number_form("duration",
-                     "A time above 0: a bare number counts in the file's unit of time (default s), "
-                     "or write the unit.",
+                     "A time above 0: a bare number is in the file's unit of time (default s); "
+                     "otherwise write the unit.",
                      {"20", "5 min"},
                      kAboveZero);
 }
@@ -136,39 +136,39 @@ Form<Value> component() {
 
 Form<Value> length() {
   return number_form("length",
-                     "A length: a bare number counts in the file's unit of length (default m), or "
-                     "write the unit.",
+                     "A length: a bare number is in the file's unit of length (default m); "
+                     "otherwise write the unit.",
                      {"7", "25 mm", "(N1 + N5)/2*module"});
 }
 
 Form<Value> size() {
   return number_form(
       "size",
-      "A length above zero: a bare number counts in the file's unit of length (default "
-      "m), or write the unit.",
+      "A length above zero: a bare number is in the file's unit of length (default m); otherwise "
+      "write the unit.",
       {"25 mm"},
       kAboveZero);
 }
 
 Form<Value> radius() {
   return number_form("radius",
-                     "A length of at least zero: a bare number counts in the file's unit of length "
-                     "(default m), or write the unit.",
+                     "A length of at least zero: a bare number is in the file's unit of length "
+                     "(default m); otherwise write the unit.",
                      {"12 mm"},
                      kNotNegative);
 }
 
 Form<Value> pitch() {
   return number_form("pitch",
-                     "A pitch, the length per radian: a bare number counts in the file's unit of "
-                     "length per radian, or write the unit.",
+                     "A pitch, the length per radian: a bare number is in the file's unit of "
+                     "length per radian; otherwise write the unit.",
                      {"2 mm/rad", "5 mm/rev", "0.8"});
 }
 
 Form<Value> lead() {
   return number_form("lead",
-                     "A lead, the length per turn: a bare number counts in the file's unit of "
-                     "length, or write the unit.",
+                     "A lead, the length per turn: a bare number is in the file's unit of length; "
+                     "otherwise write the unit.",
                      {"5 mm", "5 mm/rev", "5"});
 }
 
@@ -176,9 +176,8 @@ Form<Value> stiffness() {
   return number_form(
       "stiffness",
       "Stiffness of a constraint, which must be positive. Of a force it is a force per length: a "
-      "bare number counts in the file's unit of stiffness (default N/m). Of a couple it is a "
-      "moment "
-      "per angle: a bare number counts in the file's unit of moment per rad (default N*m/rad), "
+      "bare number is in the file's unit of stiffness (default N/m). Of a couple it is a moment "
+      "per angle: a bare number is in the file's unit of moment per rad (default N*m/rad), "
       "whatever the unit of stiffness or of angle is.",
       {"2e6 N/m", "300 N*m/rad"},
       kAboveZero);
@@ -186,88 +185,87 @@ Form<Value> stiffness() {
 
 Form<Value> friction_moment() {
   return number_form("friction_moment",
-                     "A moment of at least zero: a bare number counts in the file's unit of moment "
-                     "(default N*m), or write the unit.",
+                     "A moment of at least zero: a bare number is in the file's unit of moment "
+                     "(default N*m); otherwise write the unit.",
                      {"0.2 N*m"},
                      kNotNegative);
 }
 
 Form<Value> viscous_couple() {
   return number_form("viscous_couple",
-                     "A couple per angular velocity: a bare number counts in the file's unit of "
-                     "moment per its unit of angular velocity (default N*m*s/rad).",
+                     "A couple per angular velocity: a bare number is in the file's unit of moment "
+                     "per its unit of angular velocity (default N*m*s/rad).",
                      {"0.02", "0.02 N*m*s/rad"},
                      kNotNegative);
 }
 
 Form<Value> viscous_force() {
   return number_form("viscous_force",
-                     "A force per velocity: a bare number counts in the file's unit of force per "
-                     "its unit of velocity (default N*s/m).",
+                     "A force per velocity: a bare number is in the file's unit of force per its "
+                     "unit of velocity (default N*s/m).",
                      {"5", "5 N*s/m"},
                      kNotNegative);
 }
 
 Form<Value> acute_angle() {
   return number_form("acute_angle",
-                     "An angle from 0 to below 90 deg: a bare number counts in the file's unit of "
-                     "angle (default rad), or write the unit.",
+                     "An angle from 0 to below 90 deg: a bare number is in the file's unit of "
+                     "angle (default rad); otherwise write the unit.",
                      {"20 deg"},
                      in_any_unit(kAcuteAngle));
 }
 
 Form<Value> angle() {
   return number_form("angle",
-                     "An angle: a bare number counts in the file's unit of angle (default rad), or "
-                     "write the unit.",
+                     "An angle: a bare number is in the file's unit of angle (default rad); "
+                     "otherwise write the unit.",
                      {"20 deg", "pi/9 rad", "alpha"});
 }
 
 Form<Value> mass() {
   return number_form("mass",
-                     "A mass of at least zero: a bare number counts in the file's unit of mass "
-                     "(default kg), or write "
-                     "the unit.",
+                     "A mass of at least zero: a bare number is in the file's unit of mass "
+                     "(default kg); otherwise write the unit.",
                      {"2.5", "500 g"},
                      kNotNegative);
 }
 
 Form<Value> moment_of_inertia() {
   return number_form("moment_of_inertia",
-                     "A moment of inertia of at least zero: a bare number counts in the file's "
-                     "unit of inertia (default kg*m^2), or write the unit.",
+                     "A moment of inertia of at least zero: a bare number is in the file's unit of "
+                     "inertia (default kg*m^2); otherwise write the unit.",
                      {"0.002", "2000 kg*mm^2"},
                      kNotNegative);
 }
 
 Form<Value> product_of_inertia() {
   return number_form("inertia_entry",
-                     "An entry of a tensor of inertia: a bare number counts in the file's unit of "
-                     "inertia (default kg*m^2), or write the unit.",
+                     "An entry of a tensor of inertia: a bare number is in the file's unit of "
+                     "inertia (default kg*m^2); otherwise write the unit.",
                      {"-0.0001", "-100 kg*mm^2"});
 }
 
 Form<Value> force() {
   return number_form(
       "force",
-      "A force: a bare number counts in the file's unit of force (default N), or write "
-      "the unit.",
+      "A force: a bare number is in the file's unit of force (default N); otherwise write the "
+      "unit.",
       {"100", "1.5 kN", "-F_load"});
 }
 
 Form<Value> moment() {
   return number_form(
       "moment",
-      "A moment or torque: a bare number counts in the file's unit of moment (default "
-      "N*m), or write the unit.",
+      "A moment or torque: a bare number is in the file's unit of moment (default N*m); otherwise "
+      "write the unit.",
       {"100", "5000 N*mm", "T_in"});
 }
 
 Form<Value> acceleration() {
   return number_form(
       "acceleration",
-      "An acceleration: a bare number counts in the file's unit of length per its unit "
-      "of time squared (default m/s^2), or write the unit.",
+      "An acceleration: a bare number is in the file's unit of length per its unit of time squared "
+      "(default m/s^2); otherwise write the unit.",
       {"-9.81", "9.81 m/s^2", "0"});
 }
 
@@ -282,8 +280,8 @@ Form<Value> speed() {
 Form<Value> speed_change() {
   return number_form(
       "acceleration_of_freedom",
-      "How fast the rate of a freedom changes: angular acceleration (rad/s^2) of a rotation, "
-      "acceleration (default m/s^2) of a translation. 0 keeps it steady.",
+      "Rate of change of the speed of a freedom: angular acceleration (rad/s^2) of a rotation, "
+      "acceleration (default m/s^2) of a translation. 0 keeps the speed constant.",
       {"0", "50 rad/s^2", "1.2 m/s^2"});
 }
 
@@ -336,7 +334,7 @@ Form<Value> any_number() {
 Form<Value> action() {
   return number_form("load",
                      "Action of the tail on the head: couple (default N*m) or force (default N). 0 "
-                     "says that nothing acts.",
+                     "means that nothing acts.",
                      {"1 N*m", "-250 N", "T_in", "0"});
 }
 

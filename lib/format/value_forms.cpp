@@ -29,8 +29,8 @@ const std::vector<FormShape>& text_shapes() {
   static const std::vector<FormShape> shapes = {
       {.kind = FormKind::text,
        .definition = "text",
-       .meaning = "Free text. What looks like a number may stand without quotes; true, false and "
-                  "null need them."},
+       .meaning =
+           "Free text. Text that looks like a number needs no quotes; true, false and null do."},
       {.kind = FormKind::text,
        .definition = "label",
        .meaning = "Free text that names a case or a gear."},
@@ -75,8 +75,8 @@ const std::vector<FormShape>& text_shapes() {
                        "motor/action or pen/at/x."},
       {.kind = FormKind::name,
        .definition = "quantity",
-       .meaning = "A quantity of a row of a sweep; of a whole motion, a column with dots and a "
-                  "figure.",
+       .meaning = "A quantity in a row of a sweep; for a whole motion, a column with dots and a "
+                  "statistic.",
        .pattern = "^[A-Za-z_][A-Za-z0-9_-]*(\\.[A-Za-z0-9_-]+)*$",
        .pattern_text = "Write ratio, an actuator, a freedom or an action such as d.wz or c.Rx, or "
                        "a figure of a motion such as d.vx.position.range."},
@@ -107,9 +107,15 @@ FormShape axis_words() {
           .words = {{"x", "along +x"},
                     {"y", "along +y"},
                     {"z", "along +z; in the plane, perpendicular to it"},
-                    {"-x", "along -x; what is along it is named without a letter: w, v, R, T"},
-                    {"-y", "along -y; what is along it is named without a letter: w, v, R, T"},
-                    {"-z", "along -z; what is along it is named without a letter: w, v, R, T"}}};
+                    {"-x",
+                     "along -x; freedoms and actions along it are named without a letter: w, v, R, "
+                     "T"},
+                    {"-y",
+                     "along -y; freedoms and actions along it are named without a letter: w, v, R, "
+                     "T"},
+                    {"-z",
+                     "along -z; freedoms and actions along it are named without a letter: w, v, R, "
+                     "T"}}};
 }
 
 // Of the components that the space has, by default that of the file.

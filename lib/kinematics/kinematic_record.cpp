@@ -97,8 +97,7 @@ const Record<KinematicView>& kinematic_record() {
         keys.map("bodies",
                  body_record(),
                  "Motion of every body relative to the ground; empty unless solved, and without "
-                 "bodies "
-                 "that can turn or shift unfelt by others.",
+                 "bodies that can turn or slide without moving others.",
                  emit_bodies)
             .in_tables_as("");
         keys.part("evidence",

@@ -42,7 +42,7 @@ using MaybeWord = std::optional<std::string_view>;
 
 const Record<RankEvidence>& rank_evidence_record() {
   static const Record<RankEvidence> record(
-      "Why the rank of the minimal count is believed.", [](Record<RankEvidence>& keys) {
+      "The evidence for the rank of the minimal count.", [](Record<RankEvidence>& keys) {
         add_rank(keys, [](const RankEvidence& rank) -> const RankEvidence& { return rank; });
       });
   return record;
@@ -50,7 +50,7 @@ const Record<RankEvidence>& rank_evidence_record() {
 
 const Record<EvidenceView>& evidence_record() {
   static const Record<EvidenceView> record(
-      "Why the answer is believed.", [](Record<EvidenceView>& keys) {
+      "The evidence for the result.", [](Record<EvidenceView>& keys) {
         add_rank(keys, [](const EvidenceView& v) -> const RankEvidence& { return v.rank; });
         keys.number("residual",
                     Bare::number,
@@ -69,8 +69,8 @@ const Record<EvidenceView>& evidence_record() {
                   });
         keys.number("error_bound",
                     Bare::number,
-                    "Relative error that the worst of the determined magnitudes may have at most; "
-                    "1 where not one digit is sure, null where no bound was asked for or is known.",
+                    "Bound of the relative error of the worst of the determined magnitudes; 1 "
+                    "where no digit is certain, null where no bound was requested or is known.",
                     bound_of)
             .at_least(0);
         keys.flag("exact",
@@ -79,8 +79,8 @@ const Record<EvidenceView>& evidence_record() {
                   [](const EvidenceView& v) { return v.answer.is_exact; });
         keys.word("refers_to",
                   {"numbers rounded to double", "numbers as typed"},
-                  "Of which equations the answer has that error: of those whose numbers were "
-                  "rounded to double, or of those of the file as typed.",
+                  "The equations to which that error refers: those with numbers rounded to double, "
+                  "or those of the file as typed.",
                   [](const EvidenceView& v) {
                     return !bound_of(v)              ? MaybeWord()
                            : v.answer.is_exact_input ? MaybeWord("numbers as typed")

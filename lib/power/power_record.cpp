@@ -80,8 +80,8 @@ void add_efficiency(Record<PowerView>& keys) {
             })
       .only_if([](const PowerView& v) { return has_friction(v) || v.efficiency != nullptr; });
   keys.flag("self_locking",
-            "Friction takes more than the inputs give, so that the outputs drive, too; no key "
-            "without friction.",
+            "Friction takes more than the inputs supply, so that the outputs must drive too; no "
+            "key without friction.",
             [](const PowerView& v) { return v.flow.is_self_locking; })
       .only_if(has_friction);
   keys.part("losses",
@@ -111,12 +111,12 @@ void add_balance(Record<PowerView>& keys) {
       .at_least(0)
       .not_compared();
   static const Record<PowerFlow> evidence(
-      "How sure the powers are.", [](Record<PowerFlow>& of_flow) {
+      "Error bound of the powers.", [](Record<PowerFlow>& of_flow) {
         of_flow
             .number("error_bound",
                     Bare::number,
-                    "How far the powers of actuators and the input may be off at most, relative "
-                    "to the largest of all powers; null where rates or actions have no bound.",
+                    "Largest error of the powers of actuators and the input, relative to the "
+                    "largest of all powers; null where rates or actions have no bound.",
                     [](const PowerFlow& flow) { return flow.error_bound; })
             .at_least(0);
       });

@@ -60,7 +60,7 @@ const Record<CurveDescription>& curve_record() {
               "What it is over: time, an actuator, or its speed.",
               [](const View& v) { return v.over.text; })
         .not_compared();
-    keys.count("points", "How many points it has.", [](const View& v) {
+    keys.count("points", "Number of its points.", [](const View& v) {
       return static_cast<int>(v.points.size());
     });
     keys.text("table",
@@ -175,8 +175,8 @@ const Record<EdgeView>& edge_record() {
                    "Names of the actuators on it.",
                    [](const View& v, const EachName& each) { emit_edge_actions(v, true, each); });
         keys.names("driven",
-                   "The freedom of each of them; only where the coupling has some that turn and "
-                   "some that slide.",
+                   "The freedom of each of them; only if the coupling has both rotations and "
+                   "translations.",
                    emit_driven_freedoms)
             .ordered()
             .only_if(drives_one_of_two_kinds);

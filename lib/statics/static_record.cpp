@@ -120,8 +120,8 @@ void add_answer(Record<StaticView>& keys) {
              emit_undetermined);
   keys.list("self_stresses",
             self_stress_record(),
-            "Actions in equilibrium with each other alone, which equilibrium leaves open; no key "
-            "where there are none, or too many to be read.",
+            "Self-stresses: actions in equilibrium with each other alone, which equilibrium leaves "
+            "undetermined; no key if there are none, or too many to list.",
             emit_self_stresses)
       .in_tables_as("self_stress")
       .only_if([](const StaticView& v) { return !v.action.self_stresses.empty(); });

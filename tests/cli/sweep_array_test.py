@@ -159,7 +159,7 @@ sweep:
         words = summary["words"]["status"]
         self.assertEqual(len(words), len(set(words)))
         topic = kinestat("help", "sweeps").stdout
-        block = topic.split("others are not affected:\n")[1].split("\n\n")[0]
+        block = re.split(r"others are not\s+affected:\n", topic)[1].split("\n\n")[0]
         told = set(re.findall(r"[a-z_-]+", " ".join(re.findall(
             r"^  ((?:[a-z_-]+,? ?)+|E\d+.*?)(?:  |$)", block, re.M))))
         self.assertIn("tie-up", told)

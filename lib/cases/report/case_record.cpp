@@ -15,7 +15,7 @@ namespace {
 
 const Record<CaseView>& primary_record() {
   static const Record<CaseView> record(
-      "The magnitudes that the case knows.", [](Record<CaseView>& keys) {
+      "The magnitudes known in the case.", [](Record<CaseView>& keys) {
         keys.names("motion",
                    "Names of the known motions, coupling.freedom.",
                    [](const CaseView& v, const EachName& each) {
@@ -37,17 +37,17 @@ const Record<CaseView>& primary_record() {
 }
 
 const Record<Ratios>& ratio_evidence_record() {
-  static const Record<Ratios> record("How sure the ratios are.", [](Record<Ratios>& keys) {
+  static const Record<Ratios> record("Error bound of the ratios.", [](Record<Ratios>& keys) {
     keys.number("ratio_error_bound",
                 Bare::number,
-                "Relative error that the ratio may have at most; 1 where not one digit is sure, "
-                "null where the rates have no bound.",
+                "Bound of the relative error of the ratio; 1 where no digit is certain, null where "
+                "the rates have no bound.",
                 [](const Ratios& v) { return v.ratio_bound; })
         .at_least(0);
     keys.number("torque_ratio_error_bound",
                 Bare::number,
-                "Relative error that the torque ratio may have at most; 1 where not one digit is "
-                "sure, null where the actions have no bound.",
+                "Bound of the relative error of the torque ratio; 1 where no digit is certain, "
+                "null where the actions have no bound.",
                 [](const Ratios& v) { return v.torque_ratio_bound; })
         .at_least(0);
   });
@@ -77,7 +77,7 @@ void add_ratios(Record<CaseView>& keys) {
   keys.converted("ratio",
                  ByContext::rate_ratio,
                  "Rate of the input over rate of the output; null where it does not exist, see "
-                 "reason. Without unit where both are alike.",
+                 "reason. Without unit if both are of the same kind.",
                  read_ratio(&RatiosInUnits::ratio))
       .not_in_tables()
       .only_if(has_ratios);
@@ -91,17 +91,17 @@ void add_ratios(Record<CaseView>& keys) {
   keys.converted("torque_ratio",
                  ByContext::action_ratio,
                  "Action of the input over action of the output; null where it does not exist. "
-                 "Without unit where both are alike.",
+                 "Without unit if both are of the same kind.",
                  read_ratio(&RatiosInUnits::torque_ratio))
       .not_in_tables()
       .only_if(has_ratios);
   keys.text("ratio_unit",
-            "Unit of the ratio; no key where input and output are alike.",
+            "Unit of the ratio; no key if input and output are of the same kind.",
             read_ratio_unit(&RatiosInUnits::ratio))
       .not_compared()
       .only_if(has_unit);
   keys.text("torque_ratio_unit",
-            "Unit of the torque ratio; no key where input and output are alike.",
+            "Unit of the torque ratio; no key if input and output are of the same kind.",
             read_ratio_unit(&RatiosInUnits::torque_ratio))
       .not_compared()
       .only_if(has_unit);

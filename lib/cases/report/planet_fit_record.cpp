@@ -12,7 +12,7 @@ namespace kinestat {
 const Record<PlanetFit>& planet_fit_record() {
   using View = PlanetFit;
   static const Record<View> record("Several equal planets of 'gears'.", [](Record<View>& keys) {
-    keys.count("count", "How many there are.", [](const View& v) { return v.count; });
+    keys.count("count", "Their number.", [](const View& v) { return v.count; });
     keys.flag("assembles",
               "Whether they can stand at equal angles; W0306 says why not.",
               [](const View& v) { return v.assembles; });

@@ -12,296 +12,293 @@ constexpr auto kStudyCodes = std::to_array<Code>({
     {"E0401",
      wrong_input,
      "mechanism falls apart",
-     "Every body must be joined to the ground through couplings, or nothing is known of its "
-     "motion. The message lists the parts. Add the coupling that joins them, or analyse them as "
-     "two files."},
+     "Every body must be connected to the ground through couplings, otherwise nothing is known "
+     "about its motion. The message lists the parts. Add the coupling that connects them, or "
+     "analyse them as two files."},
     {"E0402",
      wrong_input,
      "tree is not a spanning tree",
      "'tree:' chooses the spanning tree of the coupling graph: as many couplings as there are "
-     "moving bodies, so that from the ground each body is reached on exactly one way. Those named "
-     "leave a body out or close a circuit. Without 'tree:' the program chooses one; the results "
-     "do not depend on it."},
+     "moving bodies, so that each body is reached from the ground by exactly one path. The "
+     "couplings named leave a body out or close a circuit. Without 'tree:' the program chooses "
+     "one; the results do not depend on it."},
     {"E0501",
      wrong_input,
      "primary motions are missing",
      "Exactly as many independent motions must be known as the net degree of freedom; here some "
-     "are missing, so that velocities remain open. The message lists these, the hint motions that "
-     "would do: give one more (0 for a member that is held), or add the coupling that is missing "
-     "in the model."},
+     "are missing, so that velocities remain undetermined. The message lists these velocities, the "
+     "hint motions that would suffice: give one more (0 for a member that is held), or add the "
+     "coupling that is missing from the model."},
     {"E0502",
      wrong_input,
      "primary motions depend on each other",
-     "Some of the motions given follow from others, so that they are surplus or contradict them: "
-     "not every set of as many motions as degrees of freedom is independent. The message states "
-     "the relation; remove one of those it names."},
+     "Some of the given motions follow from others, so they are redundant or contradict them: a "
+     "set with the right number of motions is not always independent. The message states the "
+     "relation; remove one of the motions it names."},
     {"E0503",
      no_answer,
      "velocities are too large",
-     "A velocity is above 1e150 in SI units: products with it would leave the range of a double. "
-     "The answer is proportional to the known motions, so smaller ones show it."},
+     "A velocity is above 1e150 in SI units: products with it would exceed the range of a double. "
+     "The result is proportional to the known motions, so use smaller ones."},
     {"E0504",
      no_answer,
      "mechanism cannot be assembled",
-     "The bodies as they are drawn do not meet in every coupling, and no position of them does. "
-     "The message and the report have the position in which they miss least, with the distance and "
-     "the angle that each coupling still misses by. In a four-bar the longest link must be shorter "
-     "than the other three together; the gaps say by how much lengths would have to change."},
+     "The bodies as drawn do not meet in every coupling, and no position of them does. The message "
+     "and the report give the position with the smallest gaps, with the distance and the angle "
+     "that remain in each coupling. In a four-bar the longest link must be shorter than the other "
+     "three together; the gaps show by how much lengths would have to change."},
     {"E0505",
      no_answer,
      "motion comes to a limit",
      "A drive of 'motion' cannot reach the end of its range: links are stretched or folded in "
-     "line, where the motion would have to turn back. The report goes up to the limit, which the "
-     "message has and the report brackets. End the motion before, drive another coupling, or "
-     "change lengths; in a four-bar a crank turns fully if it is the shortest link, and shortest "
-     "and longest together are less than the other two."},
+     "line, where the motion would have to reverse. The report goes up to the limit, which the "
+     "message gives and the report brackets. End the motion earlier, drive another coupling, or "
+     "change lengths; in a four-bar a crank turns fully if it is the shortest link and the "
+     "shortest and longest together are shorter than the other two."},
     {"E0506",
      no_answer,
      "motion cannot be followed",
-     "At a position several motions begin, as where all links of a parallelogram are in line, and "
-     "none before it says which goes on; or the steps became so small that the branch could not "
-     "be told from another. The program refuses to jump. Begin at another position, drive what "
-     "decides between the motions, or take more steps."},
+     "Several motions begin at one position, as where all links of a parallelogram are in line, "
+     "and no earlier motion tells which one continues; or the steps became so small that the "
+     "branch could not be distinguished from another. The program refuses to jump between "
+     "branches. Start at another position, drive something that decides between the motions, or "
+     "take more steps."},
     {"E0507",
      no_answer,
      "coupling cannot be moved",
      "Instantaneous motion needs the screws of a coupling in the drawn position, finite motion its "
      "shape: the profiles of a contact, the body that holds the axes of two gears, the order of "
-     "several freedoms that are listed as screws. The file does not say it for this coupling. All "
-     "other passes are unaffected; 'kinestat help motion' lists what each type needs."},
+     "several freedoms that are listed as screws. The file does not give this for the coupling. "
+     "All other passes are unaffected; 'kinestat help motion' lists what each type needs."},
     {"E0508",
      wrong_input,
      "drives leave a motion open",
-     "With the drives of 'motion' held, the mechanism could still move, and it is not known how. "
-     "The message lists the freedoms that stay open; as many must be driven as the net degree of "
-     "freedom says. What nobody else feels, such as the spin of a rod between two balls, need "
-     "not be driven."},
+     "With the drives of 'motion' held, the mechanism could still move, and it is unknown how. The "
+     "message lists the freedoms that remain undetermined; as many must be driven as the net "
+     "degree of freedom. A motion that no other body follows, such as the spin of a rod between "
+     "two balls, need not be driven."},
     {"E0509",
      wrong_input,
      "motion does not fit its time",
-     "In a motion with 'time', or of a case with 'acceleration', drives run as the case says, with "
-     "its speeds and steady accelerations, or by a 'law' from one end of their ranges to the "
-     "other. "
-     "Here nothing says how a drive runs, or two things do, or it is not where 'to' says after "
-     "that "
-     "time. The message names the drive; 'to' and 'time' of one motion follow from each other."},
+     "In a motion with 'time', or of a case with 'acceleration', drives run as given by the case, "
+     "with its speeds and constant accelerations, or by a 'law' from one end of their ranges to "
+     "the other. Here the motion of a drive is given by nothing, or twice, or does not lead to "
+     "'to' in that time. The message names the drive; 'to' and 'time' of one motion follow from "
+     "each other."},
     {"E0510",
      no_answer,
      "cable lifts off its pulley",
-     "Where the straight parts of a cable before and behind a pulley come into one line, it lies "
-     "on the pulley by an arc of zero; from there on it runs straight past, and the equations of "
-     "the cable over the pulley would count a negative arc. The motion ends there, and the report "
-     "has everything before. End the motion earlier, or draw the mechanism behind that position "
+     "Where the straight segments of a cable before and after a pulley come into line, the arc of "
+     "contact is zero; from there on the cable runs straight past, and the equations of the cable "
+     "over the pulley would have a negative arc. The motion ends there, and the report has "
+     "everything up to it. End the motion earlier, or draw the mechanism beyond that position "
      "without the pulley and move it from there."},
     {"E0511",
      no_answer,
      "accelerations are not known",
-     "Forces of inertia need the accelerations of all bodies, and these the shape of each "
-     "coupling: "
-     "the profiles of a contact, the body that holds the axes of two gears, the order of freedoms "
-     "that are listed as screws. Or the position is singular, so that speeds of the drives "
-     "determine no accelerations. The velocities of the case are given, its actions are not."},
+     "Inertia forces need the accelerations of all bodies, and these need the shape of each "
+     "coupling: the profiles of a contact, the body that holds the axes of two gears, the order of "
+     "freedoms that are listed as screws. Or the position is singular, so that the speeds of the "
+     "drives do not determine the accelerations. The report has the velocities of the case, but "
+     "not its actions."},
     {"E0514",
      no_answer,
      "a motion does not tell what 'dynamics' asks",
-     "A flywheel and harmonics are of a cycle: one drive that turns steadily, whole turns, at the "
-     "end of which all bodies stand as at the begin. A flywheel also needs one drive whose torque "
-     "follows, on a shaft of steady speed. Counterweights need bodies that turn about an axis of "
-     "the ground; a limit speed needs contacts whose force hangs on speed as the forces of inertia "
-     "do. The message says what is not so; the rows of the motion are given all the same."},
+     "A flywheel and harmonics need a cycle: one drive that turns at constant speed through whole "
+     "turns, after which all bodies are where they started. A flywheel also needs one drive whose "
+     "torque follows, on a shaft of constant speed. Counterweights need bodies that turn about an "
+     "axis fixed to the ground; a limit speed needs contacts whose force depends on speed as "
+     "inertia forces do. The message says which condition is not met; the rows of the motion are "
+     "still reported."},
     {"E0515",
      no_answer,
      "simulation cannot go on",
-     "The accelerations of a mechanism are not known everywhere: in a singular position nothing "
-     "says which way it goes, a curve ends, a spring has no force, or something moves that has "
-     "neither mass nor inertia. Stops may also be struck again and again without time going on, "
-     "and "
-     "what is very stiff may ask for too many steps; where several couplings stick at once, or "
-     "what presses is indeterminate, nothing says how large each friction is. The message has the "
-     "time and the cause; the "
-     "report goes as far as the simulation did. Stops, or 'until', end it before."},
+     "The accelerations of a mechanism are not always determined: in a singular position nothing "
+     "decides which way it moves, a curve ends, a spring has no force, or something moves that has "
+     "neither mass nor inertia. Stops may also be struck repeatedly without time advancing, and "
+     "very stiff parts may require too many steps; where several couplings stick at once, or the "
+     "normal forces are indeterminate, the size of each friction is unknown. The message gives the "
+     "time and the cause; the report goes as far as the simulation did. Stops, or 'until', can end "
+     "it earlier."},
     {"E0516",
      wrong_input,
      "simulation does not know this",
-     "'kinestat simulate' knows bodies with inertia, loads, weights, springs, dampers, friction of "
-     "couplings with one freedom, shares that meshes lose, actions that follow curves, and stops. "
-     "Losses that hang on speed or force, cables and contacts, which can part, torque converters, "
-     "and bodies that turn freely about a point "
-     "are refused, because an answer without them would be wrong. Forces along a given motion have "
-     "all of these: 'kinestat help dynamics'."},
+     "'kinestat simulate' supports bodies with inertia, loads, weights, springs, dampers, friction "
+     "of couplings with one freedom, mesh losses that are a constant fraction, actions that follow "
+     "curves, and stops. Losses that depend on speed or force, cables and contacts, which can "
+     "part, "
+     "torque converters, and bodies that turn freely about a point are refused, because an answer "
+     "without them would be wrong. Forces along a given "
+     "motion have all of these: 'kinestat help dynamics'."},
     {"E0517",
      wrong_input,
      "start of a simulation does not fit",
-     "'start' gives places and speeds of as many freedoms as are independent of each other, by "
-     "actuators or COUPLING.FREEDOM; the others follow. The mechanism is led there from the drawn "
-     "position, as 'kinestat motion' does it, and must come there. What 'motion' of the simulation "
-     "holds keeps its speed from the begin on, and a freedom does not begin beyond its stop."},
+     "'start' gives positions and speeds of as many freedoms as are independent of each other, by "
+     "actuators or COUPLING.FREEDOM; the others follow. The mechanism is moved there from the "
+     "drawn position, as by 'kinestat motion', and must be able to reach it. What 'motion' of the "
+     "simulation holds has its speed from the start, and a freedom may not start beyond its stop."},
     {"E0518",
      wrong_input,
      "what acts in a simulation is not known",
-     "Each actuator has an action in 'action' of 'simulation', be it 0, or a speed in 'motion' "
-     "that "
-     "something holds, and not both; what couplings bear follows and is not given. Some body has "
-     "mass or inertia, or nothing says how fast the mechanism speeds up."},
+     "Each actuator has either an action in 'action' of 'simulation', even if 0, or a speed held "
+     "by 'motion', not both; the actions that couplings carry follow and are not given. At least "
+     "one body needs mass or inertia, otherwise nothing determines how fast the mechanism "
+     "accelerates."},
     {"E0519",
      no_answer,
      "friction has no answer, or several",
-     "Dry friction follows from what presses, and what presses from how the bodies speed up, which "
-     "friction slows down or even speeds up. Where friction grows faster than what it causes, "
-     "rigid "
-     "bodies have no accelerations that fit, or several: Painleve's paradox, as of chalk that is "
-     "pushed over a board and hops. What really happens is decided by how the bodies bend, of "
-     "which "
-     "the file says nothing, and the simulation ends there. The message has the time and the "
-     "coupling. Less friction, a longer guide or a lower centre of mass make an answer."},
+     "Dry friction follows from the normal forces, and these from the accelerations of the bodies, "
+     "which friction reduces or even increases. Where friction grows faster than its cause, rigid "
+     "bodies have no consistent accelerations, or several: Painleve's paradox, as with chalk that "
+     "hops when pushed across a board. What really happens depends on how the bodies deform, about "
+     "which the file says nothing, and the simulation ends there. The message gives the time and "
+     "the coupling. Less friction, a longer guide or a lower centre of mass may give a solution."},
     {"E0601",
      wrong_input,
      "primary actions depend on each other",
-     "Some of the actions given follow from others or from the loads by equilibrium, so that they "
-     "are surplus: one of them is the answer, not a datum. The message states the relation; remove "
-     "one of those it names."},
+     "Some of the given actions follow from others or from the loads by equilibrium, so they are "
+     "redundant: one of them is a result, not an input. The message states the relation; remove "
+     "one of the actions it names."},
     {"E0602",
      no_answer,
      "equilibrium has no solution",
-     "The actions given and the loads cannot be in equilibrium: they act along a motion that "
-     "nothing resists. The message names the body and that motion. Most often an action is given "
-     "(0 among them) that should be solved, or a coupling or actuator is missing."},
+     "The given actions and the loads cannot be in equilibrium: they act along a motion that "
+     "nothing resists. The message names the body and that motion. Usually an action is given "
+     "(perhaps as 0) that should be solved for, or a coupling or actuator is missing."},
     {"E0603",
      no_answer,
      "actions are too large",
-     "An action is above 1e150 in SI units: products with it would leave the range of a double. "
-     "The answer is proportional to the "
-     "known actions and loads, so smaller ones show it."},
+     "An action is above 1e150 in SI units: products with it would exceed the range of a double. "
+     "The result is proportional to the known actions and loads, so use smaller ones."},
     {"E0604",
      wrong_input,
      "friction has no direction",
-     "Friction acts against the motion of its coupling, so the case must say how that moves: "
-     "give 'motion:'. Its numbers must have a value there, too: 'tau' at each speed, the tables of "
-     "a "
-     "torque converter at its speed ratio. See 'kinestat help friction'."},
+     "Friction acts against the motion of its coupling, so the case must say how the coupling "
+     "moves: give 'motion:'. The numbers must also have a value there: 'tau' at each speed, the "
+     "tables of a torque converter at its speed ratio. See 'kinestat help friction'."},
     {"E0605",
      no_answer,
      "friction leaves open how it is pressed",
      "Without friction the known actions contradict equilibrium, as a torque on a crank at its "
-     "dead centre does. With friction they may be in equilibrium, because what the unknown actions "
-     "press holds them; but a bearing has as much friction pressed one way as the other, so that "
-     "the sign of these actions does not follow. The message has the equilibria that were found. "
+     "dead centre does. With friction they may be in equilibrium, held by the friction that the "
+     "unknown actions cause; but a bearing has the same friction when loaded either way, so the "
+     "sign of these actions does not follow. The message gives the equilibria that were found. "
      "Give an action of the other member instead, or another position."},
     {"E0606",
      no_answer,
      "friction at rest",
-     "A coupling with friction stands still in the case, as the ram of a press does at its dead "
-     "centre: friction may have any size up to its limit there, and statics alone cannot tell. "
-     "Actions in the positions around it are those of 'kinestat motion'. Draw another position, or "
-     "leave the friction out of a coupling that always rests. See 'kinestat help friction'."},
+     "A coupling with friction is at rest in the case, like the ram of a press at its dead centre: "
+     "friction may have any value up to its limit there, and statics alone cannot determine it. "
+     "'kinestat motion' gives the actions in the positions around it. Draw another position, or "
+     "omit the friction of a coupling that is always at rest. See 'kinestat help friction'."},
     {"E0701",
      no_answer,
      "power balance is violated",
      "The powers of all couplings and loads must sum to zero (Tellegen). A larger residual means "
      "that the numbers cannot be trusted at this position, so they are reported with this error. "
-     "Compare a position nearby, and look for lengths of very different size."},
+     "Compare a nearby position, and look for lengths of very different magnitude."},
     {"E0711",
      wrong_input,
      "too many combinations of shift elements",
      "'shift' enumerates every combination of as many elements as a gear engages: the net degree "
-     "of freedom less the inputs. With many elements that are more than a table can show. Name "
-     "fewer elements, those between which you choose; what is always engaged or always open needs "
-     "no element."},
+     "of freedom minus the number of inputs. With many elements these are more than a table can "
+     "show. Name fewer elements, only those that you choose between; what is always engaged or "
+     "always open need not be an element."},
     {"E0712",
      wrong_input,
      "slip of a change has no answer",
-     "'slip' of 'shift' follows a change in which one element opens and another one slips at a "
-     "steady torque, while all others stay engaged or open: so two freedoms are left, and their "
-     "inertia must not change while the train turns. The message says which of this does not hold. "
-     "Give a change of several elements as several changes, one after the other."},
+     "'slip' of 'shift' calculates a gear change in which one element opens and another slips at "
+     "constant torque, while all others stay engaged or open: two freedoms remain, and their "
+     "inertia must not change while the train turns. The message says which of these conditions is "
+     "not met. Give a change of several elements as several consecutive changes."},
     {"E0801",
      wrong_input,
      "position contradicts itself",
-     "A position of a synthesis task asks for what no motion has: a centre of curvature that does "
-     "not lie on the normal of the path, the line from 'at' to the pole; a centre in the point "
-     "itself; a point in the pole, where a path has a cusp; or two points whose curvatures say the "
-     "same, because they lie on one line with the pole. The message says which."},
+     "A position of a synthesis task requires something that no motion has: a centre of curvature "
+     "that does not lie on the normal of the path, the line from 'at' to the pole; a centre in the "
+     "point itself; a point in the pole, where a path has a cusp; or two points whose curvatures "
+     "give the same information, because they are collinear with the pole. The message says "
+     "which."},
     {"E0802",
      no_answer,
      "no linkage is usable",
-     "The task asks for linkages through its positions, and each that there is has a defect or "
-     "breaks a limit, or too few dyads are real, or none is of the kind that 'linkage' asks for. "
-     "The report has them all the same, the nearest first, with what speaks against each; the "
-     "message counts the reasons. Move a position, give fewer and let 'vary' choose the rest, or "
-     "widen the limits."},
+     "Every linkage through the positions of the task has a defect or exceeds a limit, or too few "
+     "dyads are real, or none is of the type required by 'linkage'. The report still lists them, "
+     "the nearest first, with the reasons against each; the message counts the reasons. Move a "
+     "position, give fewer and let 'vary' choose the rest, or widen the limits."},
     {"E0803",
      wrong_input,
      "task of a transmission contradicts itself",
-     "No transmission can be what the task asks for, whatever its sets are: more elements are "
-     "engaged than there are, more gears are wanted than so many elements make, the shafts that "
-     "the sets and elements need are more than their terminals, steps are not above 1 or cannot "
-     "give the spread, a range is empty, or a direct gear lies outside of the ladder. The message "
-     "says which, and what to change."},
+     "No transmission can meet the task, whatever its sets are: more elements are engaged than "
+     "exist, more gears are required than these elements can give, the sets and elements need more "
+     "shafts than they have terminals, steps are not above 1 or cannot give the spread, a range is "
+     "empty, or a direct gear lies outside the ladder. The message says which, and what to "
+     "change."},
     {"E0804",
      no_answer,
      "no transmission does what is asked",
      "The search went through all structures, layouts and roles of the sets and found none that "
-     "does all that the task asks for. The report says how many were left at each stage, and the "
-     "message which requirement, left out alone, would give how many. Widen that one, allow other "
-     "stationary ratios, or take a set or an element more."},
+     "meets all requirements of the task. The report says how many remained at each stage, and the "
+     "message which requirement, if it alone were omitted, would give how many. Widen that one, "
+     "allow other stationary ratios, or use one more set or element."},
     {"E0901",
      check_failed,
      "published value is missed",
      "The report differs from a value of the section 'published' by more than its tolerance: the "
-     "file, or what it quotes, is wrong, or the program has changed. The message has both "
-     "numbers. It is a check and no obstacle: the report is complete."},
+     "file, or what it quotes, is wrong, or the program has changed. The message gives both "
+     "numbers. This is only a check: the report is complete."},
     {"E0902",
      wrong_input,
      "published value points to nothing",
      "'value:' is a JSON Pointer into the report, for example /cases/M1/ratio, and there is no "
-     "number at this one. The hint names the keys at the place where the path ends; 'kinestat "
+     "number at this one. The hint names the keys at the place where the path fails; 'kinestat "
      "analyze --format json' shows the whole report."},
     {"E0903",
      wrong_input,
      "file is no report",
      "'kinestat compare' reads what this program wrote: a JSON report or a CSV table of it. This "
      "file is something else, or was damaged or changed by another program: NaN is neither JSON "
-     "nor a value of a table, a decimal comma is no number, and a table needs all its columns, in "
-     "any order. Write the report again; both files are left as they are."},
+     "nor a table value, a number with a decimal comma is not a number, and a table needs all its "
+     "columns, in any order. Write the report again; both files are left unchanged."},
     {"E0904",
      wrong_input,
      "report is of another version",
-     "The report names another version of its format than this program knows, so that a value "
-     "could mean something else than it seems to. Write the report again with this program, or "
-     "compare with the program that wrote it."},
+     "The report has a format version that this program does not know, so a value could have "
+     "another meaning than it seems to. Write the report again with this program, or compare with "
+     "the program that wrote it."},
     {"E0905",
      wrong_input,
      "reports are of different forms",
-     "One of the two reports is JSON and the other a CSV table. A table has only a part of the "
-     "report, under other keys, so the two are not compared. Give two JSON reports, or two tables "
-     "of the same pass."},
+     "One of the two reports is JSON and the other a CSV table. A table has only part of the "
+     "report, under other keys, so the two cannot be compared. Give two JSON reports, or two "
+     "tables of the same pass."},
     {"E0906",
      wrong_input,
      "shard cannot be used",
-     "'kinestat merge' joins what 'kinestat sweep --shard' has written, and takes nothing else: "
-     "this file was cut off, changed, or belongs to another sweep, that is to another file, other "
+     "'kinestat merge' joins files written by 'kinestat sweep --shard', and nothing else: this "
+     "file was truncated or changed, or belongs to another sweep, that is, to another file, other "
      "options or another version of the program. Nothing was written. Run the shard again."},
     {"E0907",
      wrong_input,
      "shards do not make a whole",
-     "A sweep that was run as N shards is whole only with each of the N, once. The message says "
-     "which are missing or there twice. Nothing was written, since a table that lacks some of its "
-     "rows looks like one that has them all."},
+     "A sweep that was run as N shards is complete only with each of the N exactly once. The "
+     "message says which are missing or present twice. Nothing was written, since a table that "
+     "lacks some rows looks like a complete one."},
     {"E0908",
      environment,
      "an interrupted sweep, or another search, is in the way",
-     "The output folder holds what an earlier run of this sweep had finished when it was "
-     "interrupted. With --resume the sweep goes on with it, provided that the file, --set, the "
-     "options and the version are still the same; with --force it is thrown away. Neither happens "
-     "unasked, for it may be the work of hours. So is a folder of --work that holds what a search "
-     "for transmissions has found for another task."},
+     "The output folder contains what an earlier run of this sweep had finished when it was "
+     "interrupted. With --resume the sweep continues from it, provided that the file, --set, the "
+     "options and the version are unchanged; with --force it is discarded. Neither happens unless "
+     "requested, since it may be hours of work. The same applies to a folder of --work that "
+     "contains what a search for transmissions has found for another task."},
     {"E0909",
      wrong_input,
      "file has nothing for this picture",
-     "A picture shows what an analysis found, and here that is missing: a shift matrix needs "
-     "clutches and brakes, bars of forces a case whose actions are solved, a lever diagram a "
-     "planetary set. The message says what is missing; 'kinestat plot list FILE' says of every "
-     "picture whether the file has it."},
+     "A picture shows the results of an analysis, and here these are missing: a shift matrix needs "
+     "clutches and brakes, a bar chart of forces needs a case whose actions are solved, a lever "
+     "diagram needs a planetary set. The message says what is missing; 'kinestat plot list FILE' "
+     "lists which pictures the file has."},
 });
 
 }  // namespace

@@ -10,13 +10,13 @@ namespace {
 const Mapping<ActuatorDescription>& actuator() {
   static const Mapping<ActuatorDescription> mapping(
       "actuator",
-      "An active coupling: an action is brought into a freedom of a coupling.",
+      "An active coupling: an action is applied to a freedom of a coupling.",
       "{coupling: a}",
       [](auto& m) {
         m.key("coupling", "The coupling that it drives.")
             .needed(&ActuatorDescription::coupling, coupling_name(), "a");
         m.key("freedom",
-              "Which freedom of the coupling it drives; needed where the coupling has several.")
+              "The freedom of the coupling that it drives; required if the coupling has several.")
             .may(&ActuatorDescription::freedom, free_name(), "wz");
       });
   return mapping;

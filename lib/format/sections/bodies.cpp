@@ -127,18 +127,18 @@ const Mapping<BodyDescription>& body() {
       [](auto& m) {
         m.may_be_empty();
         m.key("reference",
-              "The point whose absolute velocity is reported, in the drawn position; default the "
+              "The point whose absolute velocity is reported, in the drawn position; default: the "
               "point of the body's first coupling.")
             .may(&BodyDescription::reference, point());
-        m.key("mass", "Mass, on which gravity and accelerations act; default none.")
+        m.key("mass", "Mass, for gravity and inertia forces; default: none.")
             .may(&BodyDescription::mass, mass(), "2.5 kg");
         m.key("centre_of_mass", "The centre of mass in the drawn position, where gravity acts.")
             .may(&BodyDescription::centre_of_mass, point());
         m.key("inertia",
               "Inertia about the centre of mass: one number in the plane; in space the moments "
               "about axes parallel to x, y and z as drawn, the three rows of the tensor (Jxy = "
-              "-integral of x*y), or {polar: NUMBER, axis: z} of a rotor. It acts in cases with "
-              "'acceleration'; default none.")
+              "-integral of x*y), or {polar: NUMBER, axis: z} for a rotor. It acts in cases with "
+              "'acceleration'; default: none.")
             .may(&BodyDescription::inertia, inertia_if_any, "0.002")
             .example("{polar: 0.05, axis: z}");
         m.key("outline", "Points of the body's outline in the drawn position, for pictures.")

@@ -13,7 +13,7 @@ namespace {
 
 // Of both kinds of station, as the schema has their keys in one mapping.
 constexpr const char* kStationPlace =
-    "Where the cable is fixed, or the centre of the pulley, in the drawn position; default of a "
+    "Where the cable is fixed, or the centre of the pulley, in the drawn position; default for a "
     "pulley: the point of its body's first revolute coupling.";
 
 constexpr const char* kStationForms =
@@ -31,17 +31,17 @@ const Mapping<CableStation>& fixed_point() {
 }
 
 void declare_wrap(Mapping<CableStation>& m) {
-  m.key("radius", "Radius of the pulley at the cable; needed unless 'points' are given.")
+  m.key("radius", "Radius of the pulley at the cable; required unless 'points' are given.")
       .needed(&CableStation::radius, size(), "60 mm");
   m.key("wrap",
-        "The sense of turning about +z (in space about the axis) of someone who follows the cable "
-        "in the order of the list; needed unless 'points' are given.")
+        "Direction of rotation about +z (in space about the axis) of someone who follows the cable "
+        "in the order of the list; required unless 'points' are given.")
       .needed(&CableStation::wrap,
               choice_of<Wrap>({{"clockwise", "to the right"}, {"counterclockwise", "to the left"}}),
               "clockwise")
       .add_hint("'wrap: clockwise' or 'wrap: counterclockwise', seen along the cable");
   m.key("axis",
-        "The pulley's axis, about which the sense of 'wrap' counts: x, y, z, -x, -y, -z or a "
+        "The pulley's axis, about which the direction of 'wrap' counts: x, y, z, -x, -y, -z or a "
         "vector [ax, ay, az]. Default: z in the plane, in space the axis of its body's first "
         "revolute coupling.")
       .may(&CableStation::axis, turning_axis(), "z");
@@ -67,19 +67,19 @@ void declare_slip(Mapping<CableStation>& m) {
        "false.")
       .may(&CableStation::slip, flag(), "true");
   m.key("turns",
-        "Whole turns that the cable makes around the pulley beside the arc that is drawn, as on a "
+        "Whole turns of the cable around the pulley in addition to the arc that is drawn, as on a "
         "capstan.")
       .may(&CableStation::turns, not_negative_whole(), "3")
       .usual("0");
   m.key("friction",
-        "Coefficient of friction between cable and pulley. The report has the limit exp(mu theta) "
-        "of the ratio of the tensions and whether the cable sticks; where a case lets it slip, the "
+        "Coefficient of friction between cable and pulley. The report gives the limit exp(mu "
+        "theta) of the tension ratio and whether the cable sticks; if a case lets it slip, the "
         "tensions have this ratio.")
       .may(&CableStation::friction, not_negative(), "0.3")
       .usual("0");
   m.key("eta",
         "Efficiency of the pulley, above 0 and at most 1: the tension behind is eta times that "
-        "ahead, where the cable runs to.")
+        "ahead, in the direction in which the cable runs.")
       .may(&CableStation::eta, efficiency(), "0.95")
       .usual("1");
 }
@@ -141,14 +141,15 @@ void check_ends(const CableDescription& cable, const FileValue& value) {
 const Mapping<CableDescription>& cable() {
   static const Mapping<CableDescription> mapping(
       "cable",
-      "A cable, belt or chain. Each straight segment becomes a cable coupling of this name with a "
-      "number: rope_1, rope_2, …; rope_1.F is its tension. Where it touches pulleys is computed.",
+      "A cable, belt or chain. Each straight segment becomes a cable coupling, named with a "
+      "number: rope_1, rope_2, …; rope_1.F is its tension. The points of contact with pulleys are "
+      "calculated.",
       "{over: [{body: block_a, at: [0, 0]}, {pulley: wheel, radius: 1, wrap: clockwise, slip: "
       "true}, {body: block_b, at: [2, 0]}]}",
       [](auto& m) {
         m.key("over",
-              "Where the cable runs, in order: points on bodies and pulleys that it wraps; an open "
-              "cable begins and ends on points or drums.")
+              "The stations of the cable, in order: points on bodies, and pulleys that it wraps; "
+              "an open cable starts and ends at points or on drums.")
             .needed(&CableDescription::over,
                     list_of(station(), "station {0} of {1}", kStationForms, {.least = 2}),
                     "[{body: block_a, at: [0, 0]}, {pulley: wheel, radius: 1, wrap: clockwise, "

@@ -32,32 +32,30 @@ const Mapping<CaseDescription>& one_case() {
         m.write_in_lines();
         m.key("motion",
               "The known motions: actuators or COUPLING.FREEDOM (d.wz), of the head relative to "
-              "the tail; as many independent ones as the net degree of freedom. Default units "
+              "the tail; as many independent ones as the net degree of freedom. Default units: "
               "rad/s and m/s.")
             .may(&CaseDescription::motions, assignments(speed()), "{drive: 1 rad/s, d.wz: 0}")
             .noted(&CaseDescription::asks_motions);
-        m.key(
-             "acceleration",
-             "How fast the known motions change: with this key, be it empty, the forces of inertia "
-             "of all bodies with mass or inertia act. Motions that are not named here are steady.")
+        m.key("acceleration",
+              "Rates of change of the known motions: with this key, even if empty, the inertia "
+              "forces of all bodies with mass or inertia act. Motions not named here are constant.")
             .may(
                 &CaseDescription::accelerations, assignments(speed_change()), "{drive: 50 rad/s^2}")
             .noted(&CaseDescription::has_inertia);
         m.key("action",
               "The known actions: actuators or COUPLING.ACTION (c.Rx), of the tail on the head. "
-              "Default units N*m and N.")
+              "Default units: N*m and N.")
             .may(&CaseDescription::actions, assignments(action()), "{load: 1 N*m, c.Rx: 0}")
             .noted(&CaseDescription::asks_actions);
         m.key("loads",
-              "Loads of this case alone; one of the same name at the top level is replaced.")
+              "Loads of this case only; they replace those of the same name at the top level.")
             .may(&CaseDescription::loads, loads());
         m.key("input",
-              "Where power goes in: an actuator or several, or a load (gravity.BODY for a weight) "
-              "that "
-              "drives; with the output it defines ratio and efficiency.")
+              "Where power enters: one actuator or several, or a driving load (gravity.BODY for a "
+              "weight); with the output it defines ratio and efficiency.")
             .may(&CaseDescription::inputs, ends(), "drive");
         m.key("output",
-              "Where power comes out: an actuator or several, or a load, as the goods of a hoist; "
+              "Where power leaves: one actuator or several, or a load, such as the one on a hoist; "
               "needs 'input'.")
             .may(&CaseDescription::outputs, ends(), "load");
         m.rule({.kind = FormRule::Kind::any_of,

@@ -13,7 +13,7 @@ using Characteristic = CharacteristicDescription;
 
 Form<Value> density() {
   return number_form(
-      "density", "A density above 0: a bare number counts in kg/m^3.", {"860 kg/m^3"}, kAboveZero);
+      "density", "A density above 0: a bare number is in kg/m^3.", {"860 kg/m^3"}, kAboveZero);
 }
 
 // A table of values, or one expression.
@@ -67,30 +67,30 @@ void add_rules(Mapping<Characteristic>& m) {
 const Mapping<Characteristic>& characteristic_mapping() {
   static const Mapping<Characteristic> mapping(
       "characteristic",
-      "What a torque converter does over its speed ratio, that of turbine to pump: tables, or "
-      "expressions of 'speed_ratio'. Between the points of a table a cubic that is as monotone as "
-      "they are; beyond them it has no value.",
+      "Characteristic of a torque converter over its speed ratio, turbine to pump: tables, or "
+      "expressions of 'speed_ratio'. Tables are interpolated by cubics that are as monotone as "
+      "their points; beyond the points there is no value.",
       "{speed_ratio: [0, 0.5, 0.85, 1], torque_ratio: [2.1, 1.5, 1, 1], pump_torque: [150, 140, "
       "90, "
       "0], pump_speed: 2000 rpm}",
       [](auto& m) {
-        m.key("speed_ratio", "The speed ratios of the tables, from stall, 0, to 1.")
+        m.key("speed_ratio", "The speed ratios of the tables, from 0, stall, to 1.")
             .may(
                 &Characteristic::speed_ratio,
                 [] { return called(list_of(bare_number(), "", "", {.least = 2}), "{1}"); },
                 "[0, 0.5, 0.85, 1]");
         m.key("torque_ratio",
-              "Torque of the turbine over that of the pump, 1 from the coupling point on. The "
-              "stator "
-              "bears the difference; a fluid coupling, without one, has no such key.")
+              "Turbine torque over pump torque, 1 from the coupling point on. The stator carries "
+              "the difference; a fluid coupling, which has none, does not have this key.")
             .may(
                 &Characteristic::torque_ratio,
                 [] { return values_of(bare_number()); },
                 "[2.1, 1.5, 1, 1]")
             .example("max(1, 2.1 - 1.3*speed_ratio)");
         m.key("pump_torque",
-              "Torque that the pump takes at 'pump_speed'; at others it goes with their square. "
-              "MP2000 of a data sheet; of a K factor (speed over root of torque) (2000/K)^2.")
+              "Torque of the pump at 'pump_speed'; at other speeds it is proportional to their "
+              "square. MP2000 in a data sheet; (2000/K)^2 for a K factor (speed over square root "
+              "of torque).")
             .may(
                 &Characteristic::pump_torque,
                 [] { return values_of(moment()); },
@@ -99,13 +99,13 @@ const Mapping<Characteristic>& characteristic_mapping() {
             .may(
                 &Characteristic::pump_speed, [] { return called(speed(), "{1}"); }, "2000 rpm");
         m.key("lambda",
-              "Instead of 'pump_torque': the torque of the pump over density, fifth power of the "
-              "diameter and square of its speed in rad/s (VDI 2153), without a unit.")
+              "Instead of 'pump_torque': the torque of the pump divided by density, fifth power of "
+              "the diameter and square of its speed in rad/s (VDI 2153), without a unit.")
             .may(
                 &Characteristic::lambda,
                 [] { return values_of(bare_number()); },
                 "[2.1e-3, 2.0e-3, 1.2e-3, 0]");
-        m.key("density", "Density of the fluid, with 'lambda'; a bare number counts in kg/m^3.")
+        m.key("density", "Density of the fluid, with 'lambda'; a bare number is in kg/m^3.")
             .may(
                 &Characteristic::density, [] { return called(density(), "{1}"); }, "860 kg/m^3");
         m.key("diameter", "Outer diameter of the fluid circuit, with 'lambda'.")

@@ -22,9 +22,9 @@ struct FrictionTexts {
 };
 
 constexpr std::string_view kCollar =
-    "Mean radius of the collar, at which the friction of the force along the axis acts.";
+    "Mean radius of the collar, where the friction of the axial force acts.";
 constexpr std::string_view kGuideLength =
-    "Length of the guide of a prismatic coupling, over which its edges bear a couple.";
+    "Length of the guide of a prismatic coupling, over which its edges carry a couple.";
 
 const FrictionTexts& texts_of(FrictionKind kind) {
   static constexpr std::array<FrictionTexts, 6> kTexts = {{
@@ -32,9 +32,11 @@ const FrictionTexts& texts_of(FrictionKind kind) {
        .meaning = "Friction of a revolute coupling: a couple against its motion in the case. The "
                   "coefficient needs the radius of the journal.",
        .example = "{mu: 0.1, radius: 12 mm}",
-       .radius = "Radius of the journal, at which the friction of the force across the axis acts.",
+       .radius =
+           "Radius of the journal, where the friction of the force perpendicular to the axis acts.",
        .thrust_radius = kCollar,
-       .length = "Length of the journal, over which its ends bear a couple across the axis.",
+       .length =
+           "Length of the journal, over which its ends carry a couple perpendicular to the axis.",
        .has_constant = true},
       {.definition = "thread_friction",
        .meaning = "Friction of a helical coupling: a couple against its motion in the case. The "
@@ -48,8 +50,9 @@ const FrictionTexts& texts_of(FrictionKind kind) {
        .meaning = "Friction of a prismatic coupling: a force against its motion in the case. A "
                   "coefficient alone, 0.1, or a mapping.",
        .example = "{mu: 0.1, length: 80 mm}",
-       .radius = "Radius at which a spline or key keeps the guide from turning, at which the "
-                 "friction of the couple about its axis acts.",
+       .radius =
+           "Radius of the spline or key that keeps the guide from turning, where the friction of "
+           "the couple about its axis acts.",
        .thrust_radius = {},
        .length = kGuideLength,
        .has_constant = false},
@@ -63,8 +66,8 @@ const FrictionTexts& texts_of(FrictionKind kind) {
        .length = {},
        .has_constant = false},
       {.definition = "drag",
-       .meaning = "Drag of a clutch or brake that is open: a couple against its slip. It has none "
-                  "where it does not slip.",
+       .meaning =
+           "Drag of an open clutch or brake: a couple against its slip; none if it does not slip.",
        .example = "{tau: 0.5 N*m, c: 0.01 N*m*s/rad}",
        .radius = {},
        .thrust_radius = {},
@@ -106,11 +109,11 @@ void declare_radius(Mapping<FrictionDescription>& m, FrictionKind kind) {
 
 void declare_drag(Mapping<FrictionDescription>& m, FrictionKind kind) {
   if (kind == FrictionKind::guide) {
-    m.key("c", "Viscous force per velocity, added to that of the load.")
+    m.key("c", "Viscous force per velocity, added to the friction of the load.")
         .may(&FrictionDescription::c, called(viscous_force(), "{1}"), "5 N*s/m")
         .usual("0");
   } else {
-    m.key("c", "Viscous couple per angular velocity, added to that of the load.")
+    m.key("c", "Viscous couple per angular velocity, added to the friction of the load.")
         .may(&FrictionDescription::c, called(viscous_couple(), "{1}"), "0.02 N*m*s/rad")
         .usual("0");
   }
@@ -125,7 +128,7 @@ void declare_friction(Mapping<FrictionDescription>& m, FrictionKind kind) {
         .may(&FrictionDescription::mu, called(not_negative(), "{1}"), "0.1");
     if (kind != FrictionKind::sliding && kind != FrictionKind::no_law) {
       m.key("mu_static",
-            "Coefficient at rest, from which a simulation lets it slip; no less than 'mu'.")
+            "Coefficient of static friction, which a simulation uses at rest; not less than 'mu'.")
           .may(&FrictionDescription::mu_static, called(not_negative(), "{1}"), "0.15")
           .usual("mu");
       m.rule({.kind = FormRule::Kind::needed_beside, .key = "mu", .others = {"mu_static"}});
@@ -137,8 +140,8 @@ void declare_friction(Mapping<FrictionDescription>& m, FrictionKind kind) {
   if (texts.has_constant) {
     coefficients.push_back("tau");
     m.key("tau",
-          "Couple of friction that does not depend on the load. It may depend on 'speed', the size "
-          "of the relative angular velocity.")
+          "Friction couple that does not depend on the load. It may depend on 'speed', the "
+          "magnitude of the relative angular velocity.")
         .may(&FrictionDescription::tau, called(friction_moment(), "{1}"), "0.2 N*m")
         .example("0.2 N*m + 3e-6 N*m*s^2/rad^2 * speed^2")
         .usual("0");

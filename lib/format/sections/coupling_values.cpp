@@ -242,8 +242,8 @@ Form<CouplingPoint> coupling_point() {
   form.shape.meaning =
       "Where the coupling is, in the drawn position: a point [x, y] in the plane or [x, y, z] in "
       "space, lengths in the file's unit. {TAIL: point, HEAD: point} gives it as drawn on each of "
-      "the two bodies; a difference is closed by the finite motion first. Where 'gears' places the "
-      "bodies, one number gives the position along their axis. Without a point the file is only "
+      "the two bodies; the finite motion first closes any difference. If 'gears' places the "
+      "bodies, one number gives the position along their axis. Without a point, only mobility is "
       "counted.";
   form.shape.examples = {"[6, 5]", "[6, 5, 0]", "{crank: [1, 3], coupler: [1.02, 3]}"};
   form.read = [read = form.read](const FileValue& value) {

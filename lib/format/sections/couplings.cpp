@@ -86,8 +86,8 @@ constexpr auto kRows = std::to_array<KeyRow>({
      }},
     {CouplingKey::radii,
      "radii",
-     "The radii of the two bodies where they touch, of the tail and of the head, for motions: flat "
-     "for a plane, negative for a hollow. The normal then points from the tail into the head.",
+     "The radii of curvature of tail and head at the contact, for motions: flat for a plane, "
+     "negative if concave. The normal then points from the tail into the head.",
      [](Key key) {
        key.may(
            &Coupling::radii,
@@ -112,7 +112,7 @@ constexpr auto kRows = std::to_array<KeyRow>({
     {CouplingKey::tangent,
      "tangent",
      "The direction t of the tangential force of the tail on the head. With the pressure angle it "
-     "gives the line of action cos(alpha) t + sin(alpha) (axis x t). Needed unless "
+     "gives the line of action cos(alpha) t + sin(alpha) (axis x t). Required unless "
      "'line_of_action' is given or 'gears' derives it.",
      [](Key key) {
        key.may(
@@ -120,7 +120,7 @@ constexpr auto kRows = std::to_array<KeyRow>({
      }},
     {CouplingKey::pressure_angle,
      "pressure_angle",
-     "Pressure angle of the teeth in the transverse plane; needed with 'tangent'.",
+     "Pressure angle of the teeth in the transverse plane; required with 'tangent'.",
      [](Key key) { key.may(&Coupling::pressure_angle, called(angle(), "{0}"), "20 deg"); }},
     {CouplingKey::helix_angle,
      "helix_angle",
@@ -128,13 +128,13 @@ constexpr auto kRows = std::to_array<KeyRow>({
      [](Key key) { key.may(&Coupling::helix_angle, called(angle(), "{0}"), "15 deg").usual("0"); }},
     {CouplingKey::internal,
      "internal",
-     "true if one of the two gears is a ring, which loses less power and turns the same way. "
-     "Default false.",
+     "true if one of the two gears is a ring, which loses less power and turns in the same "
+     "direction. Default false.",
      [](Key key) { key.may(&Coupling::internal, called(flag(), "'{1}'"), "true"); }},
     {CouplingKey::contact,
      "contact",
-     "true models the contact of the teeth (5 freedoms, 1 constraint in space) instead of the "
-     "pitch circles rolling on each other. Default false.",
+     "true models the contact of the teeth (5 freedoms, 1 constraint in space) instead of pitch "
+     "circles rolling on each other. Default false.",
      [](Key key) { key.may(&Coupling::contact, called(flag(), "'{1}'"), "true"); }},
     {CouplingKey::line_of_action,
      "line_of_action",
@@ -145,7 +145,7 @@ constexpr auto kRows = std::to_array<KeyRow>({
      }},
     {CouplingKey::screw,
      "screw",
-     "The relative motion of head and tail, given as a screw, instead of 'axis'.",
+     "The relative motion of head and tail as a screw, instead of 'axis'.",
      [](Key key) {
        key.may(&Coupling::screw,
                [] { return called(motion_screw(), "the relative screw of {0}"); });
@@ -161,8 +161,8 @@ constexpr auto kRows = std::to_array<KeyRow>({
     {CouplingKey::freedoms,
      "freedoms",
      "The freedoms of the head relative to the tail, as screws: rotations and translations. They "
-     "are named like those of other types: wz and vx where a keyword gives the axis, w and v along "
-     "a vector; several alike are numbered, w1 and w2.",
+     "are named as in other types: wz and vx if a keyword gives the axis, w and v along a vector; "
+     "several of the same name are numbered, w1 and w2.",
      [](Key key) {
        key.may(
            &Coupling::freedoms,
@@ -171,8 +171,8 @@ constexpr auto kRows = std::to_array<KeyRow>({
      }},
     {CouplingKey::constraints,
      "constraints",
-     "The actions that the coupling transmits, as screws: forces and couples. Left out, it is "
-     "everything that does no work on the freedoms.",
+     "The actions that the coupling transmits, as screws: forces and couples. Default: everything "
+     "that does no work on the freedoms.",
      [](Key key) {
        key.may(
            &Coupling::constraints,
@@ -190,16 +190,16 @@ constexpr auto kRows = std::to_array<KeyRow>({
      }},
     {CouplingKey::stator,
      "stator",
-     "The body on which the stator of a torque converter reacts, through its freewheel: usually "
-     "the housing. It becomes a coupling of its own, NAME_stator. Without one it is a fluid "
-     "coupling.",
+     "The body that supports the stator of a torque converter through its freewheel, usually the "
+     "housing. The stator becomes a coupling of its own, NAME_stator. Without this key it is a "
+     "fluid coupling.",
      [](Key key) {
        key.may(
            &Coupling::stator, [] { return called(body_name(), "the stator of {0}"); }, "housing");
      }},
     {CouplingKey::characteristic,
      "characteristic",
-     "What the torque converter does over its speed ratio.",
+     "Characteristic of the torque converter over its speed ratio.",
      [](Key key) {
        key.needed(&Coupling::characteristic,
                   called(characteristic(), "the characteristic of {0}"),
@@ -223,7 +223,7 @@ Form<CouplingType> type_word(CouplingType type) {
 }
 
 void declare_head(Mapping<Coupling>& m, const CouplingKind& kind) {
-  m.key("type", "The type of the coupling; it decides which other keys may stand.")
+  m.key("type", "The type of the coupling; it determines which other keys are allowed.")
       .needed(&Coupling::type, type_word(kind.type), "revolute")
       .add_hint("for example 'type: revolute'");
   m.key("bodies",
@@ -243,8 +243,7 @@ void declare_own_keys(Mapping<Coupling>& m, const CouplingKind& kind) {
 }
 
 void declare_common_keys(Mapping<Coupling>& m, const CouplingKind& kind) {
-  m.key("passive",
-        "The actions that the coupling keeps, of those its type has; [] keeps none. Default: all.")
+  m.key("passive", "The actions of its type that the coupling keeps; [] keeps none. Default: all.")
       .may(
           &Coupling::passive,
           [] {
@@ -258,7 +257,7 @@ void declare_common_keys(Mapping<Coupling>& m, const CouplingKind& kind) {
   }
   m.key("stiffness",
         "Stiffness of the actions that the coupling transmits, used by 'statics: {indeterminate: "
-        "stiffness}'. Actions that are not named are rigid.")
+        "stiffness}'. Actions not named are rigid.")
       .may(
           &Coupling::stiffness,
           [] { return called(stiffness_of_actions(), "the stiffness of {0}"); },
@@ -294,7 +293,7 @@ Form<Coupling> coupling() {
   form.shape.definition = "coupling";
   form.shape.meaning =
       "A coupling joins two bodies. Motions are those of the head relative to the tail, actions "
-      "those of the tail on the head. Which other keys may stand depends on the type.";
+      "those of the tail on the head. The type determines which other keys are allowed.";
   form.shape.examples = {"{type: revolute, bodies: [frame, crank], at: [0, 0]}"};
   return form;
 }

@@ -26,25 +26,25 @@ Form<CurvePointDescription> curve_point() {
 const Mapping<CurveDescription>& curve() {
   static const Mapping<CurveDescription> mapping(
       "curve",
-      "A number that moves: through points, over time or over an actuator.",
+      "A value that changes: through points, over time or over an actuator.",
       "{over: motor, period: 360 deg, points: [[0 deg, -900 N], [180 deg, -200 N]]}",
       [](auto& m) {
         m.key("over",
-              "What it is over: time, an actuator, meaning its position from the drawn one, or "
-              "ACTUATOR.speed.")
+              "The independent variable: time, an actuator, meaning its position from the drawn "
+              "one, or ACTUATOR.speed.")
             .needed(&CurveDescription::over, target(), "motor")
             .offer("time", "since the motion began; 0 in the drawn position");
         m.key("points",
-              "Places and values, the places rising. Values have a unit, or count in that of the "
-              "file where the curve is used.")
+              "Points of the variable, increasing, and values. Values have a unit, or are in the "
+              "file's unit for the quantity where the curve is used.")
             .needed(&CurveDescription::points,
                     list_of(curve_point(), "point {0} of {1}", kPointHint),
                     "[[0 deg, -900 N], [90 deg, -1500 N], [180 deg, -200 N]]");
         m.key("period",
-              "After how much it repeats. The last point is one period behind the first and has "
-              "its value, or comes before and goes on to the first.")
+              "Period of repetition. The last point is one period after the first and has the same "
+              "value, or is earlier and continues to the first.")
             .may(&CurveDescription::period, any_number(), "720 deg");
-        m.key("between", "What lies between the points.")
+        m.key("between", "Interpolation between the points.")
             .may(&CurveDescription::between,
                  choice_of<CurveCourse>(
                      {{"linear", "straight lines"},
@@ -52,7 +52,7 @@ const Mapping<CurveDescription>& curve() {
                       {"cubic", "a spline whose second derivative is continuous"}}),
                  "linear")
             .usual("linear");
-        m.key("ends", "Of cubic: what it does at its ends; periodic where it has a period.")
+        m.key("ends", "For cubic: the end conditions; periodic if there is a period.")
             .may(&CurveDescription::ends,
                  choice_of<CurveEnds>({{"natural", "no second derivative"},
                                        {"rest", "no slope"},
@@ -72,7 +72,7 @@ Form<std::vector<CurveDescription>> curves() {
                                          "curve '{0}'"),
                                    "curve");
   form.shape.definition = "curves";
-  form.shape.meaning = "Numbers that move, each with a name.";
+  form.shape.meaning = "Values that change, by name.";
   form.shape.examples = {
       "{gas: {over: motor, period: 360 deg, points: [[0 deg, -900 N], [180 deg, -200 N]]}}"};
   return form;

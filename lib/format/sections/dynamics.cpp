@@ -20,12 +20,13 @@ Form<Value> harmonic_count() {
 const Mapping<FlywheelDescription>& flywheel() {
   static const Mapping<FlywheelDescription> mapping(
       "flywheel",
-      "A flywheel that keeps the speed of a cycle nearly steady.",
+      "A flywheel that keeps the speed of a cycle nearly constant.",
       "{at: motor, fluctuation: 0.02}",
       [](auto& m) {
-        m.key("at", "The actuator on whose freedom it turns, in a steady ratio to the drive.")
+        m.key("at", "The actuator with whose freedom it turns, at a constant ratio to the drive.")
             .needed(&FlywheelDescription::at, name_of("an actuator"), "motor");
-        m.key("fluctuation", "Greatest less least speed of the cycle, over the mean speed.")
+        m.key("fluctuation",
+              "Coefficient of fluctuation: (greatest - least speed of the cycle) / mean speed.")
             .needed(&FlywheelDescription::fluctuation, fluctuation(), "0.02");
       });
   return mapping;
@@ -34,10 +35,12 @@ const Mapping<FlywheelDescription>& flywheel() {
 const Mapping<BalanceDescription>& balance() {
   static const Mapping<BalanceDescription> mapping(
       "balance",
-      "Counterweights that leave the least mean square of the shaking force.",
+      "Counterweights with the least mean square shaking force.",
       "{bodies: [crank]}",
       [](auto& m) {
-        m.key("bodies", "The bodies that may carry one; each turns about an axis of the ground.")
+        m.key("bodies",
+              "The bodies that may carry a counterweight; each turns about an axis fixed to the "
+              "ground.")
             .needed(&BalanceDescription::bodies, one_or_more(body_name(), 1), "[crank]");
       });
   return mapping;
@@ -50,20 +53,20 @@ const Mapping<DynamicsDescription>& dynamics_section() {
       "", "", "{flywheel: {at: motor, fluctuation: 0.02}, harmonics: 6}", [](auto& m) {
         m.key("actuators",
               "Actuators whose peak and RMS action, powers and energies over the whole motion are "
-              "told, beside its balance of energy.")
+              "reported, in addition to its energy balance.")
             .may(
                 &DynamicsDescription::actuators, one_or_more(name_of("an actuator"), 1), "[motor]");
-        m.key("flywheel", "The moment of inertia that keeps the speed of a cycle nearly steady.")
+        m.key("flywheel", "The moment of inertia that keeps the speed of a cycle nearly constant.")
             .may(&DynamicsDescription::flywheel, flywheel);
         m.key("harmonics",
-              "Up to which order of the turn of the drive the torques of the drives, shaking and "
-              "ground wrench are taken apart.")
+              "Highest order, relative to the rotation of the drive, of the harmonics of drive "
+              "torques, shaking wrench and ground wrench.")
             .may(&DynamicsDescription::harmonics, harmonic_count(), "6");
         m.key("balance", "Counterweights against the shaking force.")
             .may(&DynamicsDescription::balance, balance);
         m.key("limit_speed",
-              "Contacts and segments of cables: the steady speed of the drive at which the first "
-              "of them would lose its force.")
+              "Contacts and cable segments: the steady drive speed at which the first of them "
+              "would lose its force.")
             .may(&DynamicsDescription::limit_speed, one_or_more(coupling_name(), 1), "[cam]");
         m.rule({.kind = FormRule::Kind::any_of,
                 .others = {"actuators", "flywheel", "harmonics", "balance", "limit_speed"},

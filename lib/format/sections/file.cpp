@@ -16,9 +16,9 @@ namespace {
 using File = MechanismDescription;
 
 constexpr const char* kMeaning =
-    "A mechanism, the cases to analyse and, where wanted, a shift table, a motion, a sweep or a "
-    "synthesis task. Numbers may be expressions with units and parameters: 20 deg, "
-    "(N1 + N5)/2*module.";
+    "A mechanism, the cases to analyse and, optionally, a shift table, a motion, a sweep or a "
+    "synthesis task. Numbers may be expressions with units and parameters: 20 deg, (N1 + "
+    "N5)/2*module.";
 
 const std::string& version_hint() {
   static const std::string hint = fmt::format("the file must say 'kinestat: {}'", kFormatVersion);
@@ -65,10 +65,10 @@ Form<Space> space_word() {
 
 const Mapping<File>& statics_section() {
   static const Mapping<File> mapping("", "", "{indeterminate: minimum_norm}", [](auto& m) {
-    m.key("indeterminate", "What is reported of actions that equilibrium leaves open.")
+    m.key("indeterminate", "What is reported for actions that equilibrium leaves open.")
         .may(&File::indeterminate,
              choice_of<IndeterminateChoice>(
-                 {{"report", "they are listed, without values"},
+                 {{"report", "they are listed without values"},
                   {"minimum_norm",
                    "the smallest actions in equilibrium; couples are divided by a "
                    "characteristic length"},
@@ -90,10 +90,10 @@ Form<OrderChoice> order_word() {
 const Mapping<File>& order_section() {
   static const Mapping<File> mapping(
       "", "", "{kinematics: minimal, statics: minimal}", [](auto& m) {
-        m.key("kinematics", "Order of the screws of motion.")
+        m.key("kinematics", "Order of the motion screws.")
             .may(&File::kinematic_order, order_word(), "planar")
             .usual("minimal");
-        m.key("statics", "Order of the screws of action.")
+        m.key("statics", "Order of the action screws.")
             .may(&File::static_order, order_word(), "spatial")
             .usual("minimal");
       });
@@ -110,8 +110,8 @@ void declare_head(Mapping<File>& m) {
   m.key("source", "Where the mechanism and its numbers come from.")
       .may(&File::source, called(text(), "the source"), "Cazangi 2008, section 3.11");
   m.key("units",
-        "The units of bare numbers in this file; reports use the same. A unit is a name, or "
-        "several joined by '*', '/' and '^', such as N*mm.")
+        "The units of bare numbers in this file and of reports. A unit is a name, or several "
+        "joined by '*', '/' and '^', such as N*mm.")
       .group(&File::units, units_section());
   m.key("space", "Whether points and vectors have two or three components.")
       .may(&File::space, space_word(), "planar")
@@ -123,7 +123,7 @@ void declare_head(Mapping<File>& m) {
 }
 
 void declare_network(Mapping<File>& m) {
-  m.key("ground", "The body that stands still. It is not listed in 'bodies'.")
+  m.key("ground", "The fixed body. It is not listed in 'bodies'.")
       .may(&File::ground, called(new_body_name("the ground"), "the ground"), "frame")
       .required()
       .add_hint("'ground: NAME', the body that stands still");
@@ -144,25 +144,24 @@ void declare_network(Mapping<File>& m) {
 
 void declare_structure(Mapping<File>& m) {
   m.key("parameters",
-        "Numbers with a name, for use in expressions, in any order. They can be changed by --set "
-        "NAME=VALUE.")
+        "Named numbers for use in expressions, in any order. --set NAME=VALUE changes them.")
       .may(&File::parameters, parameters, "{N1: 19, alpha: 20 deg, crank: 2.5 * 1.2}");
   m.key("tree",
         "The couplings of the spanning tree, as many as there are moving bodies; default: chosen "
         "by the program. It decides which circuits and cut-sets are used, not the results.")
       .may(&File::tree, one_or_more(coupling_name()), "[a, b, c]")
       .at_value(&File::tree_where);
-  m.key("order", "In how many coordinates the equations are written.")
+  m.key("order", "The number of coordinates in which the equations are written.")
       .group(order_section())
       .at_value(&File::order_where);
 }
 
 void declare_trains(Mapping<File>& m) {
   m.key("gears",
-        "Gear trains in teeth, from which the geometry follows: suns and rings centre on the world "
-        "z axis, the first planet stands on +y.")
+        "Gear trains defined by numbers of teeth, from which the geometry follows: suns and rings "
+        "are centred on the world z axis, the first planet is on +y.")
       .may(&File::gears, gears_section);
-  m.key("cables", "Cables, belts and chains over pulleys, each with a name.")
+  m.key("cables", "Cables, belts and chains over pulleys, by name.")
       .may(&File::cables,
            cables,
            "{rope: {over: [{body: block_a, at: [0, 0]}, {pulley: wheel, radius: 1, wrap: "
@@ -172,22 +171,21 @@ void declare_trains(Mapping<File>& m) {
 
 void declare_actuators(Mapping<File>& m) {
   m.key("actuators",
-        "Active couplings by name: where motions and actions are brought in or taken out. "
-        "Clutches and brakes are actuators of their own names already.")
+        "Active couplings by name: where motions and actions enter or leave. Clutches and brakes "
+        "are already actuators under their own names.")
       .may(&File::actuators, actuators, "{drive: {coupling: a}, load: {coupling: d}}");
 }
 
 void declare_loads(Mapping<File>& m) {
   m.key("loads",
-        "Forces and couples on bodies from outside, in every case; a case may replace them by "
-        "name.")
+        "External forces and couples on bodies, in every case; a case may replace them by name.")
       .may(&File::loads, loads)
       .at(&File::loads_where);
   m.key("springs", "Springs, dampers and gas springs by name; they act in every case.")
       .may(&File::springs, springs);
   m.key("curves",
-        "Numbers that move, by name: over time, or over the position or the speed of an actuator. "
-        "Loads and actions of cases may name them.")
+        "Values over time, or over the position or the speed of an actuator, by name. Loads and "
+        "actions of cases may name them.")
       .may(&File::curves, curves);
   m.key("gravity",
         "The acceleration of gravity as a vector, [x, y] in the plane, [x, y, z] in space; it acts "
@@ -196,48 +194,48 @@ void declare_loads(Mapping<File>& m) {
       .offer("0, ${1:-9.81 m/s^2}", "in the plane, down is -y")
       .offer("0, 0, ${1:-9.81 m/s^2}", "in space, down is -z");
   m.key("losses",
-        "What the meshes lose, from which efficiencies follow. Bearings and guides have 'friction' "
-        "of their own.")
+        "Gear mesh losses, from which efficiencies follow. Bearings and guides have 'friction' "
+        "instead.")
       .may(&File::losses, losses_section);
   m.key("statics", "How the statics are solved.").group(statics_section()).at(&File::statics_where);
 }
 
 void declare_tasks(Mapping<File>& m) {
   m.key("cases",
-        "The cases to analyse, each with a label: what is known in it. Everything else is solved.")
+        "The cases to analyse, by label: what is known in each. Everything else is solved.")
       .may(&File::cases,
            cases,
            "{design point: {motion: {load: 1 rad/s}, action: {load: 1 N*m}, input: drive, output: "
            "load}}");
   m.key("shift",
         "A gearbox: which elements engage for which gear. Every combination is enumerated and "
-        "classed; every gear is also a case of its name.")
+        "classified; every gear is also a case of its name.")
       .may(&File::shift, shift_section);
   m.key("duty",
-        "What a transmission does for how long: energies, losses, and what gears and bearings "
-        "bear.")
+        "What a transmission does and for how long: energies, losses, and the loads on gears and "
+        "bearings.")
       .may(&File::duty, duty_section);
   m.key("motion",
         "A finite motion from the drawn position: the drives run through their ranges, everything "
         "else follows.")
       .may(&File::motion, motion_section);
   m.key("dynamics",
-        "What is asked of that motion beside its steps, where bodies have inertia: flywheel, "
-        "harmonics, counterweights, and the speed at which contacts part.")
+        "Evaluations of the whole motion, if bodies have inertia: flywheel, harmonics, "
+        "counterweights, and the speed at which contacts separate.")
       .may(&File::dynamics, dynamics_section);
   m.key("simulation",
-        "The mechanism left to what acts on it from a start onwards, where bodies have inertia: "
-        "places, speeds and energies in time.")
+        "The motion in time that follows from the forces, from a given start, if bodies have "
+        "inertia: positions, speeds and energies.")
       .may(&File::simulation, simulation_section);
   m.key("sweep", "Analyses every combination of some parameters, in the order of the file.")
       .may(&File::sweep, sweep_section);
-  m.key("published", "Values that the source prints, against which the report is checked.")
+  m.key("published", "Values printed in the source, against which the report is checked.")
       .may(&File::published,
            published,
            "[{value: /cases/M1/ratio, is: 2.847, tolerance: 0.0005, where: Tab. 5.15}]");
   m.key("synthesis",
-        "Finds linkages that carry a plane through two to five positions, finitely or "
-        "infinitesimally near. It is planar; a file may hold this section alone.")
+        "Finds linkages that guide a plane through two to five positions, finitely or "
+        "infinitesimally separated. It is planar; a file may contain this section alone.")
       .may(&File::synthesis, synthesis_section);
   m.rule({.kind = FormRule::Kind::together,
           .key = "dynamics",

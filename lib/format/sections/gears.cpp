@@ -15,23 +15,23 @@ Form<PlanetSide> side_of_axis() {
 const Mapping<GearAxisDescription>& gear_axis() {
   static const Mapping<GearAxisDescription> mapping(
       "gear_axis",
-      "An axis about which bodies turn. The first of the section is the main axis.",
+      "An axis about which bodies turn. The first one in the section is the main axis.",
       "{bodies: [lay, idler1, idler2]}",
       [](auto& m) {
         m.key("bodies",
-              "Bodies that turn about it; those that clutches join to them follow, and so do "
+              "Bodies that turn about it; bodies joined to them by clutches follow, and so do "
               "carriers and the gears that mesh with their planets.")
             .needed(&GearAxisDescription::bodies,
                     list_of(body_name(), "a body", "", {.least = 1}),
                     "[lay, idler1, idler2]");
         m.key("centre_distance",
-              "Its distance from the main axis, for all its gears; default the mean of what their "
-              "meshes with gears on the main axis ask for. Where there are none, it stands beyond "
-              "the axis with which it meshes, in line with the main axis.")
+              "Its distance from the main axis, for all its gears; default: the mean of what their "
+              "meshes with gears on the main axis require. If there are none, it is beyond the "
+              "axis with which it meshes, in line with the main axis.")
             .may(&GearAxisDescription::centre_distance, size(), "80 mm");
         m.key("side",
-              "On which side of the line from the main axis to its neighbour it stands, if it "
-              "meshes with another axis beside the main axis.")
+              "On which side of the line from the main axis to its neighbour it is, if it meshes "
+              "with another axis as well as the main axis.")
             .may(&GearAxisDescription::side, side_of_axis(), "right")
             .usual("left");
       });
@@ -51,27 +51,26 @@ const Mapping<GearMember>& gear_member() {
         m.key("internal", "true for a ring with internal teeth. Default false.")
             .may(&GearMember::internal, flag(), "true");
         m.key("count",
-              "How many equal planets there are; more than one adds checks of assembly and "
-              "neighbours, and loads of each planet. One stands for all: actions are those of all "
+              "Number of equal planets; more than one adds checks of assembly and neighbours, and "
+              "the loads of each planet. One represents all: its actions are those of all "
               "together.")
             .may(&GearMember::count, planet_count(), "3")
             .usual("1");
-        m.key(
-             "load_sharing",
-             "Load of the most loaded of these planets over the mean of all: of three planets with "
-             "1.15 it bears 1.15/3. It raises the loads reported of its meshes and its bearing, no "
-             "torque. The planets of a set have one.")
+        m.key("load_sharing",
+              "Load of the most heavily loaded of these planets over the mean of all: with 1.15, "
+              "one of three planets carries 1.15/3. It raises the reported loads of its meshes and "
+              "its bearing, but no torque. All planets of a set share one value.")
             .may(&GearMember::load_sharing, at_least_one(), "1.15")
             .usual("1");
         m.key(
              "centre_distance",
              "Distance of a planet from the axis of its carrier, or of a shaft from the main axis; "
-             "default the mean of what its meshes with gears on that axis ask for. A gear that "
+             "default: the mean of what its meshes with gears on that axis require. A gear that "
              "has one does not turn on the main axis.")
             .may(&GearMember::centre_distance, size(), "50 mm");
         m.key("side",
-              "On which side of the line from the main axis to its neighbour a further planet "
-              "stands, if it meshes with another planet.")
+              "On which side of the line from the main axis to its neighbour a further planet is, "
+              "if it meshes with another planet.")
             .may(&GearMember::side, side_of_axis(), "right")
             .usual("left");
         m.rule({.kind = FormRule::Kind::together,
@@ -108,20 +107,20 @@ const Mapping<MeshDescription>& mesh() {
                   name_of("two gear members"),
                   "[sun1, planet5]",
                   "write members: [first, second]; a gear that meets two others has two meshes");
-        m.key("carrier", "The body that holds the two centres apart; default the ground.")
+        m.key("carrier", "The body that holds the two centres apart; default: the ground.")
             .may(&MeshDescription::carrier, body_name(), "carrier");
         m.key("at", "Position of the mesh along the axis.")
             .may(&MeshDescription::at, length(), "10 mm");
-        m.key("module", "Module of this mesh; default that of 'gears'.")
+        m.key("module", "Module of this mesh; default: that of 'gears'.")
             .may(&MeshDescription::module, size(), "2.5 mm");
         m.key("pressure_angle",
-              "Pressure angle of this mesh in the transverse plane; default what 'gears' has.")
+              "Pressure angle of this mesh in the transverse plane; default: that of 'gears'.")
             .may(&MeshDescription::pressure_angle, acute_angle(), "25 deg");
-        m.key("normal_pressure_angle", "The same in the plane across the teeth, instead.")
+        m.key("normal_pressure_angle", "Instead: the same in the normal plane.")
             .may(&MeshDescription::normal_pressure_angle, acute_angle(), "20 deg");
         m.rule(one_pressure_angle());
         m.key("helix_angle",
-              "Helix angle of this mesh, positive if its tail is right-handed; default that of "
+              "Helix angle of this mesh, positive if its tail is right-handed; default: that of "
               "'gears'.")
             .may(&MeshDescription::helix_angle, angle(), "15 deg");
       });
@@ -130,15 +129,15 @@ const Mapping<MeshDescription>& mesh() {
 
 void declare_teeth(Mapping<GearsDescription>& m) {
   m.key("module",
-        "Module of the teeth, the pitch diameter by the number of teeth. May be left out where "
-        "meshes have their own or members have a centre_distance.")
+        "Module of the teeth: pitch diameter over number of teeth. Optional if meshes have their "
+        "own or members have a centre_distance.")
       .may(&GearsDescription::module, size(), "2 mm");
   m.key("pressure_angle", "Pressure angle of the teeth in the transverse plane.")
       .may(&GearsDescription::pressure_angle, acute_angle(), "20 deg")
       .usual(kUsualPressureAngle);
   m.key("normal_pressure_angle",
-        "Pressure angle in the plane across the teeth, instead, as catalogues and cutters of "
-        "helical gears have it: tan(pressure_angle) = tan(normal_pressure_angle)/cos(helix_angle).")
+        "Instead: pressure angle in the normal plane, as given by catalogues and cutters of "
+        "helical gears: tan(pressure_angle) = tan(normal_pressure_angle)/cos(helix_angle).")
       .may(&GearsDescription::normal_pressure_angle, acute_angle(), "20 deg");
   m.rule(one_pressure_angle());
   m.key("helix_angle",
@@ -150,7 +149,7 @@ void declare_teeth(Mapping<GearsDescription>& m) {
       .may(&GearsDescription::flank,
            choice_of<Flank>(
                {{"loaded", "in each case the one on which the torque presses, as with real teeth"},
-                {"fixed", "always the same, as in sources with one line of action"}}),
+                {"fixed", "always the same one, as in sources with one line of action"}}),
            "fixed")
       .usual("loaded");
 }
@@ -167,16 +166,16 @@ const Mapping<GearsDescription>& gears_section() {
         m.write_in_lines();
         declare_teeth(m);
         m.key("axes",
-              "Axes about which several bodies turn, each with a name, the main axis first: lay "
-              "shafts with idlers that nothing joins to them, hollow shafts, a final drive. "
-              "Needed only for what meshes, clutches and carriers do not tell.")
+              "Axes about which several bodies turn, by name, the main axis first: lay shafts with "
+              "idlers that nothing joins to them, hollow shafts, a final drive. Needed only for "
+              "what does not follow from meshes, clutches and carriers.")
             .may(&GearsDescription::axes,
                  named(&GearAxisDescription::name,
                        gear_axis().form(),
                        {.item = "an axis", .name_definition = "new_name"},
                        "axis '{0}'"),
                  "{main: {bodies: [input]}, final: {bodies: [differential]}}");
-        m.key("members", "The gear wheels, each with a name.")
+        m.key("members", "The gear wheels, by name.")
             .needed(&GearsDescription::members,
                     named(&GearMember::name,
                           gear_member().form(),
@@ -184,7 +183,7 @@ const Mapping<GearsDescription>& gears_section() {
                           "gear member '{0}'"),
                     "{sun1: {body: sun1, teeth: 19}, planet5: {body: planet5, teeth: 15}}")
             .add_hint("'members:' with lines 'sun: {body: …, teeth: …}'");
-        m.key("meshes", "Which wheels mesh; each becomes a coupling of this name.")
+        m.key("meshes", "The meshes, by name; each becomes a coupling of this name.")
             .needed(&GearsDescription::meshes,
                     named(&MeshDescription::name,
                           mesh().form(),

@@ -34,13 +34,13 @@ Form<PointDescription> force_vector() {
 const Mapping<LoadDescription>& load() {
   static const Mapping<LoadDescription> mapping(
       "body_load",
-      "A force, a couple or both on a body from outside. In a case it replaces the load of its "
+      "An external force, couple or both on a body. In a case it replaces the load of the same "
       "name at the top level.",
       "{body: coupler, at: [3, 4], force: [0, -250 N]}",
       [](auto& m) {
         m.key("body", "The body on which the load acts.")
             .needed(&LoadDescription::body, body_name(), "coupler");
-        m.key("at", "Where the force acts, in the drawn position; needed with a force.")
+        m.key("at", "Where the force acts, in the drawn position; required with a force.")
             .may(&LoadDescription::at, point());
         m.key("force", "The force on the body, in the world frame.")
             .may(&LoadDescription::force, force_vector());
@@ -61,7 +61,7 @@ Form<std::vector<LoadDescription>> loads() {
                     {.item = "a load", .name_definition = "new_name"},
                     "load '{0}'");
   form.shape.definition = "loads";
-  form.shape.meaning = "Forces and couples on bodies from outside, each with a name.";
+  form.shape.meaning = "External forces and couples on bodies, by name.";
   form.shape.examples = {"{wind: {body: coupler, at: [3, 4], force: [0, -250 N]}}"};
   return form;
 }

@@ -13,11 +13,11 @@ const Mapping<LossValue>& loss_mapping() {
     m.key("loss", "The fraction of the power that is lost, from 0 to below 1.")
         .may(&LossValue::value, fraction(), "0.02")
         .selects(&LossValue::form, LossForm::fraction);
-    m.key("eta", "The fraction of the power that is left, above 0 and at most 1.")
+    m.key("eta", "The efficiency: the fraction of the power that remains, above 0 and at most 1.")
         .may(&LossValue::value, efficiency(), "0.98")
         .selects(&LossValue::form, LossForm::efficiency);
     m.key("k",
-          "Loss by the numbers of teeth: eta = 1 - k (1/z1 + 1/z2), with a minus for a ring; for "
+          "Loss from the numbers of teeth: eta = 1 - k (1/z1 + 1/z2), with a minus for a ring; for "
           "meshes of 'gears'.")
         .may(&LossValue::value, not_negative(), "0.15")
         .selects(&LossValue::form, LossForm::teeth);
@@ -42,8 +42,8 @@ Form<LossValue> loss() {
       });
   form.shape.definition = "loss";
   form.shape.meaning =
-      "What a mesh loses: the fraction lost, 0.02, or one of {loss: 0.02}, {eta: 0.98} and "
-      "{k: 0.15}.";
+      "The loss of a mesh: the fraction lost, 0.02, or one of {loss: 0.02}, {eta: 0.98} and {k: "
+      "0.15}.";
   form.shape.examples = {"0.02", "{eta: 0.98}"};
   return form;
 }
@@ -53,7 +53,7 @@ Form<LossValue> loss() {
 const Mapping<LossDescription>& losses_section() {
   static const Mapping<LossDescription> mapping(
       "", "", "{gear_external: 0.02, gear_internal: 0.01}", [](auto& m) {
-        m.key("model", "How losses are counted.")
+        m.key("model", "How losses are calculated.")
             .may(
                 &LossDescription::model,
                 choice_of<LossModel>(
@@ -67,13 +67,15 @@ const Mapping<LossDescription>& losses_section() {
         m.key(
              "gear_external",
              "Loss of every mesh of two external gears; default 0. Any loss may depend on 'speed', "
-             "that of the pitch point in the carrier, and on 'force', that of the teeth along it.")
+             "the pitch line speed relative to the carrier, and on 'force', the tooth force along "
+             "it.")
             .may(&LossDescription::gear_external, loss(), "0.02")
             .example("0.008 + 0.01*exp(-speed/(4 m/s))");
         m.key("gear_internal", "Loss of every mesh with a ring; default 0.")
             .may(&LossDescription::gear_internal, loss(), "0.01");
         m.key("meshes",
-              "Losses of single meshes or gear couplings, by name; they replace the general ones.")
+              "Losses of individual meshes or gear couplings, by name; they replace the general "
+              "ones.")
             .may(&LossDescription::meshes,
                  values_by_name(&MeshLoss::coupling,
                                 &MeshLoss::loss,

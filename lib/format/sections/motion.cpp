@@ -15,32 +15,34 @@ constexpr const char* kDrivesHint =
 Form<DriveLaw> drive_law() {
   return choice_of<DriveLaw>(
       {{"constant_speed", "speed jumps at both ends"},
-       {"constant_acceleration", "speeds up for half of the time"},
-       {"trapezoid", "speeds up in 'ramp' of the time, then runs steadily"},
-       {"polynomial_345", "acceleration begins and ends at zero"},
-       {"polynomial_4567", "its derivative too"},
-       {"cycloidal", "acceleration is a sine"},
-       {"harmonic", "acceleration is a cosine"},
-       {"modified_trapezoid", "least largest acceleration of the smooth ones"},
-       {"modified_sine", "least largest torque of the smooth ones"}});
+       {"constant_acceleration", "accelerates for half of the time"},
+       {"trapezoid",
+        "accelerates for the fraction 'ramp' of the time, then runs at constant speed"},
+       {"polynomial_345", "acceleration starts and ends at zero"},
+       {"polynomial_4567", "jerk starts and ends at zero too"},
+       {"cycloidal", "sinusoidal acceleration"},
+       {"harmonic", "cosine acceleration"},
+       {"modified_trapezoid", "smallest peak acceleration of the smooth laws"},
+       {"modified_sine", "smallest peak torque of the smooth laws"}});
 }
 
 const Mapping<ProfilePart>& profile_part() {
   static const Mapping<ProfilePart> mapping(
       "profile_part",
-      "A part of how a drive runs: to a place by a law, or a dwell.",
+      "One part of the motion of a drive: to a position by a law, or a dwell.",
       "{to: 90 deg, time: 0.3 s, law: polynomial_345}",
       [](auto& m) {
         m.key("to", "Where it ends, measured from the drawn position.")
             .may(&ProfilePart::to, drawn_position(), "90 deg");
-        m.key("time", "How long that takes.").may(&ProfilePart::time, duration(), "0.3 s");
-        m.key("law", "How it runs there, from rest to rest.")
+        m.key("time", "The duration of this part.").may(&ProfilePart::time, duration(), "0.3 s");
+        m.key("law", "The law of motion, from rest to rest.")
             .may(&ProfilePart::law, drive_law(), "polynomial_345")
             .usual("polynomial_345");
-        m.key("ramp", "Of law trapezoid: the share of the time for speeding up, above 0 to 1/2.")
+        m.key("ramp",
+              "For law trapezoid: the fraction of the time spent accelerating, above 0 up to 1/2.")
             .may(&ProfilePart::ramp, above_zero(), "1/3")
             .usual("1/3");
-        m.key("dwell", "Instead of these: for how long it stays where it is.")
+        m.key("dwell", "Instead of these: how long it rests where it is.")
             .may(&ProfilePart::dwell, duration(), "0.2 s");
         m.rule({.kind = FormRule::Kind::one_of,
                 .others = {"to", "dwell"},
@@ -61,21 +63,21 @@ const Mapping<ProfilePart>& profile_part() {
 }
 
 void declare_drive(Mapping<DriveRange>& m) {
-  m.key("drive", "The actuator that drives.")
+  m.key("drive", "The driving actuator.")
       .needed(&DriveRange::actuator, name_of("an actuator"), "drive");
-  m.key("from", "Where the motion begins, measured from the drawn position.")
+  m.key("from", "Where the motion starts, measured from the drawn position.")
       .may(&DriveRange::from, drawn_position(), "0 deg")
       .usual("0");
 }
 
 void declare_course(Mapping<DriveRange>& m) {
   m.key("profile",
-        "Instead of 'to': how it runs in time, part by part; behind the last one it rests.")
+        "Instead of 'to': how it runs in time, part by part; after the last part it rests.")
       .may(&DriveRange::profile,
            list_of(profile_part().form(), "part {0} of {1}"),
            "[{to: 90 deg, time: 0.3 s, law: cycloidal}, {dwell: 0.2 s}]");
   m.key("curve",
-        "Instead of 'to': the curve over time that it follows, of between: cubic; 'from' is its "
+        "Instead of 'to': the curve over time that it follows, with between: cubic; 'from' is its "
         "value at 0.")
       .may(&DriveRange::curve, name_of("a curve over time"), "feed");
 }
@@ -103,8 +105,8 @@ const Mapping<DriveRange>& drive_range() {
                                              declare_drive(m);
                                              m.key("to",
                                                    "Where the motion ends, measured from the drawn "
-                                                   "position; limit: where the drive turns "
-                                                   "back, -limit: where it does so backwards.")
+                                                   "position; limit: where the drive reverses, "
+                                                   "-limit: the same in the other direction.")
                                                  .needed(
                                                      &DriveRange::to, drawn_position(), "360 deg");
                                              declare_course(m);
@@ -116,7 +118,7 @@ const Mapping<DriveRange>& drive_range() {
 const Mapping<DriveRange>& one_of_several() {
   static const Mapping<DriveRange> mapping(
       "one_drive_range",
-      "A drive of several and the range it runs through.",
+      "One of several drives and the range it runs through.",
       "{drive: drive, from: 0 deg, to: 360 deg}",
       [](auto& m) {
         declare_drive(m);
@@ -150,7 +152,7 @@ const Mapping<TracePoint>& trace_point() {
         m.key("body", "The body that carries the point.")
             .needed(&TracePoint::body, body_name(), "coupler");
         m.key("at", "The point in the drawn position.").needed(&TracePoint::at, point());
-        m.key("name", "By which the report calls it; BODY.N, the N-th of all, without one.")
+        m.key("name", "Its name in the report; default: BODY.N, the N-th of all.")
             .may(&TracePoint::name, new_name("a traced point"), "pen");
       });
   return mapping;
@@ -167,8 +169,8 @@ void declare_report(Mapping<MotionDescription>& m) {
       .offer("acceleration", "accelerations of the freedoms")
       .offer("action", "the actions of the couplings")
       .offer("power", "the powers of the couplings")
-      .offer("ratio", "input speed by output speed")
-      .offer("transmission_angle", "how well the force on the output is aimed")
+      .offer("ratio", "input speed over output speed")
+      .offer("transmission_angle", "the angle that tells how well the force drives the output")
       .offer("mechanical_advantage", "action of the output over that of the input")
       .offer("dynamics", "energy, shaking and ground forces, equivalent inertia");
 }
@@ -188,16 +190,17 @@ const Mapping<MotionDescription>& motion_section() {
             kDrivesHint,
             &one_of_several());
         m.check(check_drive_ends);
-        m.key("steps", "Number of steps between beginning and end.")
+        m.key("steps", "Number of steps between start and end.")
             .may(&MotionDescription::steps, step_count(), "360")
             .usual(usual_number<kUsualSteps>());
         m.key("time",
-              "How long the whole motion takes: steps are equal in time then. Without a 'law' the "
-              "speed and the acceleration of the case stay as they are, and 'to' may be left out.")
+              "Duration of the whole motion; steps are then equal in time. Without a 'law' the "
+              "drives run with the speed and acceleration of the case, and 'to' may be left out.")
             .may(&MotionDescription::time, duration(), "0.5 s");
-        m.key("law", "How all drives run from rest to rest in that time.")
+        m.key("law", "The law of motion of all drives, from rest to rest in that time.")
             .may(&MotionDescription::law, drive_law(), "polynomial_345");
-        m.key("ramp", "Of law trapezoid: the share of the time for speeding up, above 0 to 1/2.")
+        m.key("ramp",
+              "For law trapezoid: the fraction of the time spent accelerating, above 0 up to 1/2.")
             .may(&MotionDescription::ramp, above_zero(), "1/3")
             .usual("1/3");
         declare_course_rules(m);

@@ -12,7 +12,7 @@ namespace {
 
 const Mapping<ParameterDescription>& free_parameter() {
   static const Mapping<ParameterDescription> mapping("", "", "{free: 0}", [](auto& m) {
-    m.key("free", "The value that is used in numbers.")
+    m.key("free", "The value that numbers use.")
         .needed(&ParameterDescription::value, any_number(), "0")
         .selects(&ParameterDescription::is_free, true)
         .add_hint("'free: VALUE', the value that is used in numbers");
@@ -37,7 +37,7 @@ Form<ParameterDescription> parameter() {
   form.shape.definition = "parameter";
   form.shape.meaning =
       "A number or an expression of other parameters, in any order. {free: VALUE} leaves it open: "
-      "the value is used in numbers, and how the results depend on it is reported as well.";
+      "numbers use the value, and the report also gives the results as functions of it.";
   form.shape.examples = {"19", "20 deg", "(N1 + N5)/2*module", "{free: 0}"};
   return form;
 }

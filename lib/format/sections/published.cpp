@@ -42,22 +42,22 @@ Form<Name> json_pointer() {
 const Mapping<PublishedValue>& published_value() {
   static const Mapping<PublishedValue> mapping(
       "published_value",
-      "A number of the source, which a test compares with the report.",
+      "A number from the source, which a test compares with the report.",
       "{value: /cases/M1/ratio, is: 2.847, tolerance: 0.0005, where: Tab. 5.15}",
       [](auto& m) {
-        m.key("value", "Where the number stands in the report: a JSON Pointer.")
+        m.key("value", "The place of the number in the report: a JSON Pointer.")
             .needed(&PublishedValue::pointer, json_pointer(), "/cases/M1/ratio")
             .add_hint("'value: /cases/…', a JSON Pointer into the report");
-        m.key("is", "The right value, in the report's units.")
+        m.key("is", "The correct value, in the report's units.")
             .needed(&PublishedValue::is, plain_number(bare_number()), "2.847")
             .at(&PublishedValue::is_where);
         m.key("tolerance",
-              "How far the report may be from it, in the same unit; not negative. A whole number "
-              "without it is met exactly.")
+              "Largest permitted difference from the report, in the same unit; not negative. A "
+              "whole number without it must match exactly.")
             .may(&PublishedValue::tolerance, plain_number(not_negative()), "0.0005");
         m.key("where", "Where the source prints it.")
             .may(&PublishedValue::where, text(), "Tab. 5.15");
-        m.key("printed", "What the source prints, where that is not the right value.")
+        m.key("printed", "What the source prints, if that is not the correct value.")
             .passed_over(plain_number(bare_number()), "0.9605");
         m.key("erratum", "What is wrong in the source.")
             .passed_over(text(), "the printed value rests on a truncated intermediate");

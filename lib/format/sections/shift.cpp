@@ -13,13 +13,12 @@ namespace {
 const Mapping<ShiftLimitsDescription>& limits_mapping() {
   static const Mapping<ShiftLimitsDescription> mapping(
       "shift_limits",
-      "The largest sizes that the gears may have; one that is exceeded is warned of.",
+      "The largest magnitudes permitted in the gears; exceeding one gives a warning.",
       "{torque: {C1: 200 N*m, B1: 350 N*m}, slip: 4000 rpm, planet_speed: 6000 rpm}",
       [](auto& m) {
-        m.key(
-             "torque",
-             "Of engaged elements, for all or by name; default unit N*m. With losses of meshes the "
-             "larger of both torques counts.")
+        m.key("torque",
+              "Of engaged elements, for all or by name; default unit N*m. With mesh losses the "
+              "larger of the torques without and with them counts.")
             .may(&ShiftLimitsDescription::torque,
                  values_for("elements to values", torque_limit()),
                  "{C1: 200 N*m, B1: 350 N*m}")
@@ -30,15 +29,15 @@ const Mapping<ShiftLimitsDescription>& limits_mapping() {
                  "{C1: 4000 rpm}")
             .example("4000 rpm");
         m.key("speed",
-              "Of bodies as seen from the ground, by name, or for all that are no planets; default "
+              "Of bodies relative to the ground, by name, or for all that are not planets; default "
               "unit rad/s.")
             .may(&ShiftLimitsDescription::speed,
                  values_for("bodies to values", speed_limit()),
                  "{ring: 6000 rpm}")
             .example("6000 rpm");
         m.key("planet_speed",
-              "Of planets as seen from their carrier, which is what their bearings turn with, for "
-              "all or by name; default unit rad/s.")
+              "Of planets relative to their carrier, which is the speed of their bearings, for all "
+              "or by name; default unit rad/s.")
             .may(&ShiftLimitsDescription::planet_speed,
                  values_for("planets to values", speed_limit()),
                  "{planet: 8000 rpm}")
@@ -50,26 +49,28 @@ const Mapping<ShiftLimitsDescription>& limits_mapping() {
 const Mapping<SlipDescription>& slip_mapping() {
   static const Mapping<SlipDescription> mapping(
       "shift_slip",
-      "A change in which one element slips at a steady torque, with the inertia of the bodies.",
+      "A gear change in which one element slips at a constant torque, with the inertia of the "
+      "bodies.",
       "{from: M1, to: M2, input_speed: 400 rad/s, input_action: 150 N*m, output_action: -250 N*m, "
       "capacity: {B1: 120 N*m}}",
       [](auto& m) {
         m.key("from",
-              "The gear before, all of whose elements but one stay engaged. Without it the "
-              "transmission is open, and 'output_speed' says how the output turns.")
+              "The previous gear, all of whose elements but one stay engaged. Without it the "
+              "transmission is open, and 'output_speed' gives the speed of the output.")
             .may(&SlipDescription::from, label(), "M1");
-        m.key("to", "The gear to which it leads.").needed(&SlipDescription::to, label(), "M2");
+        m.key("to", "The gear after the change.").needed(&SlipDescription::to, label(), "M2");
         m.key("input_speed", "Speed of the input where the slip begins; default unit rad/s.")
             .needed(&SlipDescription::input_speed, any_number(), "400 rad/s");
         m.key("output_speed", "Speed of the output there, instead of 'from'; default unit rad/s.")
             .may(&SlipDescription::output_speed, any_number(), "0 rad/s");
-        m.key("input_action", "Torque of the input all along, 0 of a shaft that runs free.")
+        m.key("input_action", "Torque of the input throughout; 0 for a shaft that runs free.")
             .needed(&SlipDescription::input_action, action(), "150 N*m");
         m.key("output_action",
-              "Torque of the output all along: against its speed, what resists the vehicle.")
+              "Torque of the output throughout: the resistance of the vehicle acts against its "
+              "speed.")
             .needed(&SlipDescription::output_action, action(), "-250 N*m");
         m.key("capacity",
-              "Torque of the element that slips, a size, which may be named: {B1: 120 N*m}; "
+              "Torque of the slipping element, a magnitude, which may be named: {B1: 120 N*m}; "
               "default unit N*m.")
             .needed(&SlipDescription::capacity,
                     values_for("elements to values", torque_limit()),
@@ -102,27 +103,27 @@ const Mapping<ShiftDescription>& shift_section() {
       "input_action: 100 N*m}",
       [](auto& m) {
         m.write_in_lines();
-        m.key("input", "The actuator, or several, that drives.")
+        m.key("input", "The driving actuator, or several.")
             .needed(&ShiftDescription::inputs, one_or_more(name_of("an actuator"), 1), "in");
-        m.key("output", "The actuator, or several, that is driven.")
+        m.key("output", "The driven actuator, or several.")
             .needed(&ShiftDescription::outputs, one_or_more(name_of("an actuator"), 1), "out");
-        m.key("elements", "The clutches and brakes that shift.")
+        m.key("elements", "The shift elements: clutches and brakes.")
             .needed(&ShiftDescription::elements,
                     one_or_more(name_of("a clutch or brake"), 1),
                     "[C1, C2, B1, B2]")
             .add_hint("'elements: [C1, C2, B1]', the clutches and brakes");
         m.key(
              "reacts",
-             "Machines that bear what equilibrium asks of them, as the generator of a power split. "
-             "Then every input has its torque, 0 where 'input_action' gives none, and gears in "
-             "which the speeds of inputs follow from each other stand in the same table.")
+             "Machines that provide the torque that equilibrium requires, such as the generator of "
+             "a power split. Every input then has its torque, 0 unless 'input_action' gives one, "
+             "and gears in which input speeds depend on each other are in the same table.")
             .may(&ShiftDescription::reacts, one_or_more(name_of("an actuator"), 1), "MG1");
         m.key("input_motion", "Speed of the input, for every input or by name; default unit rad/s.")
             .may(&ShiftDescription::input_motion, input_values(input_speed()), "1 rad/s")
             .example("{in: 1 rad/s}");
         m.key("input_acceleration",
-              "How fast the input speeds up, beside its 'input_action': the gears have the forces "
-              "of inertia of their bodies then; default unit rad/s^2.")
+              "Acceleration of the input, in addition to its 'input_action': gears then include "
+              "the inertia forces of their bodies; default unit rad/s^2.")
             .may(
                 &ShiftDescription::input_acceleration, input_values(speed_change()), "200 rad/s^2");
         m.key("input_action", "Torque of the input, for every input or by name; default unit N*m.")
@@ -132,7 +133,7 @@ const Mapping<ShiftDescription>& shift_section() {
               "Labels of gears: which elements are engaged. Combinations without a label are named "
               "by their elements, C1+B2.")
             .may(&ShiftDescription::names, gear_labels(), "{M1: [C1, B2]}");
-        m.key("slip", "Changes whose slip is followed in time, by names of yours.")
+        m.key("slip", "Gear changes whose slip is calculated over time, by names of your choice.")
             .may(&ShiftDescription::slips,
                  named(&SlipDescription::name,
                        slip_mapping().form(),
@@ -145,18 +146,19 @@ const Mapping<ShiftDescription>& shift_section() {
                  limits_mapping().form(),
                  "{torque: {C1: 200 N*m}, slip: 4000 rpm}");
         m.key("forward",
-              "The sign of the ratios of forward gears; default that which most gears have. It "
-              "tells which gears follow each other by steps.")
+              "The sign of the ratios of forward gears; default: that of most gears. It determines "
+              "which gears are consecutive for steps.")
             .may(&ShiftDescription::forward,
                  choice_of<ForwardRatios>(
-                     {{"positive", "the output turns as the input"},
-                      {"negative", "it turns against the input, as behind one pair of gears"}}),
+                     {{"positive", "the output turns in the same direction as the input"},
+                      {"negative", "it turns against the input, as after one pair of gears"}}),
                  "negative");
         m.key("combinations", "Which combinations of elements are tried.")
             .may(&ShiftDescription::combinations,
                  choice_of<ShiftCombinations>(
-                     {{"all", "all of the size that a gear needs, and those with a label"},
-                      {"named", "those of 'names' alone, as of a gearbox whose gears are known"}}),
+                     {{"all",
+                       "all with the number of elements that a gear needs, and those with a label"},
+                      {"named", "only those of 'names', for a gearbox whose gears are known"}}),
                  "named")
             .usual("all");
         m.rule({.kind = FormRule::Kind::together,

@@ -28,7 +28,7 @@ Form<Value> restitution() {
 const Mapping<FreedomState>& freedom_state() {
   static const Mapping<FreedomState> mapping(
       "freedom_state",
-      "Where a freedom stands and how fast it moves.",
+      "Position and speed of a freedom.",
       "{position: 120 deg, speed: 0}",
       [](auto& m) {
         m.key("position", "Measured from the drawn position.")
@@ -45,12 +45,13 @@ const Mapping<FreedomState>& freedom_state() {
 
 const Mapping<StopDescription>& stop() {
   static const Mapping<StopDescription> mapping(
-      "stop", "How far a freedom can go.", "{from: -0.8, restitution: 0.7}", [](auto& m) {
-        m.key("from", "Its least position, from the drawn one.")
+      "stop", "The limits of a freedom.", "{from: -0.8, restitution: 0.7}", [](auto& m) {
+        m.key("from", "Its least position, measured from the drawn one.")
             .may(&StopDescription::from, drawn_position(), "-30 deg");
-        m.key("to", "Its greatest position, from the drawn one.")
+        m.key("to", "Its greatest position, measured from the drawn one.")
             .may(&StopDescription::to, drawn_position(), "90 deg");
-        m.key("restitution", "Speed after an impact divided by that before it.")
+        m.key("restitution",
+              "Coefficient of restitution: speed after an impact over that before it.")
             .may(&StopDescription::restitution, restitution(), "0.7")
             .usual("0");
         m.rule({.kind = FormRule::Kind::any_of,
@@ -84,39 +85,38 @@ const Mapping<SimulationDescription>& simulation_section() {
       "{action: {drive: 4 N*m}, start: {drive: {position: 0, speed: 0}}, time: 5 s, steps: 500}",
       [](auto& m) {
         m.key("action",
-              "What acts at each actuator that is not held, on the head; it may follow curves, as "
-              "over the speed of a motor. Loads, weights and springs act beside it.")
+              "The action on the head at each actuator that is not held; it may follow curves, "
+              "such as over the speed of a motor. Loads, weights and springs act in addition.")
             .may(&SimulationDescription::actions, known_values(action()), "{drive: 4 N*m}");
-        m.key("motion", "Freedoms that something keeps at a steady speed, whatever that takes.")
+        m.key("motion", "Freedoms held at a constant speed, whatever action that takes.")
             .may(&SimulationDescription::motions, known_values(speed()), "{belt: 0.3}");
         m.key("start",
-              "Where freedoms begin and how fast: actuators or COUPLING.FREEDOM, no more than are "
-              "independent. What is not named begins as drawn and at rest.")
+              "Initial positions and speeds of freedoms: actuators or COUPLING.FREEDOM, no more "
+              "than are independent. Anything not named starts as drawn and at rest.")
             .may(&SimulationDescription::start,
                  freedom_states(),
                  "{drive: {position: 120 deg, speed: 0}}");
         m.key("until",
-              "Places or speeds of freedoms: the first that is reached ends the simulation before "
-              "its time.")
+              "Positions or speeds of freedoms: the first one reached ends the simulation early.")
             .may(&SimulationDescription::until, freedom_states(), "{drive: {position: 720 deg}}");
-        m.key("stops", "How far freedoms can go; they strike there by Newton's restitution.")
+        m.key("stops", "The limits of freedoms; impacts there follow Newton's law of restitution.")
             .may(&SimulationDescription::stops,
                  freedom_stops(),
                  "{drive: {from: -30 deg, to: 90 deg, restitution: 0.7}}");
-        m.key("time", "How long it lasts.").needed(&SimulationDescription::time, duration(), "5 s");
+        m.key("time", "Duration.").needed(&SimulationDescription::time, duration(), "5 s");
         m.key("steps", "Number of steps between the rows, which are equal in time.")
             .may(&SimulationDescription::steps, step_count(), "500")
             .usual(usual_number<kUsualSteps>());
         m.key("tolerance",
-              "What a step of the integration may be off: of places in radians or sizes of the "
-              "mechanism, of speeds by the fastest.")
+              "Permitted error of an integration step: positions in radians or as a fraction of "
+              "the mechanism's size, speeds relative to the fastest.")
             .may(&SimulationDescription::tolerance, integration_tolerance(), "1e-9")
             .usual("1e-9");
         m.key(
              "report",
              "What each row reports: position, velocity, acceleration, action, energy, or names of "
-             "freedoms, actuators, actions, couplings and columns. Without it all but the actions "
-             "of couplings.")
+             "freedoms, actuators, actions, couplings and columns. Without it: everything except "
+             "the actions of couplings.")
             .may(&SimulationDescription::report, one_or_more(column_name()), "[a, action]");
       });
   return mapping;

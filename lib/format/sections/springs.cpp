@@ -30,15 +30,16 @@ const Mapping<GasSpringDescription>& gas() {
       "A gas spring, which pushes.",
       "{force: 500 N, length: 480 mm, stroke: 200 mm, ratio: 1.35, exponent: 1.2}",
       [](auto& m) {
-        m.key("force", "Its force where it is extended.")
+        m.key("force", "Its force when extended.")
             .needed(&GasSpringDescription::force, force(), "500 N");
-        m.key("length", "The distance of its ends there.")
+        m.key("length", "The distance between its ends there.")
             .needed(&GasSpringDescription::length, size(), "480 mm");
-        m.key("stroke", "How far it can be pushed in.")
+        m.key("stroke", "How far it can be compressed.")
             .needed(&GasSpringDescription::stroke, size(), "200 mm");
-        m.key("ratio", "Its force pushed in over that where it is extended, at least 1.")
+        m.key("ratio", "Its force when compressed over that when extended, at least 1.")
             .needed(&GasSpringDescription::ratio, at_least_one(), "1.35");
-        m.key("exponent", "Of the gas: 1 where it moves slowly, up to 1.4 where fast.")
+        m.key("exponent",
+              "Polytropic exponent of the gas: 1 for slow motion, up to 1.4 for fast motion.")
             .may(&GasSpringDescription::exponent, above_zero(), "1.2")
             .usual("1");
       });
@@ -48,7 +49,7 @@ const Mapping<GasSpringDescription>& gas() {
 const Mapping<SpringDescription>& spring() {
   static const Mapping<SpringDescription> mapping(
       "spring",
-      "A spring, damper or gas spring between two bodies, or about or along a freedom.",
+      "A spring, damper or gas spring between two bodies, or acting on a freedom.",
       "{coupling: hinge, stiffness: 5 N*m/rad, free: 30 deg}",
       [](auto& m) {
         m.key("bodies", "The two bodies that it joins at their points 'at'.")
@@ -57,33 +58,34 @@ const Mapping<SpringDescription>& spring() {
                  "[frame, follower]");
         m.key("at", "A point of each of the two bodies, as drawn.")
             .may(&SpringDescription::at, points_of_bodies(), "{frame: [0, 80], follower: [0, 60]}");
-        m.key("coupling", "The coupling of whose freedom it is, instead of bodies and points.")
+        m.key("coupling", "The coupling on whose freedom it acts, instead of bodies and points.")
             .may(&SpringDescription::coupling, coupling_name(), "hinge");
-        m.key("freedom", "Which freedom, of a coupling that has several, as wz or vx.")
+        m.key("freedom", "The freedom, if the coupling has several, such as wz or vx.")
             .may(&SpringDescription::freedom, free_name(), "wz");
-        m.key("stiffness", "How much its force changes with its length or with the freedom.")
+        m.key("stiffness", "Change of its force with its length or with the freedom.")
             .may(&SpringDescription::stiffness, spring_stiffness());
-        m.key("damping", "How much its force changes with the speed of that; 0 in a case at rest.")
+        m.key("damping", "Change of its force with the speed of these; no force in a case at rest.")
             .may(&SpringDescription::damping, spring_damping());
-        m.key("free", "Position of the freedom at which it has no force, from the drawn one.")
+        m.key("free",
+              "Position of the freedom at which it has no force, measured from the drawn one.")
             .may(&SpringDescription::free, drawn_position(), "30 deg")
             .usual("0");
-        m.key("free_length", "Distance of the points at which it has no force; as drawn without.")
+        m.key("free_length",
+              "Distance between the points at which it has no force; default: as drawn.")
             .may(&SpringDescription::free_length, size(), "50 mm");
         m.key("drawn",
-              "Instead of these: its action in the drawn position, on a freedom of the tail on the "
-              "head, between points positive where it pushes.")
+              "Instead of these: its action in the drawn position, for a freedom that of the tail "
+              "on the head, between points positive if it pushes.")
             .may(&SpringDescription::drawn, action(), "-300 N");
         m.key("force",
-              "Beside these: its force, between points positive where it pushes, on a freedom of "
-              "the "
-              "tail on the head. It may name curves.")
+              "In addition: its force, between points positive if it pushes, for a freedom that of "
+              "the tail on the head. It may name curves.")
             .may(&SpringDescription::force, action(), "300 N");
-        m.key("acts", "Between points: whether it pushes and pulls, or one of these alone.")
+        m.key("acts", "Between points: whether it pushes and pulls, or does only one of these.")
             .may(&SpringDescription::acts,
                  choice_of<SpringSense>({{"both", "pushes and pulls"},
-                                         {"push", "pushes alone, as a spring that is not held"},
-                                         {"pull", "pulls alone, as a rubber band"}}),
+                                         {"push", "only pushes, as a spring that is not attached"},
+                                         {"pull", "only pulls, as a rubber band"}}),
                  "push")
             .usual("both");
         m.key("gas", "A gas spring between the points.").may(&SpringDescription::gas, gas);
@@ -135,7 +137,7 @@ Form<std::vector<SpringDescription>> springs() {
                     {.item = "a spring", .name_definition = "new_name"},
                     "spring '{0}'");
   form.shape.definition = "springs";
-  form.shape.meaning = "Springs, dampers and gas springs, each with a name.";
+  form.shape.meaning = "Springs, dampers and gas springs, by name.";
   form.shape.examples = {"{hinge: {coupling: d, stiffness: 5 N*m/rad, free: 30 deg}}"};
   return form;
 }

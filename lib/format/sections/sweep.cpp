@@ -28,13 +28,13 @@ Form<std::vector<Value>> values(bool is_behind_key) {
 
 const Mapping<VariedParameter>& variation_mapping() {
   static const Mapping<VariedParameter> mapping("", "", "{from: 15, to: 40, step: 1}", [](auto& m) {
-    m.key("values", "The values, one by one.")
+    m.key("values", "A list of values.")
         .may(&VariedParameter::values, values(true), "[14.5 deg, 20 deg, 25 deg]");
     m.key("from", "The first value.").needed(&VariedParameter::from, any_number(), "15");
     m.key("to", "The last value, inclusive.").needed(&VariedParameter::to, any_number(), "40");
     m.key("step",
-          "The step from one value to the next, not zero. Only with 'sample' may it be left out: "
-          "then the parameter is anywhere in the range.")
+          "The step from one value to the next, not zero. It may be left out only with 'sample': "
+          "the parameter can then have any value in the range.")
         .may(&VariedParameter::step, increment(), "1");
     m.instead("values", {"from", "to", "step"}, kVaryHint);
   });
@@ -69,25 +69,26 @@ std::string_view word_of(SampleMethod method) {
 const Mapping<SampleDescription>& sample_mapping() {
   static const Mapping<SampleDescription> mapping(
       "sample",
-      "Draws of the varied parameters instead of all their combinations.",
+      "Samples of the varied parameters instead of all their combinations.",
       "{count: 100000, method: sobol, seed: 1}",
       [](auto& m) {
         m.key("count",
-              "How many states are drawn, those among them that a requirement then leaves out.")
+              "Number of states sampled, including those that a requirement then excludes.")
             .needed(&SampleDescription::count, state_count(), "100000");
-        m.key("method", "How they are drawn.")
+        m.key("method", "The sampling method.")
             .may(&SampleDescription::method,
                  choice_of<SampleMethod>(
                      {{word_of(SampleMethod::sobol),
-                       "points that fill the space evenly, any first part of them too"},
-                      {word_of(SampleMethod::random), "each alone, as dice would have it"},
+                       "points that fill the space evenly; so does any initial part of them"},
+                      {word_of(SampleMethod::random), "independent random values"},
                       {word_of(SampleMethod::latin),
-                       "every parameter evenly: of as many equal parts of its range as there are "
-                       "states, each once"}}),
+                       "Latin hypercube: the range of every parameter in as many equal parts as "
+                       "there are states, each part used once"}}),
                  "sobol")
             .usual(word_of(SampleMethod{}));
         m.key("seed",
-              "Other numbers make other samples, the same number the same sample on every machine.")
+              "Different numbers give different samples; the same number gives the same sample on "
+              "every machine.")
             .may(&SampleDescription::seed, seed(), "1")
             .usual(usual_number<kUsualSeed>());
       });
@@ -127,18 +128,20 @@ Form<Requirement> requirement(std::string_view key,
 
 void declare_report(Mapping<SweepDescription>& m) {
   m.key("report",
-        "The quantities that a row holds: ratio, torque_ratio, step, efficiency, recirculation, "
-        "limit_use, equivalent_inertia, an actuator, lossy.ACTUATOR (its action with losses of "
-        "meshes), or COUPLING.FREEDOM and COUPLING.ACTION; of a whole motion COLUMN.least, "
-        ".greatest, .range, .mean, .rms or .peak, and dead_points.")
+        "The quantities in each row: ratio, torque_ratio, step, efficiency, recirculation, "
+        "limit_use, equivalent_inertia, an actuator, lossy.ACTUATOR (its action with mesh losses), "
+        "or COUPLING.FREEDOM "
+        "and COUPLING.ACTION; for a whole motion COLUMN.least, .greatest, .range, .mean, .rms or "
+        ".peak, "
+        "and dead_points.")
       .may(&SweepDescription::report, one_or_more(quantity()), "[ratio, efficiency, h.Rc]")
-      .offer("ratio", "input speed by output speed")
-      .offer("torque_ratio", "input torque by output torque")
-      .offer("efficiency", "output power by input power")
-      .offer("step", "ratio of the next lower gear by this one")
-      .offer("recirculation", "largest power from shaft to shaft by the input power")
-      .offer("limit_use", "largest of a gear's torques and speeds by their limits")
-      .offer("equivalent_inertia", "moment of inertia, or mass, that the input feels");
+      .offer("ratio", "input speed over output speed")
+      .offer("torque_ratio", "input torque over output torque")
+      .offer("efficiency", "output power over input power")
+      .offer("step", "ratio of the next lower gear over that of this one")
+      .offer("recirculation", "largest power between shafts over the input power")
+      .offer("limit_use", "largest ratio of a gear's torques and speeds to their limits")
+      .offer("equivalent_inertia", "moment of inertia, or mass, referred to the input");
 }
 
 }  // namespace
@@ -158,31 +161,33 @@ const Mapping<SweepDescription>& sweep_section() {
                     "{N1: {from: 15, to: 40, step: 1}}");
         m.key(
              "sample",
-             "Draw so many states instead of taking every combination: each has one value of every "
-             "parameter.")
+             "Sample this number of states instead of taking every combination: each has one value "
+             "of every parameter.")
             .may(&SweepDescription::sample,
                  sample_mapping().form(),
                  "{count: 100000, method: sobol, seed: 1}");
         m.key("require",
-              "Conditions that a combination must fulfil to be analysed; what fails is counted.")
+              "Conditions that a combination must meet to be analysed; those that fail are "
+              "counted.")
             .may(&SweepDescription::require,
                  one_or_more(requirement("require",
                                          "condition",
-                                         "A condition of parameters, with == != < <= > >= and or "
+                                         "A condition on parameters, with == != < <= > >= and or "
                                          "not mod floor gcd.",
                                          "N3 == N1 + 2*N2")),
                  "[N3 == N1 + 2*N2]");
-        m.key("cases", "The cases and gears to analyse; default all.")
+        m.key("cases", "The cases and gears to analyse; default: all.")
             .may(&SweepDescription::cases, one_or_more(label()), "[M1, M2]");
         declare_report(m);
         m.key("keep",
-              "Conditions of parameters and reported quantities that a row must fulfil to be "
-              "written; what fails, or cannot be told for want of a value, is counted.")
+              "Conditions on parameters and reported quantities that a row must meet to be "
+              "written; rows that fail, or cannot be judged because a value is missing, are "
+              "counted.")
             .may(&SweepDescription::keep,
                  one_or_more(requirement("keep",
                                          "row_condition",
-                                         "A condition of parameters and of quantities that "
-                                         "'report' names, with == != < <= > >= and or not.",
+                                         "A condition on parameters and on quantities named by "
+                                         "'report', with == != < <= > >= and or not.",
                                          "efficiency > 0.95")),
                  "[efficiency > 0.95, abs(ratio - 4) < 0.1]");
       });

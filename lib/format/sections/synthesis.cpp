@@ -136,16 +136,17 @@ void declare_orders(Mapping<PositionDescription>& m) {
 const Mapping<PositionDescription>& position() {
   static const Mapping<PositionDescription> mapping(
       "position",
-      "A position of the moving plane. Beside the point alone (P), a pole adds the velocity (PP), "
-      "then curvature (PPP), stationary (PPPP) and burmester (PPPPP) each a further order of "
-      "contact; derivatives may stand instead of all these.",
+      "A position of the moving plane. To the point alone (P), a pole adds the velocity (PP), then "
+      "curvature (PPP), stationary (PPPP) and burmester (PPPPP) each add an order of contact; "
+      "derivatives may replace all of these.",
       "{at: [0.49, 0.0], angle: 30 deg}",
       [](auto& m) {
         m.example("{at: [0.424, 0.245], angle: 30 deg, pole: [0.6, 2.019]}");
         m.key("at", "Where the origin of the moving plane is.")
             .needed(&PositionDescription::at, point_in_plane());
         m.key("angle",
-              "The angle of the moving plane, counterclockwise; a list makes a task of each.")
+              "The angle of the moving plane, counterclockwise; a list makes one task of each "
+              "value.")
             .needed(&PositionDescription::angles,
                     one_or_more(angle(), 1, "write angle: 30 deg, or a list of angles to try each"),
                     "30 deg")
@@ -158,7 +159,7 @@ const Mapping<PositionDescription>& position() {
 
 const Mapping<DyadDescription>& dyad() {
   static const Mapping<DyadDescription> mapping(
-      "dyad", "A dyad of which a point is given.", "{centre_point: [0, 0]}", [](auto& m) {
+      "dyad", "A dyad with a given point.", "{centre_point: [0, 0]}", [](auto& m) {
         m.key("circle_point", "Its moving pivot, in the moving frame.")
             .may(&DyadDescription::circle_point, point_in_plane(), "[1, 0]");
         m.key("centre_point", "Its fixed pivot, in the fixed frame.")
@@ -264,30 +265,31 @@ void declare_ranges(Mapping<Task>& vary) {
        corner(),
        "{from: [-1, -1], to: [1, 1]}"},
       {s,
-       "Range of the effective freedom of the curvature, instead of free point and m: how far the "
-       "inflection pole lies to the left of the line from the pole to 'at', a length.",
+       "Range of the effective freedom of the curvature, instead of the free point and m: the "
+       "distance, a length, of the inflection pole to the left of the line from the pole to 'at'.",
        distance,
        "{from: -20, to: 20}",
        "-20",
        "20"},
       {tau,
-       "Range of the effective freedom of stationary curvature beside s; a plain number.",
+       "Range of the effective freedom of stationary curvature, in addition to s; a plain number.",
        number,
        "{from: -1, to: 1}",
        "-1",
        "1"},
       {tau_2,
-       "Range of the effective freedom of a Burmester point beside s and tau; a plain number.",
+       "Range of the effective freedom of a Burmester point, in addition to s and tau; a plain "
+       "number.",
        number,
        "{from: -1, to: 1}",
        "-1",
        "1"},
       {circle_points,
-       "Where moving pivots are chosen, in the moving frame; for three and four positions.",
+       "The area for moving pivots, in the moving frame; for three and four positions.",
        corner(),
        "{from: [-1, -1], to: [1, 1]}"},
       {centre_points,
-       "Where fixed pivots are chosen instead, in the fixed frame; for three and four positions.",
+       "Instead, the area for fixed pivots, in the fixed frame; for three and four positions.",
        corner(),
        "{from: [-1, -1], to: [1, 1]}"},
   };
@@ -343,8 +345,8 @@ const Mapping<Task>& vary() {
   static const Mapping<Task> mapping("", "", "{m: {from: 0.2, to: 3}}", [](auto& m) {
     declare_ranges(m);
     m.key("samples",
-          "How many combinations are tried at least: a grid with as many steps for every free "
-          "number.")
+          "Minimum number of combinations tried: a grid with the same number of steps for every "
+          "free number.")
         .may(&Task::samples, point_count(), "100000")
         .usual(usual_number<kUsualSamples>());
     declare_togetherness(m);
@@ -381,7 +383,7 @@ void read_vary(const FileValue& value, Task& task) {
 
 void declare_free(Mapping<Task>& m) {
   m.key("vary",
-        "Free numbers of the task and their ranges, among which the best linkage is selected. With "
+        "Free numbers of the task and their ranges, from which the best linkage is selected: with "
         "five positions what 'curvature' leaves free, with three and four the circle points.")
       .by(
           vary().shape(),
@@ -389,8 +391,8 @@ void declare_free(Mapping<Task>& m) {
           [](const Task& task) { return vary().text_if_any(task); },
           "{m: {from: 0.2, to: 3}}");
   m.key("curves",
-        "The curves of circle points and centre points of four positions. With five positions it "
-        "asks for the coupler curve of every linkage.")
+        "The circle-point and centre-point curves of four positions. With five positions: the "
+        "coupler curve of every linkage.")
       .by(
           curves().shape(),
           read_curves,
@@ -417,7 +419,8 @@ const Mapping<SynthesisDescription>& synthesis_section() {
       "{at: [0.49, 0.0], angle: 70 deg}]}",
       [](auto& m) {
         m.key("linkage",
-              "The linkage to find. Usable ones of other kinds are counted, and listed by 'any'.")
+              "The type of linkage to find. Usable linkages of other types are counted, and listed "
+              "with 'any'.")
             .may(&Task::linkage,
                  choice_of<LinkageKind>(
                      {{"any", "all of them"},
@@ -427,7 +430,7 @@ const Mapping<SynthesisDescription>& synthesis_section() {
                  "four_bar")
             .usual("four_bar");
         m.key("positions",
-              "The positions of the moving plane, counted by their orders two to five in all.")
+              "The positions of the moving plane: two to five in all, counted by their orders.")
             .needed(&Task::positions,
                     list_of(position().form(),
                             "position {0}",
@@ -436,19 +439,20 @@ const Mapping<SynthesisDescription>& synthesis_section() {
                     "angle: 70 deg}]")
             .add_hint("'positions:' and below it lines '- {at: [x, y], angle: 30 deg}'");
         m.key("dyads",
-              "Dyads of which a pivot is given, two at most, where positions leave them free: with "
+              "Dyads with a given pivot, two at most, where the positions leave them free: with "
               "three positions the other pivot follows; with four the given one must lie on its "
               "curve; with two both pivots are given, and the second lies on a line.")
             .may(&Task::dyads, dyads(), "[{centre_point: [0, 0]}, {circle_point: [1, 0]}]");
-        m.key("limits", "What a linkage must keep to; others are listed as refused.")
+        m.key("limits",
+              "Requirements on a linkage; those that do not meet them are listed as rejected.")
             .group(&Task::limits, synthesis_limits())
             .example("{transmission_angle: 30 deg, link_ratio: 12, size: 20}");
         declare_free(m);
         m.key("digits",
-              "Decimal digits that the positions have as typed, 17 to 100, where 16 leave too few "
-              "of the dyads; also --digits. For tasks of five positions.")
+              "Decimal digits of the typed positions to use, 17 to 100, where 16 leave too few of "
+              "the dyads; also --digits. For tasks with five positions.")
             .may(&Task::digits, digit_count(), "40");
-        m.key("transmission", "A planetary transmission is to be found, instead of linkages.")
+        m.key("transmission", "Finds planetary transmissions instead of linkages.")
             .may(&Task::transmission,
                  transmission_mapping().form(),
                  "{sets: 2, elements: 4, engaged: 2, gears: {forward: 3}, ratios: {step: [1.3, "

@@ -21,7 +21,7 @@ struct Rectangle {
 
 const Mapping<Rectangle>& rectangle() {
   static const Mapping<Rectangle> mapping("", "", "{from: [-1, -1], to: [1, 1]}", [](auto& m) {
-    m.key("from", "One corner of a rectangle along the axes.")
+    m.key("from", "One corner of a rectangle parallel to the axes.")
         .needed(&Rectangle::from, point_in_plane());
     m.key("to", "The opposite corner.").needed(&Rectangle::to, point_in_plane());
   });
@@ -55,8 +55,8 @@ Form<AreaDescription> area() {
   };
   form.shape.definition = "area";
   form.shape.meaning =
-      "A part of the plane: a rectangle along the axes by two opposite corners, or the corners of "
-      "a polygon in their order.";
+      "An area of the plane: a rectangle parallel to the axes, given by two opposite corners, or "
+      "the corners of a polygon in order.";
   form.shape.examples = {"{from: [-1, -1], to: [1, 1]}", "[[0, 0], [2, 0], [1, 1.5]]"};
   return form;
 }
@@ -87,16 +87,16 @@ const Mapping<SynthesisLimits>& synthesis_limits() {
               "deg.")
             .may(&SynthesisLimits::transmission_angle, acute_angle(), "30 deg");
         m.key("full_transmission_angle",
-              "Least transmission angle wherever the input can go: over the whole turn of a crank; "
-              "an input that meets a dead point has 0 there.")
+              "Least transmission angle over the whole range of the input: over the full turn of a "
+              "crank; 0 for an input that meets a dead point.")
             .may(&SynthesisLimits::full_transmission_angle, acute_angle(), "30 deg");
         m.key("link_ratio", "Largest ratio of the longest link to the shortest, at least 1.")
             .may(&SynthesisLimits::link_ratio, at_least_one(), "12");
         m.key("size", "Largest length of a link or distance of a pivot.")
             .may(&SynthesisLimits::size, size(), "20");
-        m.key("class", "Class of a four-bar by Grashof, or a list of those that will do.")
+        m.key("class", "Grashof class of a four-bar, or a list of acceptable ones.")
             .may(&SynthesisLimits::classes, classes(), "crank_rocker");
-        m.key("turns_fully", "true asks for an input that turns fully. Default false.")
+        m.key("turns_fully", "true requires an input that turns fully. Default false.")
             .may(&SynthesisLimits::turns_fully, flag(), "true");
         m.key("centre_points", "Where the fixed pivots must lie, in the fixed frame.")
             .may(&SynthesisLimits::centre_points, area(), "{from: [-1, -1], to: [1, 1]}");

@@ -26,7 +26,7 @@ Form<Value> element_count() {
 
 Form<Value> stationary_ratio() {
   return number_form("stationary_ratio",
-                     "Teeth of the ring by those of the sun, above 1 and up to 10.",
+                     "Ring teeth over sun teeth, above 1 and up to 10.",
                      {"2.4"},
                      kStationaryRatio);
 }
@@ -59,7 +59,7 @@ Form<SetCounts> wanted_sets() {
   static const Mapping<SetCounts> parts("", "", "{simple: 2, double_planet: 1}", [](auto& m) {
     m.key("simple", "Sets of sun, ring and planets on a carrier that mesh with both.")
         .may(&SetCounts::simple, set_count(), "2");
-    m.key("double_planet", "Sets with planets in pairs, of which one meshes with the sun.")
+    m.key("double_planet", "Sets with planets in pairs, one of which meshes with the sun.")
         .may(&SetCounts::double_planet, set_count(), "1");
     m.rule({.kind = FormRule::Kind::any_of, .others = {"simple", "double_planet"}});
     m.check([](const SetCounts& counts, const FileValue& value) {
@@ -133,10 +133,10 @@ const Mapping<WantedTeeth>& wanted_teeth() {
         m.key("sun", "Of suns: the least and the largest number.")
             .needed(&WantedTeeth::sun, teeth_range(), "[20, 80]");
         m.key("ring", "Of rings.").needed(&WantedTeeth::ring, teeth_range(), "[60, 120]");
-        m.key("planet", "The least of a planet; in pairs they are equal.")
+        m.key("planet", "The least number for a planet; planets in pairs are equal.")
             .may(&WantedTeeth::planet, set_teeth(), "15")
             .usual("15");
-        m.key("planets", "How many planets, or pairs, may stand round the sun at equal angles.")
+        m.key("planets", "Permitted numbers of planets, or pairs, around the sun at equal angles.")
             .may(&WantedTeeth::planets, list_of(planet_count(), "", "write [3, 4]"), "[3, 4]")
             .usual("[3, 4, 5]");
       });
@@ -146,13 +146,13 @@ const Mapping<WantedTeeth>& wanted_teeth() {
 const Mapping<StationaryRange>& stationary_range() {
   static const Mapping<StationaryRange> mapping(
       "stationary_range",
-      "Ratios that sets of a kind may have: any between two, or values of a list.",
+      "Ratios that sets of one kind may have: any in a range, or values from a list.",
       "{from: 1.6, to: 3.2}",
       [](auto& m) {
         m.example("{values: [1.6, 2, 2.4, 2.8]}");
         m.key("from", "The least.").needed(&StationaryRange::from, stationary_ratio(), "1.6");
         m.key("to", "The largest.").needed(&StationaryRange::to, stationary_ratio(), "3.2");
-        m.key("values", "These alone: the answer is exact then, and soon there.")
+        m.key("values", "Only these: the answer is then exact, and quick.")
             .may(&StationaryRange::values,
                  list_of(stationary_ratio(), "", "write {values: [1.6, 2, 2.4, 2.8]}"),
                  "[1.6, 2, 2.4, 2.8]");
@@ -163,20 +163,20 @@ const Mapping<StationaryRange>& stationary_range() {
 
 const Mapping<WantedGears>& wanted_gears() {
   static const Mapping<WantedGears> mapping("", "", "{forward: 4, reverse: 1}", [](auto& m) {
-    m.key("forward", "How many forward gears, 2 to 20.")
+    m.key("forward", "Number of forward gears, 2 to 20.")
         .needed(&WantedGears::forward,
                 number_form("forward_gears", "A whole number from 2 to 20.", {"6"}, kForwardGears),
                 "6");
-    m.key("reverse", "How many reverse gears.")
+    m.key("reverse", "Number of reverse gears.")
         .may(&WantedGears::reverse, number_form("at_most_one", "0 or 1.", {"1"}, kAtMostOne), "1")
         .usual("1");
-    m.key("direct", "true asks for a forward gear of ratio 1 whatever the sets are. Default false.")
+    m.key("direct", "true requires a forward gear of ratio 1 whatever the sets are. Default false.")
         .may(&WantedGears::direct, flag(), "true");
     m.key("one_change",
-          "From each forward gear to the next one element opens and one engages; false: any may.")
+          "From each forward gear to the next, one element opens and one engages; false: any may.")
         .may(&WantedGears::one_change, flag(), "true")
         .usual("true");
-    m.key("reverse_change", "true asks for the same from the first gear to reverse. Default false.")
+    m.key("reverse_change", "true requires the same from first gear to reverse. Default false.")
         .may(&WantedGears::reverse_change, flag(), "true");
   });
   return mapping;
@@ -185,14 +185,14 @@ const Mapping<WantedGears>& wanted_gears() {
 const Mapping<WantedRatios>& wanted_ratios() {
   static const Mapping<WantedRatios> mapping(
       "", "", "{first: [2.5, 3.5], step: [1.3, 2]}", [](auto& m) {
-        m.key("first", "Of the first gear: input speed by output speed.")
+        m.key("first", "Of the first gear: input speed over output speed.")
             .may(&WantedRatios::first, ratio_range(), "[2.5, 3.5]");
         m.key("last", "Of the highest gear.").may(&WantedRatios::last, ratio_range(), "[0.6, 0.8]");
-        m.key("spread", "First ratio by last ratio.")
+        m.key("spread", "First ratio over last ratio.")
             .may(&WantedRatios::spread, ratio_range(), "[3.5, 5]");
-        m.key("step", "Ratio of each forward gear by that of the next, above 1.")
+        m.key("step", "Ratio of each forward gear over that of the next, above 1.")
             .needed(&WantedRatios::step, ratio_range(), "[1.3, 2]");
-        m.key("reverse", "Size of the ratio of the reverse gear.")
+        m.key("reverse", "Magnitude of the reverse ratio.")
             .may(&WantedRatios::reverse, ratio_range(), "[1.8, 3]");
       });
   return mapping;
@@ -216,17 +216,18 @@ const Mapping<StationaryRatioRanges>& stationary_ratios() {
 const Mapping<TransmissionLimitsDescription>& transmission_limits() {
   using Limits = TransmissionLimitsDescription;
   static const Mapping<Limits> mapping("", "", "{element_torque: 3, shaft_speed: 3}", [](auto& m) {
-    m.key("element_torque", "Largest torque of an element by that of the input.")
+    m.key("element_torque", "Largest torque of an element over that of the input.")
         .may(&Limits::element_torque, above_zero(), "3");
-    m.key("element_slip", "Largest slip of an open element by the speed of the input.")
+    m.key("element_slip", "Largest slip of an open element over the speed of the input.")
         .may(&Limits::element_slip, above_zero(), "3");
-    m.key("shaft_speed", "Largest speed of a shaft by that of the input.")
+    m.key("shaft_speed", "Largest speed of a shaft over that of the input.")
         .may(&Limits::shaft_speed, above_zero(), "3");
-    m.key("planet_speed", "Largest speed of a planet in its carrier by that of the input.")
+    m.key("planet_speed",
+          "Largest speed of a planet relative to its carrier over that of the input.")
         .may(&Limits::planet_speed, above_zero(), "4");
     m.key("efficiency", "Least efficiency of a gear, with 'losses'.")
         .may(&Limits::efficiency, efficiency(), "0.94");
-    m.key("rotating_clutches", "Most elements between two turning shafts.")
+    m.key("rotating_clutches", "Largest number of elements between two turning shafts.")
         .may(&Limits::rotating_clutches, element_count(), "3");
     m.key("hollow_shafts", "Most shafts of suns that others pass between them and the axis.")
         .may(&Limits::hollow_shafts, not_negative_whole(), "3");
@@ -254,31 +255,31 @@ const Mapping<StructureSlice>& structure_slice() {
 }
 
 void declare_size(Mapping<Wanted>& m) {
-  m.key("sets", "How many planetary sets, up to 4: simple ones, or by kind.")
+  m.key("sets", "Number of planetary sets, up to 4: simple ones, or by kind.")
       .needed(&Wanted::sets, wanted_sets(), "2")
       .example("{simple: 2, double_planet: 1}");
-  m.key("elements", "How many shift elements, up to 7; or how many clutches and brakes.")
+  m.key("elements", "Number of shift elements, up to 7; or numbers of clutches and brakes.")
       .needed(&Wanted::elements, wanted_elements(), "5")
       .example("{clutches: 3, brakes: 2}");
-  m.key("engaged", "How many elements are engaged in every gear, 1 to 4.")
+  m.key("engaged", "Number of elements engaged in every gear, 1 to 4.")
       .needed(&Wanted::engaged,
               number_form("engaged", "A whole number from 1 to 4.", {"2"}, kEngagedElements),
               "2");
-  m.key("free_shafts", "How many shafts only elements touch, 0 or 1.")
+  m.key("free_shafts", "Number of shafts connected only to elements, 0 or 1.")
       .may(&Wanted::free_shafts, number_form("at_most_one", "0 or 1.", {"1"}, kAtMostOne), "1")
       .usual("0");
 }
 
 void declare_preference(Mapping<Wanted>& m) {
-  m.key("layout", "How the shafts shall stand; what cannot be arranged so is counted alone.")
+  m.key("layout", "Arrangement of the shafts; what cannot be arranged in this way is only counted.")
       .may(&Wanted::layout,
            choice_of<SectionArrangement>(
                {{"any", "they need not fit around one axis"},
-                {"coaxial", "input and output end on the axis"},
-                {"sideways", "a gear or chain takes the drive off between sets and housing"}}),
+                {"coaxial", "input and output shafts end on the axis"},
+                {"sideways", "a gear or chain takes the drive out between sets and housing"}}),
            "coaxial")
       .usual("coaxial");
-  m.key("rank", "By what transmissions, ladders and stationary ratios are chosen; also --by.")
+  m.key("rank", "What transmissions, ladders and stationary ratios are ranked by; also --by.")
       .may(&Wanted::rank,
            choice_of<TransmissionOrder>(
                {{kTransmissionOrders[0], "mean of the forward gears, with 'losses'"},
@@ -290,7 +291,7 @@ void declare_preference(Mapping<Wanted>& m) {
                  "rotating clutches and hollow shafts together; of as many the efficiency"}}),
            "efficiency")
       .usual("efficiency");
-  m.key("structures", "A part of all structures, by number; the report says how many there are.")
+  m.key("structures", "A range of all structures, by number; the report gives their total number.")
       .may(&Wanted::structures, structure_slice().form(), "{from: 0, to: 99}");
 }
 
@@ -299,31 +300,30 @@ void declare_preference(Mapping<Wanted>& m) {
 const Mapping<TransmissionDescription>& transmission_mapping() {
   static const Mapping<Wanted> mapping(
       "transmission",
-      "A planetary transmission of which gears are asked. Torques are by that of the input, speeds "
-      "by its speed.",
+      "A planetary transmission with required gears. Torques are relative to that of the input, "
+      "speeds to its speed.",
       "{sets: 2, elements: 4, engaged: 2, gears: {forward: 3}, ratios: {step: [1.3, 2]}}",
       [](auto& m) {
         declare_size(m);
-        m.key("gears", "The gears that are wanted; others may be left over.")
+        m.key("gears", "The required gears; further gears may be left over.")
             .group(&Wanted::gears, wanted_gears())
             .required()
             .example("{forward: 3, reverse: 1, direct: true}");
-        m.key("ratios", "The ratios that they may have, each a closed range.")
+        m.key("ratios", "The permitted ratios, each a closed range.")
             .group(&Wanted::ratios, wanted_ratios())
             .required()
             .example("{first: [2.2, 3], step: [1.3, 2]}");
-        m.key("stationary_ratio",
-              "Teeth of the ring by those of the sun, of the sets of each kind.")
+        m.key("stationary_ratio", "Ring teeth over sun teeth, for the sets of each kind.")
             .group(&Wanted::stationary_ratio, stationary_ratios())
             .example("{simple: {from: 1.6, to: 3.2}}");
         m.key("teeth",
-              "What teeth the sets may have: stationary ratios are those of such sets then, and "
-              "all that is found is met by whole teeth.")
+              "Permitted numbers of teeth: stationary ratios are then those of such sets, and "
+              "everything found is met by whole numbers of teeth.")
             .may(&Wanted::teeth, wanted_teeth().form(), "{sun: [20, 80], ring: [60, 120]}");
-        m.key("limits", "What no gear of the ladder may exceed.")
+        m.key("limits", "Limits that no gear of the ladder may exceed.")
             .group(&Wanted::limits, transmission_limits())
             .example("{element_torque: 3, shaft_speed: 3}");
-        m.key("losses", "The share of its power that a set loses with its carrier at rest.")
+        m.key("losses", "The fraction of its power that a set loses with its carrier at rest.")
             .group(&Wanted::losses, set_losses())
             .example("{simple: 0.02}");
         declare_preference(m);

@@ -80,7 +80,7 @@ const Mapping<FileUnits>& units_section() {
         {power, "Unit of bare powers.", {"W", "kW"}},
         {energy, "Unit of energies in reports.", {"J", "kJ", "kWh"}},
         {stiffness,
-         "Unit of bare stiffnesses of forces. Those of couples count in the unit of moment per "
+         "Unit of bare stiffnesses of forces. Stiffnesses of couples are in the unit of moment per "
          "rad.",
          {"N/m", "N/mm"}}};
     for (const UnitKey& row : rows) {

@@ -16,15 +16,15 @@ struct Share {
 constexpr Share kShares[] = {
     {"carrier",
      &TransmissionEfficiency::carrier,
-     "A mesh loses a share of the power that rolls as seen from its carrier: none in a train that "
-     "turns as a block. Friction of couplings included."},
+     "A mesh loses a fraction of the rolling power relative to its carrier: none in a train that "
+     "turns as a block. Includes friction of couplings."},
     {"carrier_backward",
      &TransmissionEfficiency::carrier_backward,
      "The same with all known actions and loads reversed, so that the outputs drive."},
     {"absolute",
      &TransmissionEfficiency::absolute,
-     "A mesh loses a share of the power through it as seen from the ground, also of what only "
-     "rides along with its gears. Friction of couplings included."}};
+     "A mesh loses a fraction of the power through it relative to the ground, including power that "
+     "is only carried round with its gears. Includes friction of couplings."}};
 
 bool has_meshes(const EfficiencyView& v) {
   return v.meshes != nullptr;
@@ -72,7 +72,7 @@ struct LossyMeshView {
 const Record<LossyMeshView>& lossy_mesh_record() {
   static const Record<LossyMeshView> record("One mesh.", [](Record<LossyMeshView>& keys) {
     keys.flag("rolls",
-              "Whether its gears turn in its carrier; else it loses nothing.",
+              "Whether its gears turn relative to its carrier; otherwise it loses nothing.",
               [](const LossyMeshView& v) { return v.loss.rolls; });
     keys.text("driven",
               "The gear that the loss holds back; no key where nothing is lost.",
@@ -183,7 +183,7 @@ const Record<LossesView>& losses_record() {
         keys.numbers("actuators",
                      ByContext::action,
                      "Action of each actuator with all losses, of tail on head, in the unit of "
-                     "moment or force; null where equilibrium leaves it open.",
+                     "moment or force; null where equilibrium leaves it undetermined.",
                      emit_lossy_actuators)
             .in_tables_as("lossy_action");
         keys.number("balance_residual",

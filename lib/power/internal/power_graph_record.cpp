@@ -19,7 +19,7 @@ const Record<ArcView>& arc_record() {
     });
     keys.quantity("power",
                   QuantityKind::power,
-                  "What leaves the one and reaches the other, the lesser of the two.",
+                  "The power that leaves one and reaches the other, the smaller of the two.",
                   [](const ArcView& v) { return v.arc.power; })
         .at_least(0);
   });
@@ -55,8 +55,8 @@ const Record<MeshView>& mesh_record() {
               [](const MeshView& v) { return v.topology.body(v.mesh.carrier).name; });
     keys.quantity("rolling",
                   QuantityKind::power,
-                  "Power into the head in the frame of the carrier: losses of teeth are a share of "
-                  "its size.",
+                  "Power into the head in the frame of the carrier: mesh losses are a fraction of "
+                  "its magnitude.",
                   [](const MeshView& v) { return v.mesh.rolling; });
   });
   return record;
@@ -72,14 +72,14 @@ const Record<LoopView>& loop_record() {
   static const Record<LoopView> record(
       "One circle, or several that share bodies.", [](Record<LoopView>& keys) {
         keys.names("bodies",
-                   "Its bodies, in the sense of the flow where it is a single circle.",
+                   "Its bodies, in the direction of the flow if it is a single circle.",
                    [](const LoopView& v, const EachName& each) {
                      for (const BodyId body : v.loop.bodies) {
                        each(v.topology.body(body).name);
                      }
                    });
         keys.names("couplings",
-                   "The couplings through which the power goes, likewise.",
+                   "The couplings through which the power flows, likewise.",
                    [](const LoopView& v, const EachName& each) {
                      for (const std::size_t arc : v.loop.arcs) {
                        each(v.topology.coupling(v.graph.net[arc].coupling).name);
@@ -187,19 +187,19 @@ const Shape& row_shape() {
 void add_power_graph(Record<PowerView>& keys) {
   keys.map("arcs",
            arc_record(),
-           "Which way power goes through each coupling that transmits it from one body to another, "
-           "seen from the ground.",
+           "Direction of the power flow through each coupling that transmits power from one body "
+           "to another, relative to the ground.",
            emit_arcs)
       .not_in_tables();
   keys.map("bodies",
            body_power_record(),
-           "What each moving body receives and gives through its couplings and loads: equal in "
-           "balance; null where an action of it is open.",
+           "Power that each moving body receives and delivers through its couplings and loads: "
+           "equal if balanced; null where one of its actions is undetermined.",
            emit_body_powers)
       .in_tables_as("body");
   keys.map("meshes",
            mesh_record(),
-           "Teeth seen from their carrier, the body in which the axes of both gears are fixed; "
+           "Teeth relative to their carrier, the body in which the axes of both gears are fixed; "
            "only meshes that have one.",
            emit_meshes)
       .in_tables_as("mesh")

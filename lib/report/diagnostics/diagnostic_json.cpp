@@ -44,7 +44,7 @@ void add_file(Record<View>& keys) {
 const Record<Note>& note_record() {
   static const Record<Note> record("One note.", [](Record<Note>& keys) {
     add_place(keys, [](const Note& note) { return note.where; });
-    keys.text("message", "What this place has to do with it.", [](const Note& note) {
+    keys.text("message", "How this place is related to the message.", [](const Note& note) {
       return printable(note.message);
     });
   });
@@ -55,12 +55,12 @@ void add_message(Record<PlacedDiagnosticView>& keys) {
   using View = PlacedDiagnosticView;
   keys.word("severity",
             {"error", "warning"},
-            "How bad it is: an error prevents an answer or fails a check.",
+            "Severity: an error prevents a result or fails a check.",
             [](const View& v) { return v.one.severity == Severity::error ? "error" : "warning"; });
   keys.text("code",
             "Stable code; 'kinestat explain CODE' explains it by an example.",
             [](const View& v) { return v.one.code; });
-  keys.text("title", "What all diagnostics of this code have in common.", [](const View& v) {
+  keys.text("title", "The title shared by all diagnostics of this code.", [](const View& v) {
     return find_code(v.one.code)->title;
   });
   keys.text("message", "What is wrong here, with the user's names and units.", [](const View& v) {

@@ -7,7 +7,7 @@ namespace {
 const Record<Diagnostic>& diagnostic_record() {
   using View = Diagnostic;
   static const Record<View> record("One diagnostic.", [](Record<View>& keys) {
-    keys.word("severity", {"error", "warning"}, "How bad it is.", [](const View& v) {
+    keys.word("severity", {"error", "warning"}, "Its severity.", [](const View& v) {
       return v.severity == Severity::error ? "error" : "warning";
     });
     keys.text("code", "Stable code; 'kinestat explain CODE' explains it.", [](const View& v) {

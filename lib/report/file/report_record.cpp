@@ -15,15 +15,15 @@ namespace {
 const Record<RankCertainty>& rank_record() {
   using View = RankCertainty;
   static const Record<View> record(
-      "Of a network matrix; null where it is not looked at.", [](Record<View>& keys) {
+      "Of a network matrix; null where it is not examined.", [](Record<View>& keys) {
         keys.count("value",
                    "The rank, by elimination of the numbers rounded to double.",
                    [](const View& v) { return v.rank; });
         keys.word("how",
                   {"structural", "elimination", "modular", "digits", "numeric"},
-                  "Why it is believed: proved by the pattern of the equations, by elimination "
-                  "without rounding, modulo primes drawn at random, by numbers of 60 digits, or by "
-                  "the doubles alone.",
+                  "Its evidence: proved by the pattern of the equations, by elimination without "
+                  "rounding, modulo random primes, by numbers of 60 digits, or by the doubles "
+                  "alone.",
                   [](const View& v) { return v.how; });
         keys.count("lower",
                    "Least rank that is proved of the rounded numbers; 0 if none is.",
@@ -32,14 +32,15 @@ const Record<RankCertainty>& rank_record() {
                    "Largest rank that the pattern of the equations allows.",
                    [](const View& v) { return v.upper; });
         keys.count("as_typed",
-                   "The rank of the numbers as typed; null where nobody needed it, or it would "
-                   "take too long.",
+                   "The rank of the numbers as typed; null if it was not needed, or would take too "
+                   "long.",
                    [](const View& v) {
                      return v.exact_input ? std::optional(v.exact_input->rank) : std::nullopt;
                    });
         keys.number("error_probability",
                     Bare::number,
-                    "That the rank as typed is larger than said, over the draw of the primes.",
+                    "Probability, over the random choice of primes, that the rank as typed is "
+                    "larger than stated.",
                     [](const View& v) {
                       return v.exact_input ? std::optional(v.exact_input->error_probability)
                                            : std::nullopt;
@@ -126,7 +127,7 @@ void add_analysis(Record<ReportView>& keys) {
       });
   keys.map("cases",
            case_record(),
-           "Cases by label; a pass that a case does not ask for has no key.",
+           "Cases by label; a pass that a case does not request has no key.",
            [](const ReportView& v, const Each<CaseView>& each) {
              for (const CaseAnalysis& one : v.analysis->cases) {
                each(one.which.label, {.analysis = *v.analysis, .one = one});

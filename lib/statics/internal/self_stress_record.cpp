@@ -39,13 +39,13 @@ const Record<SelfStressView>& self_stress_record() {
       "One of them; its first action stands in no other.", [](Record<SelfStressView>& keys) {
         keys.names("couplings", "Couplings that take part.", emit_couplings);
         keys.text("per",
-                  "The unit of the first action: the magnitudes go with 1 of it.",
+                  "The unit of the first action: the magnitudes are for 1 of it.",
                   [](const SelfStressView& v) { return v.units.text(first_kind(v)); })
             .reference_unit()
             .not_compared();
         keys.numbers("actions",
                      ByContext::action,
-                     "Magnitudes that go with 1 unit of the first action.",
+                     "Magnitudes for 1 unit of the first action.",
                      emit_actions)
             .in_tables_as("");
       });
@@ -60,12 +60,12 @@ const Record<CompletionView>& completion_record() {
         keys.word("method",
                   {std::string(word_of(IndeterminateChoice::minimum_norm)),
                    std::string(word_of(IndeterminateChoice::stiffness))},
-                  "Least norm of all actions, which is a convention, or least energy of elastic "
-                  "couplings.",
+                  "Minimum norm of all actions, which is a convention, or minimum energy of "
+                  "elastic couplings.",
                   [](const CompletionView& v) { return word_of(v.completion.by); });
         keys.quantity("length",
                       QuantityKind::length,
-                      "By which minimum norm divides couples.",
+                      "The length by which the minimum norm divides couples.",
                       [](const CompletionView& v) { return v.completion.length; })
             .only_if([](const CompletionView& v) {
               return v.completion.by == IndeterminateChoice::minimum_norm;

@@ -99,10 +99,10 @@ const Record<FrictionView>& friction_record() {
       "The friction of one coupling: a couple or, where it slides, a drag.",
       [](Record<FrictionView>& keys) {
         const auto size = [](const FrictionView& v) { return v.friction.magnitude; };
-        keys.quantity("couple", QuantityKind::moment, "Size of the couple.", size)
+        keys.quantity("couple", QuantityKind::moment, "Magnitude of the couple.", size)
             .at_least(0)
             .only_if([](const FrictionView& v) { return v.friction.is_couple; });
-        keys.quantity("drag", QuantityKind::force, "Size of the force.", size)
+        keys.quantity("drag", QuantityKind::force, "Magnitude of the force.", size)
             .at_least(0)
             .only_if([](const FrictionView& v) { return !v.friction.is_couple; });
         keys.vector(
@@ -116,11 +116,10 @@ const Record<FrictionView>& friction_record() {
 
 const Record<PlanetShare>& planet_record() {
   static const Record<PlanetShare> record(
-      "What one of these planets has of an action, which 'actions' gives for all of them together.",
+      "The part of an action carried by one of these planets; 'actions' gives it for all of them "
+      "together.",
       [](Record<PlanetShare>& keys) {
-        keys.count("count",
-                   "How many planets there are.",
-                   [](const PlanetShare& v) { return v.count; })
+        keys.count("count", "Number of planets.", [](const PlanetShare& v) { return v.count; })
             .at_least(2);
         keys.by_context(
             "each",
@@ -133,7 +132,8 @@ const Record<PlanetShare>& planet_record() {
             });
         keys.by_context("most_loaded",
                         ByContext::action,
-                        "Likewise of the most loaded one, of planets with 'load_sharing'.",
+                        "The same for the most heavily loaded one, for planets with "
+                        "'load_sharing'.",
                         [](const PlanetShare& v) {
                           const auto most =
                               v.all ? std::optional(*v.all * v.sharing / v.count) : std::nullopt;
@@ -164,7 +164,7 @@ const Record<ContactView>& contact_record() {
                       [](const ContactView& v) { return v.state.after; });
         keys.number("ratio",
                     Bare::number,
-                    "Larger tension by the smaller; null unless both pull.",
+                    "Larger tension over smaller; null unless both pull.",
                     [](const ContactView& v) { return v.state.ratio; });
         keys.number("limit",
                     Bare::number,
@@ -216,8 +216,8 @@ const Record<ConverterState>& converter_record() {
                &View::stator_torque);
         keys.number("efficiency",
                     Bare::efficiency,
-                    "Power given over power taken: speed ratio times torque ratio while the pump "
-                    "drives; null where nothing flows.",
+                    "Power delivered over power supplied: speed ratio times torque ratio while the "
+                    "pump drives; null where no power flows.",
                     [](const View& v) { return v.efficiency(); });
         keys.quantity("loss",
                       QuantityKind::power,

@@ -9,22 +9,22 @@ const Record<ExtremeResult>& extreme_record() {
   static const Record<View> record("A method at one extreme.", [](Record<View>& keys) {
     keys.word("status",
               {"solved", "refused", "not finite"},
-              "Whether it has an answer; refused: it takes the equations for singular and says so.",
+              "Whether it has a solution; refused: it finds the equations singular and says so.",
               [](const View& v) { return text_of(v.status); });
     keys.number("error",
                 Bare::ratio,
-                "Largest against the exact solution of the same doubles, as a share of the largest "
-                "unknown.",
+                "Largest error against the exact solution of the same doubles, as a fraction of "
+                "the largest unknown.",
                 [](const View& v) { return v.error; })
         .at_least(0);
     keys.number("value_error",
                 Bare::ratio,
-                "Largest as a share of the unknown itself, of those that are not zero.",
+                "Largest error as a fraction of the unknown itself, among those that are not zero.",
                 [](const View& v) { return v.value_error; })
         .at_least(0);
     keys.number("bound",
                 Bare::ratio,
-                "What the method itself says of error; null if it says nothing.",
+                "The error bound given by the method itself; null if it gives none.",
                 [](const View& v) { return v.bound; })
         .at_least(0);
   });
@@ -72,9 +72,9 @@ const Record<MethodResult>& method_record() {
         .not_compared();
     keys.map("extremes",
              extreme_record(),
-             "What it makes of each extreme: the mechanism as it is, all lengths a milliardth or a "
-             "milliard times, the world origin a thousand, a million or a milliard sizes of the "
-             "mechanism away.",
+             "Its result in each extreme case: the mechanism as it is, all lengths multiplied by "
+             "1e-9 or 1e9, the world origin at a distance of 1e3, 1e6 or 1e9 times the size of the "
+             "mechanism.",
              [](const View& v, const Each<ExtremeResult>& each) {
                for (std::size_t i = 0; i < v.extremes.size(); ++i) {
                  each(kExtremes[i].name, v.extremes[i], text_of(v.extremes[i].status));
@@ -120,9 +120,9 @@ const Record<TradeOff>& trade_off_record() {
     const auto is_measured = [](const View& v) { return v.reason == NoProblem::none; };
     keys.word("status",
               words_up_to(NoProblem::no_unknowns),
-              "measured, or why not: nothing is known of this side; what is known leaves "
-              "magnitudes open, or contradicts itself; more unknowns than dense methods are tried "
-              "with; all are known.",
+              "measured, or why not: nothing is known on this side; what is known leaves "
+              "magnitudes undetermined, or contradicts itself; more unknowns than dense methods "
+              "are tried with; all are known.",
               [](const View& v) { return word_of(v.reason); });
     keys.count("unknowns", "Secondary magnitudes.", [](const View& v) { return v.unknowns; })
         .at_least(1)

@@ -213,7 +213,7 @@ void add_result(Record<ComparisonView>& keys) {
   });
   keys.list("differences",
             difference_record(),
-            "All differences: those at places of A in its order, then what only B has.",
+            "All differences: first those at places of A in its order, then what only B has.",
             [](const View& v, const Each<Difference>& each) {
               for (const Difference& one : v.comparison.differences) {
                 each(one);

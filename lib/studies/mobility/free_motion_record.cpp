@@ -63,11 +63,11 @@ const Record<FreeMotionView>& free_motion_record() {
   static const Record<View> record(
       "One motion; its first freedom, actuators before others, has the rate 1.",
       [](Record<View>& keys) {
-        keys.flag("passive", "Whether no other body and no actuator feels it.", [](const View& v) {
+        keys.flag("passive", "Whether it moves no other body and no actuator.", [](const View& v) {
           return v.motion.is_passive();
         });
         keys.text("per",
-                  "The unit of the first freedom: the rates go with 1 of it.",
+                  "The unit of the first freedom: the rates are for 1 of it.",
                   [](const View& v) { return v.units.text(first_kind(v)); })
             .reference_unit()
             .not_compared();

@@ -51,7 +51,7 @@ const Record<GrublerView>& grubler_record() {
           return v.count.freedoms;
         });
         keys.count("mobility",
-                   "M, the mobility if every constraint were independent; F_N - C_N in truth.",
+                   "M, the mobility if every constraint were independent; it equals F_N - C_N.",
                    [](const View& v) { return v.count.mobility; })
             .at_least({});
         keys.map("classes",

@@ -6,7 +6,7 @@ namespace {
 
 const Record<ActionCounts>& action_counts_record() {
   static const Record<ActionCounts> record(
-      "The same question asked of the actions; null where the actions leave this order.",
+      "The same for the actions; null where the actions need more than this order.",
       [](Record<ActionCounts>& keys) {
         keys.count("order",
                    "Order of the screw system in which the actions are counted.",

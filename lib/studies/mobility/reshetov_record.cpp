@@ -70,12 +70,12 @@ const Record<ReshetovCircuitView>& reshetov_circuit_record() {
                 list_shape(word_shape({kClosures.begin(), kClosures.end()}, false)),
                 "Demands that nothing covers.",
                 write_missing);
-    keys.count("oblique_rotations", "Freedoms that turn about no world axis.", [](const View& v) {
+    keys.count("oblique_rotations", "Rotations about no world axis.", [](const View& v) {
       return v.circuit.oblique_rotations;
     });
-    keys.count("oblique_translations",
-               "Freedoms that shift along no world axis.",
-               [](const View& v) { return v.circuit.oblique_translations; });
+    keys.count("oblique_translations", "Translations along no world axis.", [](const View& v) {
+      return v.circuit.oblique_translations;
+    });
   });
   return record;
 }
@@ -100,10 +100,10 @@ const Record<ReshetovView>& reshetov_record() {
       "Table of Reshetov: which freedoms close each circuit without force; null where directions "
       "are not known.",
       [](Record<View>& keys) {
-        keys.count("mobility", "How many freedoms are left over.", [](const View& v) {
+        keys.count("mobility", "Number of freedoms left over.", [](const View& v) {
           return v.table.mobility;
         });
-        keys.count("redundant", "How many demands nothing covers.", [](const View& v) {
+        keys.count("redundant", "Number of demands that nothing covers.", [](const View& v) {
           return v.table.redundant;
         });
         keys.map("circuits",

@@ -9,18 +9,18 @@ const Record<FreedomTrial>& freedom_trial_record() {
   static const Record<View> record("One motion.", [](Record<View>& keys) {
     keys.word("persistence",
               words_up_to(Persistence::instantaneous),
-              "finite: the mechanism goes along it; deflected: it moves, but leaves this direction "
-              "at once; instantaneous: nothing closes near it.",
+              "finite: the mechanism moves along it; deflected: it moves, but leaves this "
+              "direction at once; instantaneous: no nearby position closes.",
               [](const View& v) { return word_of(v.persistence); })
         .in_tables_is(TableRole::word);
     keys.number("step",
                 Bare::number,
-                "How far it was followed: the largest turn in radians, or slide as share of the "
-                "mechanism's size.",
+                "How far it was followed: the largest rotation in radians, or translation as a "
+                "fraction of the mechanism's size.",
                 [](const View& v) { return v.step; });
     keys.number("closure_error",
                 Bare::number,
-                "What is left after closing, as share of the mechanism's size.",
+                "The gap left after closing, as a fraction of the mechanism's size.",
                 [](const View& v) { return v.closure_error; })
         .not_compared();
   });
@@ -52,7 +52,7 @@ const Record<FiniteMobilityView>& finite_mobility_record() {
                    "Net degree of freedom in the drawn position.",
                    [](const View& v) { return v.finite.drawn_freedom; });
         keys.count("nearby_freedom",
-                   "The least at positions close by; 0 if nothing moves.",
+                   "The least at nearby positions; 0 if nothing moves.",
                    [](const View& v) { return v.finite.nearby_freedom; });
         keys.flag("singular",
                   "Whether the drawn position has more freedoms than those close by.",

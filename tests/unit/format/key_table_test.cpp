@@ -18,7 +18,7 @@ TEST(KeyTable, SaysFormNeedUsualValueAndExampleAndTheMeaningBelow) {
   const std::string table = key_table("motion");
 
   EXPECT_TRUE(has_line(table, "  drive    NAME; needed; e.g. drive")) << table;
-  EXPECT_TRUE(has_line(table, "           The actuator that drives."));
+  EXPECT_TRUE(has_line(table, "           The driving actuator."));
   EXPECT_TRUE(has_line(table, "  steps    VALUE; default 100; e.g. 360"));
 }
 

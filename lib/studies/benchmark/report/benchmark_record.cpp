@@ -27,12 +27,12 @@ const Record<BenchmarkedCase>& benchmarked_case_record() {
 const Record<BenchmarkReportView>& benchmark_report_record() {
   using View = BenchmarkReportView;
   static const Record<View> record(
-      "What 'kinestat bench --format json' writes: time and error of the methods of solution at "
-      "extremes.",
+      "What 'kinestat bench --format json' writes: time and error of the solution methods in "
+      "extreme cases.",
       [](Record<View>& keys) {
         add_head(keys);
         keys.text("unit",
-                  "What times are measured in.",
+                  "The unit of the times.",
                   [](const View&) { return "Eigen PartialPivLU, double, dense"; })
             .not_in_tables();
         keys.map("bench",

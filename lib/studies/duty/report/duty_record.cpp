@@ -22,10 +22,10 @@ struct ItemView {
 const Record<DutyEnergy>& energy_record() {
   using View = DutyEnergy;
   static const Record<View> record(
-      "Energies of a while: what is given is what is taken and what is lost.",
+      "Energies over a duration: energy supplied = energy delivered + energy lost.",
       [](Record<View>& keys) {
         keys.quantity(
-            "duration", QuantityKind::time, "How long.", [](const View& v) { return v.duration; });
+            "duration", QuantityKind::time, "Duration.", [](const View& v) { return v.duration; });
         keys.quantity("given",
                       QuantityKind::energy,
                       "By actuators and loads while they drive.",
@@ -40,7 +40,7 @@ const Record<DutyEnergy>& energy_record() {
                       [](const View& v) { return v.lost; });
         keys.number("efficiency",
                     Bare::efficiency,
-                    "Energy taken by energy given; null where none is given.",
+                    "Energy delivered over energy supplied; null where none is supplied.",
                     [](const View& v) { return v.efficiency(); });
       });
   return record;
@@ -48,7 +48,7 @@ const Record<DutyEnergy>& energy_record() {
 
 const Record<CouplingLoss>& loss_record() {
   using View = CouplingLoss;
-  static const Record<View> record("What a coupling loses.", [](Record<View>& keys) {
+  static const Record<View> record("The loss of a coupling.", [](Record<View>& keys) {
     keys.quantity(
         "lost", QuantityKind::energy, "Energy lost there.", [](const View& v) { return v.energy; });
   });
@@ -66,8 +66,8 @@ void add_wear(Record<View>& keys, QuantityKind load, const WearOf& wear_of) {
   });
   keys.quantity("equivalent",
                 load,
-                "The constant load that wears as much in as many revolutions (Miner); null without "
-                "an exponent, or where nothing turns.",
+                "Equivalent load: the constant load that causes the same damage in the same number "
+                "of revolutions (Miner); null without an exponent, or where nothing turns.",
                 [wear_of](const View& v) { return wear_of(v).equivalent; });
 }
 
@@ -86,7 +86,7 @@ const Record<GearDuty>& gear_record() {
 const Record<BearingDuty>& bearing_record() {
   using View = BearingDuty;
   static const Record<View> record(
-      "A bearing about which bodies turn: the size of the force that it bears, with losses.",
+      "A bearing about which bodies turn: the magnitude of the force that it carries, with losses.",
       [](Record<View>& keys) {
         keys.count("planets",
                    "Equal planets that have one each; the force is that of one.",
@@ -99,9 +99,10 @@ const Record<BearingDuty>& bearing_record() {
 const Record<ElementDuty>& element_record() {
   using View = ElementDuty;
   static const Record<View> record("A clutch or brake.", [](Record<View>& keys) {
-    keys.quantity("engaged", QuantityKind::time, "How long it holds a torque.", [](const View& v) {
-      return v.engaged;
-    });
+    keys.quantity(
+        "engaged", QuantityKind::time, "The time for which it holds a torque.", [](const View& v) {
+          return v.engaged;
+        });
     keys.quantity("largest", QuantityKind::moment, "Its largest torque.", [](const View& v) {
       return v.largest;
     });
@@ -123,13 +124,13 @@ const Record<ItemView<DutyPointState>>& point_record() {
     });
     keys.word("status",
               {kStatusWords.begin(), kStatusWords.end()},
-              "at_rest: nothing moves; both_ends: losses take more than the inputs give, and the "
-              "outputs drive too; unanswered: as the case is where it is analysed.",
+              "at_rest: nothing moves; both_ends: losses take more than the inputs supply, and the "
+              "outputs drive too; unanswered: the analysis of the case has no result either.",
               [](const View& v) { return word_of(v.item.status); });
     keys.include(energy_record(), [](const View& v) -> const DutyEnergy& { return v.item.energy; });
     keys.number("balance_residual",
                 Bare::ratio,
-                "|given - taken - lost| by the largest power.",
+                "|supplied - delivered - lost| over the largest power.",
                 [](const View& v) { return v.item.balance_residual; });
   });
   return record;
@@ -154,15 +155,16 @@ const Record<DutyReportView>& duty_record() {
       [](Record<View>& keys) {
         keys.include(energy_record(),
                      [](const View& v) -> const DutyEnergy& { return v.duty.whole; });
-        keys.quantity("at_rest", QuantityKind::time, "How long nothing moves.", [](const View& v) {
-          return v.duty.at_rest;
-        });
+        keys.quantity(
+            "at_rest", QuantityKind::time, "The time for which nothing moves.", [](const View& v) {
+              return v.duty.at_rest;
+            });
         keys.quantity("both_ends",
                       QuantityKind::time,
-                      "How long losses take more than the inputs give.",
+                      "The time for which losses take more than the inputs supply.",
                       [](const View& v) { return v.duty.both_ends; });
         keys.count("unanswered",
-                   "Points that have no answer, and are in none of the sums.",
+                   "Points without a result, which are not included in the sums.",
                    [](const View& v) {
                      int count = 0;
                      for (const UnansweredCase& one : v.duty.unanswered) {
@@ -172,7 +174,8 @@ const Record<DutyReportView>& duty_record() {
                    });
         keys.number("balance_residual",
                     Bare::ratio,
-                    "The largest of all points of |given - taken - lost| by the largest power.",
+                    "The largest |supplied - delivered - lost| of all points over the largest "
+                    "power.",
                     [](const View& v) { return v.duty.balance_residual; });
         keys.map("cases",
                  energy_record(),
@@ -185,14 +188,14 @@ const Record<DutyReportView>& duty_record() {
             .in_tables_is(TableRole::cases);
         keys.map("meshes",
                  loss_record(),
-                 "Losses of teeth by mesh.",
+                 "Gear mesh losses, by mesh.",
                  [](const View& v, const Each<CouplingLoss>& each) {
                    emit_losses(v, v.duty.meshes, each);
                  })
             .in_tables_is(TableRole::element);
         keys.map("friction",
                  loss_record(),
-                 "Losses of couplings with friction, and of elements that drag.",
+                 "Losses of couplings with friction, and of elements with drag.",
                  [](const View& v, const Each<CouplingLoss>& each) {
                    emit_losses(v, v.duty.frictions, each);
                  })
@@ -250,7 +253,8 @@ std::string_view word_of(DutyStatus status) {
 const Record<DutyReportView>& duty_report_record() {
   using View = DutyReportView;
   static const Record<View> record(
-      "What 'kinestat duty --format json' writes: what a duty asks of a mechanism.",
+      "What 'kinestat duty --format json' writes: energies and losses of a duty cycle, and loads "
+      "on gears and bearings.",
       [](Record<View>& keys) {
         add_head(keys);
         keys.part("duty", duty_record(), [](const View& v) -> const View& { return v; })

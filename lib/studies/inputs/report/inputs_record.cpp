@@ -190,8 +190,8 @@ void write_actuators(const CableTensionView& v, Archive& to) {
 void add_actuators(Record<CableTensionView>& keys) {
   using View = CableTensionView;
   keys.count("actuators",
-             "So many determine all motions and pretension every segment: F_N, and one more for "
-             "each dependence of the drives. Null where it is not possible.",
+             "The number that determines all motions and pretensions every segment: F_N, and one "
+             "more for each dependence of the drives. Null if this is not possible.",
              [](const View& v) {
                return v.cables.is_possible ? std::optional(v.cables.actuators) : std::nullopt;
              })
@@ -201,8 +201,8 @@ void add_actuators(Record<CableTensionView>& keys) {
             "No smaller number does; false: another choice of drives might need fewer.",
             [](const View& v) { return v.cables.is_possible && v.cables.is_least(); });
   keys.text("per",
-            "The unit of force: the drives go with a tension of at least 1 of it in each segment; "
-            "no key without drives.",
+            "The unit of force: the drives belong to a tension of at least 1 of it in each "
+            "segment; no key without drives.",
             [](const View& v) { return v.units.text(QuantityKind::force); })
       .only_if([](const View& v) { return !v.cables.drives.empty(); })
       .reference_unit()
@@ -217,14 +217,14 @@ void add_actuators(Record<CableTensionView>& keys) {
 const Record<CableTensionView>& cable_tension_record() {
   using View = CableTensionView;
   static const Record<View> record(
-      "How many actuators keep every segment of the cables in tension: a pretension that pulls on "
-      "each without a load, and what it takes; no key without cables.",
+      "Number of actuators that keep every cable segment in tension: a pretension that pulls on "
+      "each without a load, and what it requires; no key without cables.",
       [](Record<View>& keys) {
         keys.count("segments", "Straight segments of all cables.", [](const View& v) {
           return v.cables.segments;
         });
         keys.count("net_freedom",
-                   "F_N: so many actuators determine all motions.",
+                   "F_N: the number of actuators that determine all motions.",
                    [](const View& v) { return v.cables.net_freedom; });
         keys.count("without_slip", "F_N if no cable slipped on its pulley.", [](const View& v) {
           return v.cables.without_slip;
@@ -312,7 +312,7 @@ const Record<InputsReportView>& inputs_report_record() {
             .in_tables_is(TableRole::table);
         keys.list("choices",
                   choice_record(),
-                  "What is said of the sets given with --judge, each on every side that has its "
+                  "The verdict on the sets given with --judge, each on every side that has its "
                   "names.",
                   [](const View& v, const Each<ChoiceVerdict>& each) {
                     for (const ChoiceVerdict& choice : v.inputs.choices) {

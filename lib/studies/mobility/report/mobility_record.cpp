@@ -116,8 +116,9 @@ const Record<RedundantConstraintView>& redundant_constraint_record() {
             .not_compared();
         keys.numbers("actions",
                      ByContext::action,
-                     "Shares by the name of the action, in the units of the file: for one unit of "
-                     "the wrench, or of the first action where it flows through several circuits.",
+                     "Contributions by the name of the action, in the units of the file: for one "
+                     "unit of the wrench, or of the first action where it flows through several "
+                     "circuits.",
                      emit_shares);
       });
   return record;
@@ -133,7 +134,7 @@ const Record<RedundancyView>& redundancy_record() {
   using View = RedundancyView;
   static const Record<View> record("Redundant constraints in one order.", [](Record<View>& keys) {
     keys.count("order", "Order of the space.", [](const View& v) { return v.redundancies.order; });
-    keys.count("count", "C_N: how many constraints are redundant.", [](const View& v) {
+    keys.count("count", "C_N: number of redundant constraints.", [](const View& v) {
       return v.redundancies.net_constraint;
     });
     keys.count("borne",
@@ -182,15 +183,15 @@ const Record<CouplingChange>& coupling_change_record() {
   using View = CouplingChange;
   static const Record<View> record("One changed coupling.", [](Record<View>& keys) {
     keys.text("to",
-              "The type that it becomes; null if none of the catalogue does.",
+              "The type that it becomes; null if none in the catalogue fits.",
               [](const View& v) { return v.to ? std::optional(word_of(*v.to)) : std::nullopt; })
         .in_tables_is(TableRole::word);
     keys.flag("left_out",
-              "Whether it would bear nothing any more, so that it can be left out.",
+              "Whether it would no longer carry anything, so that it can be left out.",
               [](const View& v) { return v.is_left_out; })
         .in_tables_is(TableRole::word);
     keys.names("added",
-               "Freedoms that it has more, in words.",
+               "Its additional freedoms, in words.",
                [](const View& v, const EachName& each) {
                  for (const Twist& twist : v.added) {
                    each(freedom_words(twist));
@@ -217,18 +218,18 @@ const Record<RepairView>& repair_record() {
   static const Record<View> record("One set of changes.", [](Record<View>& keys) {
     keys.map(
         "changes", coupling_change_record(), "Changes by the name of the coupling.", emit_changes);
-    keys.count("removes", "How many redundant constraints it removes.", [](const View& v) {
+    keys.count("removes", "Number of redundant constraints that it removes.", [](const View& v) {
       return v.repair.freed;
     });
     keys.count("net_freedom",
-               "F_N of the released mechanism in space, counted anew.",
+               "F_N of the released mechanism in space, recalculated.",
                [](const View& v) { return v.repair.after.net_freedom; });
     keys.count("net_constraint",
-               "C_N of the released mechanism in space, counted anew.",
+               "C_N of the released mechanism in space, recalculated.",
                [](const View& v) { return v.repair.after.net_constraint; });
     keys.flag("verified",
-              "Whether the released mechanism has the same mobility and as many redundant "
-              "constraints less.",
+              "Whether the released mechanism has the same mobility and this number of redundant "
+              "constraints fewer.",
               [](const View& v) { return v.repair.is_verified; })
         .in_tables_is(TableRole::word);
   });
@@ -306,7 +307,7 @@ void add_redundancies(Record<MobilityAnalysis>& keys) {
       .null_unless(has_geometry)
       .in_tables_is(TableRole::element);
   keys.names("remarks",
-             "What the counts have to do with each other, in sentences.",
+             "How the counts are related, in sentences.",
              [](const View& v, const EachName& each) {
                for (const std::string& remark : mobility_remarks(v)) {
                  each(remark);

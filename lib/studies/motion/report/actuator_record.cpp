@@ -51,7 +51,7 @@ void add_action(Record<ActuatorView>& keys) {
   };
   add_by_freedom(keys,
                  named("peak"),
-                 "Its action of the largest size, with its sign.",
+                 "Its action of the largest magnitude, with its sign.",
                  [](const ActuatorView& v) { return v.actuator.peak.value; });
   add_place(keys, "peak_at", &ActuatorFigures::peak);
   add_by_freedom(keys, named("mean"), "Mean of its action in time.", [](const ActuatorView& v) {
@@ -59,7 +59,7 @@ void add_action(Record<ActuatorView>& keys) {
   });
   add_by_freedom(keys,
                  named("rms"),
-                 "Root of the mean square of its action in time, which heats a motor.",
+                 "Root mean square of its action in time, which determines the heating of a motor.",
                  [](const ActuatorView& v) { return v.actuator.rms; });
 }
 
@@ -70,11 +70,11 @@ void add_power(Record<ActuatorView>& keys) {
                   .turning_kind = angular_velocity,
                   .sliding = "peak_velocity",
                   .sliding_kind = velocity},
-                 "Its speed of the largest size, with its sign.",
+                 "Its speed of the largest magnitude, with its sign.",
                  [](const ActuatorView& v) { return v.actuator.peak_speed.value; });
   keys.quantity("peak_power",
                 power,
-                "Its power of the largest size, positive where it drives.",
+                "Its power of the largest magnitude, positive where it drives.",
                 [](const ActuatorView& v) { return v.actuator.peak_power.value; });
   add_place(keys, "peak_power_at", &ActuatorFigures::peak_power);
   keys.quantity("mean_power", power, "Mean of its power in time.", [](const ActuatorView& v) {
@@ -82,12 +82,12 @@ void add_power(Record<ActuatorView>& keys) {
   });
   keys.quantity("energy_in",
                 energy,
-                "What it gives while it drives.",
+                "Energy that it supplies while it drives.",
                 [](const ActuatorView& v) { return v.actuator.energy_in; })
       .at_least(0);
   keys.quantity("energy_out",
                 energy,
-                "What it takes while it brakes.",
+                "Energy that it absorbs while it brakes.",
                 [](const ActuatorView& v) { return v.actuator.energy_out; })
       .at_least(0);
 }
@@ -95,7 +95,7 @@ void add_power(Record<ActuatorView>& keys) {
 }  // namespace
 
 const Record<ActuatorView>& actuator_record() {
-  static const Record<ActuatorView> record("What an actuator has to do in the whole motion.",
+  static const Record<ActuatorView> record("What an actuator must do over the whole motion.",
                                            [](Record<ActuatorView>& keys) {
                                              add_action(keys);
                                              add_power(keys);
@@ -108,34 +108,35 @@ const Record<EnergyFigures>& energy_record() {
   static const Record<Figures> record(
       "Where the energy of the whole motion comes from and goes.", [](Record<Figures>& keys) {
         using enum QuantityKind;
-        keys.quantity("actuators", energy, "What all actuators give.", [](const Figures& v) {
-          return v.actuators;
-        });
         keys.quantity(
-            "loads", energy, "What loads, weights and springs give.", [](const Figures& v) {
-              return v.loads;
+            "actuators", energy, "Energy supplied by all actuators.", [](const Figures& v) {
+              return v.actuators;
             });
+        keys.quantity("loads",
+                      energy,
+                      "Energy supplied by loads, weights and springs.",
+                      [](const Figures& v) { return v.loads; });
         keys.quantity(
             "lost", energy, "What friction takes.", [](const Figures& v) { return v.lost; });
         keys.quantity("kinetic_energy_change",
                       energy,
-                      "Kinetic energy at the end less at begin.",
+                      "Kinetic energy at the end minus that at the start.",
                       [](const Figures& v) { return v.kinetic_change; });
         keys.quantity("greatest_kinetic_energy",
                       energy,
-                      "The greatest on the way.",
+                      "The greatest during the motion.",
                       [](const Figures& v) { return v.greatest_kinetic; })
             .at_least(0);
         keys.number("efficiency",
                     Bare::efficiency,
-                    "Energy that the outputs take over what the inputs give; null where the case "
-                    "does not name both, or others give or keep energy.",
+                    "Energy delivered at the outputs over energy supplied at the inputs; null "
+                    "where the case does not name both, or others supply or store energy.",
                     [](const Figures& v) { return v.efficiency; });
         keys.number("audit",
                     Bare::number,
-                    "By how much the change of the kinetic energy, which follows from velocities "
-                    "alone, and the integral of all powers differ, as share of the greatest; null "
-                    "where nothing with inertia moves.",
+                    "Difference between the change of the kinetic energy, which follows from "
+                    "velocities alone, and the integral of all powers, as a fraction of the "
+                    "greatest; null where nothing with inertia moves.",
                     [](const Figures& v) { return v.audit; })
             .at_least(0)
             .not_in_tables()

@@ -13,8 +13,8 @@ namespace {
 const Record<CycleSpeed>& speed_record() {
   using View = CycleSpeed;
   static const Record<View> record(
-      "The speed of the flywheel while the drive gives its mean action, with everything that turns "
-      "beside it; null where actions hang on speed, as friction and dampers do.",
+      "The speed of the flywheel while the drive supplies its mean action, including everything "
+      "else that turns; null where actions depend on speed, as friction and dampers do.",
       [](Record<View>& keys) {
         keys.quantity(
             "greatest", QuantityKind::angular_velocity, "The greatest speed.", [](const View& v) {
@@ -36,7 +36,7 @@ const Record<CycleSpeed>& speed_record() {
             .not_compared();
         keys.number("fluctuation",
                     Bare::number,
-                    "Greatest less least speed, over the mean speed.",
+                    "Greatest minus least speed, over the mean speed.",
                     [](const View& v) { return v.fluctuation; });
       });
   return record;
@@ -45,36 +45,36 @@ const Record<CycleSpeed>& speed_record() {
 const Record<FlywheelFigures>& flywheel_record() {
   using View = FlywheelFigures;
   static const Record<View> record(
-      "The flywheel that keeps the speed of the cycle nearly steady.", [](Record<View>& keys) {
+      "The flywheel that keeps the speed of the cycle nearly constant.", [](Record<View>& keys) {
         using enum QuantityKind;
         keys.text(
             "at", "The actuator on whose freedom it turns.", [](const View& v) { return v.at; });
         keys.text("motor", "The actuator that drives.", [](const View& v) { return v.motor; });
         keys.number("allowed",
                     Bare::number,
-                    "The fluctuation that is asked for: greatest less least speed, over the mean.",
+                    "The required fluctuation: greatest minus least speed, over the mean.",
                     [](const View& v) { return v.fluctuation; });
         keys.quantity("speed", angular_velocity, "Mean speed of the flywheel.", [](const View& v) {
           return v.speed;
         });
         keys.quantity("mean_moment",
                       moment,
-                      "Mean action of a drive that turns, which it may give steadily.",
+                      "Mean action of a rotating drive, which it may supply constantly.",
                       [](const View& v) { return v.mean_action; })
             .only_if([](const View& v) { return v.motor_turns; });
         keys.quantity("mean_force",
                       force,
-                      "Mean action of a drive that slides, which it may give steadily.",
+                      "Mean action of a sliding drive, which it may supply constantly.",
                       [](const View& v) { return v.mean_action; })
             .only_if([](const View& v) { return !v.motor_turns; });
         keys.quantity("energy_fluctuation",
                       energy,
-                      "The range of the energy that the drive gives beyond its mean.",
+                      "The range of the energy that the drive supplies beyond its mean.",
                       [](const View& v) { return v.energy; });
         keys.quantity("inertia",
                       inertia,
-                      "The moment of inertia that is needed: that energy over fluctuation and "
-                      "square of the speed. What turns already comes on top.",
+                      "The required moment of inertia: that energy over the product of fluctuation "
+                      "and square of the speed. The inertia that already turns is additional.",
                       [](const View& v) { return v.inertia; });
         keys.part("with_it", speed_record(), [](const View& v) { return v.with_it; });
       });
@@ -117,7 +117,7 @@ const Record<HarmonicSeries>& series_record() {
         .only_if([](const View& v) { return v.kind == QuantityKind::moment; });
     keys.map("orders",
              harmonic_record(),
-             "By the order: how often it comes and goes in a turn of the drive.",
+             "By order: the number of periods per rotation of the drive.",
              [](const View& v, const Each<HarmonicView>& each) {
                for (const Harmonic& one : v.orders) {
                  each(std::to_string(one.order), {.series = v, .harmonic = one});
@@ -141,10 +141,9 @@ std::pair<std::optional<double>, QuantityKind> place_of(const MotionDynamics& of
 const Record<ShakingView>& shaking_record() {
   using View = ShakingView;
   static const Record<View> record("The shaking force.", [](Record<View>& keys) {
-    keys.quantity(
-        "rms", QuantityKind::force, "Root of its mean square in time.", [](const View& v) {
-          return v.force.rms;
-        });
+    keys.quantity("rms", QuantityKind::force, "Root mean square in time.", [](const View& v) {
+      return v.force.rms;
+    });
     keys.quantity("greatest", QuantityKind::force, "The greatest.", [](const View& v) {
       return v.force.greatest;
     });
@@ -203,8 +202,7 @@ struct BalanceView {
 const Record<BalanceView>& balance_record() {
   using View = BalanceView;
   static const Record<View> record(
-      "Counterweights that leave the least mean square of the shaking force in time.",
-      [](Record<View>& keys) {
+      "Counterweights with the least mean square shaking force in time.", [](Record<View>& keys) {
         keys.map("counterweights",
                  counterweight_record(),
                  "By body.",
@@ -231,8 +229,8 @@ struct LimitView {
 const Record<LimitView>& limit_record() {
   using View = LimitView;
   static const Record<View> record(
-      "The steady speed of the drive at which the force is zero somewhere on the way; null where "
-      "it is at none.",
+      "The constant drive speed at which the force is zero somewhere in the motion; null if there "
+      "is none.",
       [](Record<View>& keys) {
         const auto turns = [](const View& v) { return v.of.drive_turns; };
         const auto slides = [](const View& v) { return !v.of.drive_turns; };
@@ -242,12 +240,12 @@ const Record<LimitView>& limit_record() {
         });
         keys.quantity("angular_velocity",
                       QuantityKind::angular_velocity,
-                      "Of a drive that turns; 0 where the force is not positive at rest either.",
+                      "For a rotating drive; 0 if the force is not positive even at rest.",
                       speed)
             .only_if(turns);
         keys.quantity("velocity",
                       QuantityKind::velocity,
-                      "Of a drive that slides; 0 where the force is not positive at rest either.",
+                      "For a sliding drive; 0 if the force is not positive even at rest.",
                       speed)
             .only_if(slides);
         keys.by_context("at",
@@ -264,10 +262,10 @@ const Record<LimitView>& limit_record() {
 const Record<MotionDynamics>& motion_dynamics_record() {
   using View = MotionDynamics;
   static const Record<View> record(
-      "What the section 'dynamics' asks of the motion.", [](Record<View>& keys) {
+      "The results requested by the section 'dynamics'.", [](Record<View>& keys) {
         keys.map("actuators",
                  actuator_record(),
-                 "What each of 'actuators' has to do in the whole motion.",
+                 "What each of 'actuators' must do over the whole motion.",
                  [](const View& v, const Each<ActuatorView>& each) {
                    for (const ActuatorFigures& one : v.actuators) {
                      each(one.name, {.of = v, .actuator = one});
@@ -281,7 +279,8 @@ const Record<MotionDynamics>& motion_dynamics_record() {
             .only_if([](const View& v) { return v.flywheel.has_value(); });
         keys.map("harmonics",
                  series_record(),
-                 "Actions of drives, shaking and ground wrench, by the turn of the drive.",
+                 "Actions of drives, shaking wrench and ground wrench, over the rotation of the "
+                 "drive.",
                  [](const View& v, const Each<HarmonicSeries>& each) {
                    for (const HarmonicSeries& one : v.harmonics) {
                      each(one.name, one);

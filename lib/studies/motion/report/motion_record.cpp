@@ -40,7 +40,7 @@ const Record<MotionColumn>& column_record() {
       return v.name();
     });
     keys.text("element",
-              "coupling.freedom, coupling.action, actuator, body or traced point; empty of what "
+              "coupling.freedom, coupling.action, actuator, body or traced point; empty for what "
               "concerns the whole.",
               [](const View& v) { return v.element; });
     keys.text("quantity", "position, velocity, linear/x and so on.", [](const View& v) {
@@ -126,8 +126,8 @@ const Record<FiguresView>& figures_record() {
     keys.number(
         "mean",
         ByContext::column,
-        "The mean over the way of the drives, of a motion in time over that, by trapezoids; null "
-        "where a step has no value or the motion does not reach its end.",
+        "The mean over the range of the drives, or over time for a motion in time, by the "
+        "trapezoidal rule; null where a step has no value or the motion does not reach its end.",
         [](const View& v) { return v.figures.mean; });
     keys.number("rms",
                 ByContext::column,
@@ -155,7 +155,7 @@ const Record<MotionEvent>& event_record() {
                std::string(kSingularEvent),
                std::string(kLimitEvent),
                std::string(kLiftOffEvent)},
-              "dead_point: a freedom comes to rest and turns back; singular: the drives do not "
+              "dead_point: a freedom comes to rest and reverses; singular: the drives do not "
               "determine the motion there; limit: a drive can go no further; lift_off: a cable "
               "leaves its pulley, and the motion ends.",
               [](const View& v) { return v.kind; });
@@ -203,8 +203,8 @@ const Record<CouplingGap>& gap_record() {
   static const Record<CouplingGap> record("Of one coupling.", [](Record<CouplingGap>& keys) {
     keys.number("distance",
                 QuantityKind::length,
-                "Between the point on its tail and that on its head, as far as the coupling does "
-                "not free it; unit of length.",
+                "Between the point on its tail and that on its head, in directions that the "
+                "coupling constrains; unit of length.",
                 [](const CouplingGap& v) { return v.distance; })
         .at_least(0);
     keys.number("angle",
@@ -282,11 +282,11 @@ void add_rows(Record<MotionTable>& keys) {
               write_rows);
   keys.map("figures",
            figures_record(),
-           "What each column comes to: extremes and mean, by its name as in 'columns'.",
+           "Summary of each column: extremes and mean, by its name as in 'columns'.",
            emit_figures);
   keys.list("events",
             event_record(),
-            "What happens on the way, in its order.",
+            "Events during the motion, in order.",
             [](const MotionTable& v, const Each<MotionEvent>& each) {
               for (const MotionEvent& event : v.events) {
                 each(event);
@@ -303,7 +303,7 @@ const Record<MotionTable>& motion_record() {
       [](Record<View>& keys) {
         keys.word("status",
                   words_up_to(MotionEnd::not_assembled),
-                  "complete: the drives came to the end of their ranges; limited: one came to a "
+                  "complete: the drives reached the end of their ranges; limited: one reached a "
                   "limit before; locked: they cannot move at all, or not together; lost: the "
                   "motion could not be followed; not_assembled: the drawn position does not close. "
                   "The rows go as far as the motion.",

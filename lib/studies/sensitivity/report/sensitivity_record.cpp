@@ -26,7 +26,7 @@ struct SensitiveCaseView {
 const Record<DerivativeView>& derivative_record() {
   using View = DerivativeView;
   static const Record<View> record(
-      "What one parameter does, the others being as they are.", [](Record<View>& keys) {
+      "The effect of one parameter, with the others unchanged.", [](Record<View>& keys) {
         keys.converted("derivative",
                        ByContext::beside,
                        "d value / d parameter; null where there is none: at a corner of a formula, "
@@ -103,7 +103,7 @@ const Record<SensitiveCaseView>& sensitive_case_record() {
   static const Record<View> record("One case of the file.", [](Record<View>& keys) {
     keys.map("sensitivity",
              sensitive_value_record(),
-             "Values by the name with which they were asked for.",
+             "Values by the name under which they were requested.",
              emit_values)
         .in_tables_is(TableRole::table);
   });
@@ -115,7 +115,7 @@ const Record<SensitiveCaseView>& sensitive_case_record() {
 const Record<SensitivityReportView>& sensitivity_report_record() {
   using View = SensitivityReportView;
   static const Record<View> record(
-      "What 'kinestat sensitivity --format json' writes: how values of the report move with "
+      "What 'kinestat sensitivity --format json' writes: how values of the report depend on "
       "parameters of the file.",
       [](Record<View>& keys) {
         add_head(keys);

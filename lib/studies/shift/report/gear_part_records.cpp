@@ -14,8 +14,8 @@ const Record<CaseAnalysis>& gear_efficiency_record() {
         };
         keys.number("carrier",
                     Bare::efficiency,
-                    "With the losses of meshes as seen from their carriers; null where the file "
-                    "gives none, or where they lock the gear.",
+                    "With mesh losses relative to their carriers; null where the file gives none, "
+                    "or where they lock the gear.",
                     of_meshes(&TransmissionEfficiency::carrier));
         keys.number("carrier_backward",
                     Bare::efficiency,
@@ -23,7 +23,7 @@ const Record<CaseAnalysis>& gear_efficiency_record() {
                     of_meshes(&TransmissionEfficiency::carrier_backward));
         keys.number("absolute",
                     Bare::efficiency,
-                    "With losses by the power as seen from the ground.",
+                    "With losses by the power relative to the ground.",
                     of_meshes(&TransmissionEfficiency::absolute));
         keys.number("friction",
                     Bare::efficiency,
@@ -42,8 +42,8 @@ const Record<ElementView>& element_record() {
                   [](const View& v) { return v.torque; });
     keys.quantity("lossy_torque",
                   QuantityKind::moment,
-                  "The same with losses of meshes as seen from their carriers, of a file that "
-                  "gives some; null where they lock the gear.",
+                  "The same with mesh losses relative to their carriers, if the file gives any; "
+                  "null where they lock the gear.",
                   [](const View& v) { return v.lossy_torque; })
         .only_if([](const View& v) { return v.has_lossy_meshes; });
     keys.quantity("slip",

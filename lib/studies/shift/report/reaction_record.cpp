@@ -80,7 +80,7 @@ const Record<ReactionView>& reaction_record() {
     keys.custom("torque_shares",
                 map_shape(number_shape(ByContext::action_ratio, true)),
                 "Its torque is the sum of the torques of the inputs times these; empty where it "
-                "bears none.",
+                "carries none.",
                 [](const View& v, Archive& to) {
                   write_shares(v.analysis,
                                torque_shares_of(v.analysis,

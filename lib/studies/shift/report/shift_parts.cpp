@@ -32,8 +32,8 @@ void add_change_numbers(Record<ChangeView>& keys) {
   keys.quantity(
       "slip",
       QuantityKind::angular_velocity,
-      "Sum of the sizes of what those that engage slip in the gear before, which they must "
-      "take up; null where one of them may slip as it likes.",
+      "Sum of the magnitudes of the slips, in the gear before, of the elements that engage, which "
+      "they must absorb; null where one of them may slip freely.",
       [](const View& v) { return v.change.slip; });
   keys.quantity("slip_back",
                 QuantityKind::angular_velocity,
@@ -63,11 +63,11 @@ const Record<LimitUse>& limit_record() {
                 [](const View& v) { return v.use(); });
     keys.quantity("torque",
                   QuantityKind::moment,
-                  "Size of the torque, the larger of those without and with losses of meshes.",
+                  "Magnitude of the torque, the larger of those without and with mesh losses.",
                   size)
         .only_if(is_of_torque);
     keys.quantity("largest_torque", QuantityKind::moment, "Its limit.", most).only_if(is_of_torque);
-    keys.quantity("speed", QuantityKind::angular_velocity, "Size of the slip or speed.", size)
+    keys.quantity("speed", QuantityKind::angular_velocity, "Magnitude of the slip or speed.", size)
         .only_if(is_of_speed);
     keys.quantity("largest_speed", QuantityKind::angular_velocity, "Its limit.", most)
         .only_if(is_of_speed);

@@ -95,7 +95,7 @@ auto fill_loaded() {
     keys.text("coupling", "Name of the coupling.", [](const LoadedCoupling& v) { return v.name; });
     keys.quantity("force",
                   QuantityKind::force,
-                  "Size of its force.",
+                  "Magnitude of its force.",
                   [](const LoadedCoupling& v) { return std::optional(v.force); })
         .at_least(0);
   };
@@ -257,8 +257,8 @@ void add_gear(Record<StateView>& keys) {
       .only_if(is_gear);
   keys.word("direction",
             {"forward", "reverse"},
-            "By the sign of the ratio of the first output: forward is what 'forward' of 'shift' "
-            "says, else what most gears have.",
+            "By the sign of the ratio of the first output: forward is the sign given by 'forward' "
+            "of 'shift', otherwise that of most gears.",
             [](const StateView& v) {
               const std::optional<double>& first = v.gear->ratios.front().ratio;
               using Word = std::optional<std::string_view>;
@@ -284,15 +284,15 @@ void add_gear(Record<StateView>& keys) {
   keys.quantity(
           "equivalent_inertia",
           QuantityKind::inertia,
-          "Moment of inertia of the whole transmission at its input; no key where no body has "
-          "mass or inertia, or of several inputs.",
+          "Moment of inertia of the whole transmission at its input; no key if no body has mass or "
+          "inertia, or with several inputs.",
           [](const StateView& v) {
             return std::accumulate(v.inertias->begin(), v.inertias->end(), 0.0);
           })
       .only_if([](const StateView& v) { return v.inertias.has_value(); });
   keys.numbers("inertia_shares",
                Bare::number,
-               "What each body with mass or inertia has of it.",
+               "Contribution of each body with mass or inertia.",
                emit_inertia_shares)
       .not_in_tables()
       .only_if([](const StateView& v) { return v.inertias.has_value(); });
@@ -426,7 +426,7 @@ void add_table(Record<Analysis>& keys) {
 
 const Record<Analysis>& shift_record() {
   static const Record<Analysis> record(
-      "Which combination of shift elements makes which gear. Every gear is also a case of its "
+      "Which combination of shift elements gives which gear. Every gear is also a case of its "
       "name.",
       [](Record<Analysis>& keys) {
         keys.count("possibilities",
@@ -436,13 +436,13 @@ const Record<Analysis>& shift_record() {
                    "Net degree of freedom with all elements open.",
                    [](const Analysis& v) { return v.shift->solution.net_freedom; });
         keys.count("engaged",
-                   "Number of elements that a gear engages: the net degree of freedom less the "
-                   "inputs. With 'reacts' more, as inputs follow from each other.",
+                   "Number of elements that a gear engages: the net degree of freedom minus the "
+                   "number of inputs. With 'reacts' more, as inputs follow from each other.",
                    [](const Analysis& v) { return v.shift->solution.needed; });
         keys.custom("ratio_unit",
                     by_output(word_shape({}, false)),
-                    "Unit of the ratios, of several outputs by name; no key where input and "
-                    "outputs are alike.",
+                    "Unit of the ratios, of several outputs by name; no key if input and outputs "
+                    "are of the same kind.",
                     write_ratio_unit(&RatiosInUnits::ratio))
             .not_in_tables()
             .not_compared()
@@ -456,8 +456,8 @@ const Record<Analysis>& shift_record() {
             .only_if(have_ratios_units);
         keys.map("states",
                  state_record(),
-                 "By label, or by elements joined with +; gears by falling ratio, then reverse "
-                 "gears, then what is no gear.",
+                 "By label, or by elements joined with +; gears by decreasing ratio, then reverse "
+                 "gears, then combinations that are not gears.",
                  emit_states)
             .in_tables_is(TableRole::cases);
         add_table(keys);

@@ -24,7 +24,7 @@ const Record<SlipShaft>& shaft_record() {
                       [](const SlipShaft& v) { return v.end; });
         keys.quantity("angular_acceleration",
                       QuantityKind::angular_acceleration,
-                      "Steady all along.",
+                      "Constant throughout.",
                       [](const SlipShaft& v) { return v.acceleration; });
       });
   return record;
@@ -38,10 +38,10 @@ void add_slip(Record<SlipView>& keys) {
                 [](const SlipView& v) { return v.slip.slip; });
   keys.quantity("slip_rate",
                 angular_acceleration,
-                "How fast the slip changes, steadily.",
+                "The constant rate of change of the slip.",
                 [](const SlipView& v) { return v.slip.slip_rate; });
   keys.quantity(
-      "capacity", moment, "Torque of the element that slips, a size.", [](const SlipView& v) {
+      "capacity", moment, "Torque of the slipping element, a magnitude.", [](const SlipView& v) {
         return v.slip.capacity;
       });
   keys.quantity("least_capacity",
@@ -51,9 +51,9 @@ void add_slip(Record<SlipView>& keys) {
       .at_least(0);
   keys.quantity("holding_torque",
                 moment,
-                "Torque of tail on head that the element bears once it is engaged, under the same "
-                "torques; with a larger size than the capacity the slip goes on in the other "
-                "sense.",
+                "Torque of tail on head that the element carries once engaged, under the same "
+                "torques; if its magnitude exceeds the capacity, the slip continues in the other "
+                "direction.",
                 [](const SlipView& v) { return v.slip.holding_torque; });
 }
 
@@ -77,11 +77,11 @@ void add_energies(Record<SlipView>& keys) {
                 [](const SlipView& v) { return v.slip.work; });
   keys.quantity("kinetic_energy_change",
                 QuantityKind::energy,
-                "Of all bodies until then, which is the work less the energy lost; null likewise.",
+                "Of all bodies until then, which is the work minus the energy lost; null likewise.",
                 [](const SlipView& v) { return v.slip.kinetic_energy_change; });
   keys.number("residual",
               Bare::number,
-              "By how much that fails, relative to the largest of these energies: rounding.",
+              "Residual of this balance, relative to the largest of these energies: rounding.",
               [](const SlipView& v) { return v.slip.residual; })
       .at_least(0)
       .not_in_tables()
@@ -124,20 +124,20 @@ void add_train(Record<SlipView>& keys) {
 const Record<SlipView>& slip_record() {
   using View = SlipView;
   static const Record<View> record(
-      "The inertia phase of a change: one element slips at a steady torque.",
+      "The inertia phase of a gear change: one element slips at constant torque.",
       [](Record<View>& keys) {
         keys.word("status",
                   words_up_to(SlipEnd::never_synchronises),
                   "Whether the slip ends.",
                   [](const View& v) { return word_of(v.slip.end); });
         keys.text("from",
-                  "The gear before; null where the transmission was open.",
+                  "The previous gear; null where the transmission was open.",
                   [](const View& v) {
                     return v.slip.from ? std::optional(state_name(v, *v.slip.from)) : std::nullopt;
                   })
             .not_in_tables();
         keys.text("to",
-                  "The gear to which it leads.",
+                  "The gear after the change.",
                   [](const View& v) { return state_name(v, v.slip.to); })
             .not_in_tables();
         keys.text("opens",

@@ -168,7 +168,7 @@ const Record<ShownItem<SimulationColumn>>& column_record() {
       return v.item.name();
     });
     keys.text("element",
-              "coupling.freedom or actuator; empty of what concerns the whole.",
+              "coupling.freedom or actuator; empty for what concerns the whole.",
               [](const View& v) { return v.item.element; });
     keys.text("quantity", "position, velocity, energy/kinetic and so on.", [](const View& v) {
       return v.item.quantity;
@@ -208,8 +208,8 @@ const Record<ShownItem<SimulationEvent>>& event_record() {
     keys.word(
         "kind",
         {kEventWords.begin(), kEventWords.end()},
-        "goal: a freedom comes to where the simulation ends; impact: it strikes a stop; rest: "
-        "it stays there; release: it leaves it again; stick: its friction holds it; slip: it no "
+        "goal: a freedom reaches the end condition; impact: it strikes a stop; rest: it stays "
+        "there; release: it leaves the stop again; stick: its friction holds it; slip: it no "
         "longer does.",
         [](const View& v) { return word_of(v.item.kind); });
     keys.text("element", "The freedom, as the file names it.", [](const View& v) {
@@ -230,12 +230,12 @@ const Record<ShownItem<SimulationEvent>>& event_record() {
       return std::pair(value ? std::optional(v.units().from_si(kind, *value)) : std::nullopt,
                        v.units().text(kind));
     };
-    keys.converted("speed", ByContext::drive, "How fast, before.", [speed](const View& v) {
+    keys.converted("speed", ByContext::drive, "The speed before.", [speed](const View& v) {
       return speed(v, v.item.speed);
     });
     keys.converted("speed_after",
                    ByContext::drive,
-                   "How fast after an impact; null of other events.",
+                   "Speed after an impact; null for other events.",
                    [speed](const View& v) { return speed(v, v.item.speed_after); });
   });
   return record;
@@ -243,68 +243,74 @@ const Record<ShownItem<SimulationEvent>>& event_record() {
 
 const Record<SimulationReportView>& simulation_record() {
   using View = SimulationReportView;
-  static const Record<View> record("A mechanism left to what acts on it.", [](Record<View>& keys) {
-    keys.word("status",
-              {kEndWords.begin(), kEndWords.end()},
-              "complete: to the end of its time; goal: to where the file has it end before; "
-              "stuck: it could not go on, and the rows go as far as it did.",
-              [](const View& v) { return word_of(v.solution.end); });
-    keys.quantity("time", QuantityKind::time, "When it ended.", [](const View& v) {
-      return v.solution.rows.empty() ? std::nullopt : std::optional(v.solution.rows.back().time);
-    });
-    keys.names("coordinates",
-               "The freedoms whose places and speeds tell the state at the start; at dead "
-               "points of these others take their place.",
-               [](const View& v, const EachName& each) {
-                 for (const int freedom : v.solution.coordinates) {
-                   each(v.mechanism.topology.freedom_name(freedom));
-                 }
-               });
-    keys.list("columns",
-              column_record(),
-              "What the cells of a row are.",
-              [](const View& v, const Each<ShownItem<SimulationColumn>>& each) {
-                for (const SimulationColumn& one : simulation_columns(v)) {
-                  each({.of = v, .item = one});
-                }
-              });
-    keys.custom("rows",
-                rows_shape(),
-                "One a step, and one where the simulation ends: one cell a column; null where "
-                "there is no value.",
-                write_rows);
-    keys.list("events",
-              event_record(),
-              "What happens on the way, in its order.",
-              [](const View& v, const Each<ShownItem<SimulationEvent>>& each) {
-                for (const SimulationEvent& one : v.solution.events) {
-                  each({.of = v, .item = one});
-                }
-              });
-    keys.quantity("energy_drift",
-                  QuantityKind::energy,
-                  "The largest energy of a row that neither what is supplied nor what is lost "
-                  "explains: the error of the integration.",
-                  [](const View& v) { return v.solution.energy_drift; })
-        .not_compared();
-    keys.quantity("energy_scale",
-                  QuantityKind::energy,
-                  "The largest of the energies beside it.",
-                  [](const View& v) { return v.solution.energy_scale; });
-    keys.number("closure_error",
-                Bare::number,
-                "The largest of a row, relative to the size of the mechanism.",
-                [](const View& v) { return v.solution.closure_error; })
-        .not_compared();
-    keys.count("evaluations",
-               "How often accelerations were worked out.",
-               [](const View& v) { return v.solution.evaluations; })
-        .not_compared();
-    keys.count("integration_steps",
-               "Steps of the integration.",
-               [](const View& v) { return v.solution.integrated; })
-        .not_compared();
-  });
+  static const Record<View> record(
+      "A simulation: the motion in time that follows from the "
+      "forces.",
+      [](Record<View>& keys) {
+        keys.word(
+            "status",
+            {kEndWords.begin(), kEndWords.end()},
+            "complete: to the end of its time; goal: to an earlier end given in the file; stuck: "
+            "it could not continue, and the rows go as far as it did.",
+            [](const View& v) { return word_of(v.solution.end); });
+        keys.quantity("time", QuantityKind::time, "When it ended.", [](const View& v) {
+          return v.solution.rows.empty() ? std::nullopt
+                                         : std::optional(v.solution.rows.back().time);
+        });
+        keys.names("coordinates",
+                   "The freedoms whose positions and speeds are the state at the start; near dead "
+                   "points of these, others take their place.",
+                   [](const View& v, const EachName& each) {
+                     for (const int freedom : v.solution.coordinates) {
+                       each(v.mechanism.topology.freedom_name(freedom));
+                     }
+                   });
+        keys.list("columns",
+                  column_record(),
+                  "What the cells of a row are.",
+                  [](const View& v, const Each<ShownItem<SimulationColumn>>& each) {
+                    for (const SimulationColumn& one : simulation_columns(v)) {
+                      each({.of = v, .item = one});
+                    }
+                  });
+        keys.custom("rows",
+                    rows_shape(),
+                    "One a step, and one where the simulation ends: one cell a column; null where "
+                    "there is no value.",
+                    write_rows);
+        keys.list("events",
+                  event_record(),
+                  "Events during the motion, in order.",
+                  [](const View& v, const Each<ShownItem<SimulationEvent>>& each) {
+                    for (const SimulationEvent& one : v.solution.events) {
+                      each({.of = v, .item = one});
+                    }
+                  });
+        keys.quantity(
+                "energy_drift",
+                QuantityKind::energy,
+                "The largest energy of a row that is explained by neither the supplied nor the "
+                "lost energy: the integration error.",
+                [](const View& v) { return v.solution.energy_drift; })
+            .not_compared();
+        keys.quantity("energy_scale",
+                      QuantityKind::energy,
+                      "The largest of the energies beside it.",
+                      [](const View& v) { return v.solution.energy_scale; });
+        keys.number("closure_error",
+                    Bare::number,
+                    "The largest of a row, relative to the size of the mechanism.",
+                    [](const View& v) { return v.solution.closure_error; })
+            .not_compared();
+        keys.count("evaluations",
+                   "Number of evaluations of the accelerations.",
+                   [](const View& v) { return v.solution.evaluations; })
+            .not_compared();
+        keys.count("integration_steps",
+                   "Steps of the integration.",
+                   [](const View& v) { return v.solution.integrated; })
+            .not_compared();
+      });
   return record;
 }
 
@@ -325,7 +331,8 @@ std::vector<SimulationColumn> simulation_columns(const SimulationReportView& vie
 const Record<SimulationReportView>& simulation_report_record() {
   using View = SimulationReportView;
   static const Record<View> record(
-      "What 'kinestat simulate --format json' writes: a mechanism left to what acts on it.",
+      "What 'kinestat simulate --format json' writes: the motion in time that follows from the "
+      "forces.",
       [](Record<View>& keys) {
         add_head(keys);
         keys.part(

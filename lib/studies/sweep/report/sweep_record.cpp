@@ -11,7 +11,7 @@ constexpr int kSummaryVersion = 1;
 const Record<SweepMetadata>& sweeping_program_record() {
   using View = SweepMetadata;
   static const Record<View> record("The program that swept.", [](Record<View>& keys) {
-    keys.count("sweep", "Version of this form.", [](const View&) { return kSummaryVersion; });
+    keys.count("sweep", "Version of this format.", [](const View&) { return kSummaryVersion; });
     keys.text("version", "Version of the program.", [](const View& v) { return v.version; });
   });
   return record;
@@ -27,7 +27,7 @@ const Record<RequirementView>& requirement_record() {
   static const Record<View> record("One requirement.", [](Record<View>& keys) {
     keys.text("condition", "As the file has it.", [](const View& v) { return v.condition; });
     keys.count("excluded",
-               "States of which it is the first requirement violated.",
+               "States for which it is the first requirement violated.",
                [](const View& v) { return v.excluded; });
   });
   return record;
@@ -47,7 +47,7 @@ const Record<SweepMetadata>& words_record() {
                    })
             .ordered();
         keys.names("status",
-                   "All that a status may be, also those that no row has.",
+                   "All possible statuses, including those that no row has.",
                    [](const View&, const EachName& each) {
                      for (const std::string_view word : sweep_statuses()) {
                        each(word);
@@ -76,7 +76,7 @@ const Record<KeptView>& kept_record() {
   static const Record<View> record("One condition of rows.", [](Record<View>& keys) {
     keys.text("condition", "As the file has it.", [](const View& v) { return v.condition; });
     keys.count("dropped",
-               "Rows of which it is the first condition that fails, or cannot be told.",
+               "Rows for which it is the first condition that fails, or cannot be judged.",
                [](const View& v) { return v.dropped; });
   });
   return record;
@@ -107,7 +107,7 @@ void add_plan(Record<SweepSummaryView>& keys) {
     return v.metadata.name;
   });
   keys.text("plan",
-            "Hash of everything that decides the bytes of the rows: version, file, options.",
+            "Hash of everything that determines the bytes of the rows: version, file, options.",
             [](const View& v) { return v.metadata.plan; });
   keys.names(
           "columns",
@@ -128,14 +128,13 @@ void add_counts_of_sweep(Record<SweepSummaryView>& keys) {
   using View = SweepSummaryView;
   keys.count(
       "states",
-      "Combinations of the varied values, or draws, those that a requirement leaves out among "
-      "them.",
+      "Combinations of the varied values, or samples, including those that a requirement excludes.",
       [](const View& v) { return v.counts.states; });
   keys.list("require",
             requirement_record(),
             "The requirements in the order of the file.",
             emit_requirements);
-  keys.count("analysed", "States that no requirement leaves out.", [](const View& v) {
+  keys.count("analysed", "States that no requirement excludes.", [](const View& v) {
     return v.counts.analysed();
   });
   keys.count(
@@ -144,8 +143,8 @@ void add_counts_of_sweep(Record<SweepSummaryView>& keys) {
       [](const View& v) { return v.counts.rows; });
   keys.list("keep", kept_record(), "The conditions of rows in the order of the file.", emit_kept);
   keys.count("unranked",
-             "Of the rows that fulfil all conditions, those that --top or --pareto leaves out "
-             "because what ranks them has no value.",
+             "Of the rows that meet all conditions, those that --top or --pareto leaves out "
+             "because the ranking quantity has no value.",
              [](const View& v) { return v.counts.unranked; });
   keys.custom(
       "statuses",
@@ -182,24 +181,25 @@ const Record<BestChoice>& top_record() {
 
 const Record<Criterion>& criterion_record() {
   using View = Criterion;
-  static const Record<View> record("What rows were compared by.", [](Record<View>& keys) {
-    add_criterion(keys, [](const View& v) -> const Criterion& { return v; });
-  });
+  static const Record<View> record(
+      "The criterion by which rows were "
+      "compared.",
+      [](Record<View>& keys) {
+        add_criterion(keys, [](const View& v) -> const Criterion& { return v; });
+      });
   return record;
 }
 
 const Record<SampleChoice>& sample_record() {
   using View = SampleChoice;
   static const Record<View> record(
-      "How the states were drawn; null where they are all combinations.", [](Record<View>& keys) {
+      "The sampling method; null where all combinations are taken.", [](Record<View>& keys) {
         keys.count("count", "How many.", [](const View& v) { return v.count; }).at_least(1);
         keys.word("method",
                   {kSampleMethods.begin(), kSampleMethods.end()},
                   "By which method.",
                   [](const View& v) { return kSampleMethods[static_cast<std::size_t>(v.method)]; });
-        keys.count("seed", "The number that the sample follows from.", [](const View& v) {
-          return v.seed;
-        });
+        keys.count("seed", "The seed of the sample.", [](const View& v) { return v.seed; });
       });
   return record;
 }

@@ -88,7 +88,8 @@ const Record<CubicView>& cubic_record() {
         });
         keys.part(
             "asymptote", asymptote_record(), [](const View& v) { return v.cubic.asymptote(); });
-        keys.list("branches", branch_record(), "Within four sizes of the task.", emit_branches);
+        keys.list(
+            "branches", branch_record(), "Within four times the size of the task.", emit_branches);
       });
   return record;
 }
@@ -119,7 +120,7 @@ void add_status(Record<CurvesView>& keys) {
       .not_compared();
   keys.number("reciprocal_condition",
               Bare::number,
-              "Smallest by largest singular value of the conditions.",
+              "Smallest over largest singular value of the conditions.",
               [](const View& v) { return v.curves.reciprocal_condition; })
       .not_compared();
 }
@@ -129,9 +130,8 @@ void add_status(Record<CurvesView>& keys) {
 const Record<BranchView>& branch_record() {
   using View = BranchView;
   static const Record<View> record("A curve as points.", [](Record<View>& keys) {
-    keys.flag("closed", "Whether the last point leads to the first.", [](const View& v) {
-      return v.branch.is_closed;
-    });
+    keys.flag(
+        "closed", "Whether the curve is closed.", [](const View& v) { return v.branch.is_closed; });
     add_points(keys, "points", "In order.", [](const View& v) -> const std::vector<Point>& {
       return v.branch.points;
     });

@@ -48,7 +48,7 @@ void add_certainty(Record<Dyad>& keys) {
       .not_compared();
   keys.number("residual",
               Bare::number,
-              "The worst breach of its conditions, as a share of their terms.",
+              "The largest violation of its conditions, as a fraction of their terms.",
               [](const Dyad& v) { return v.residual; })
       .not_compared();
   keys.quantity("crank_length",

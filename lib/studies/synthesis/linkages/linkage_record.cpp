@@ -124,7 +124,7 @@ void add_passage(Record<DriveView>& keys) {
   });
   keys.word("passage",
             words_up_to(Passage::decreasing),
-            "In which sense the input passes the positions in their order.",
+            "The direction in which the input passes the positions in their order.",
             [](const View& v) { return word_of(v.verdict.passage); });
   keys.flag("turns_fully", "Whether the input meets no dead point.", [](const View& v) {
     return v.verdict.turns_fully;
@@ -196,7 +196,7 @@ void add_standing(Record<LinkageCandidate>& keys) {
               });
   keys.word("defect",
             words_after_none(Defect::size),
-            "What speaks against it; null: usable.",
+            "The reason against it; null: usable.",
             [](const View& v) { return word_unless_none(v.defect); });
   keys.count("drive",
              "Which of its dyads is the better input: index into dyads.",
@@ -218,7 +218,7 @@ const Record<LinkageCandidate>& linkage_record() {
     keys.quantity("longest", QuantityKind::length, "Longest link.", [](const View& v) {
       return std::optional(v.longest);
     });
-    keys.number("link_ratio", Bare::ratio, "Longest by shortest link.", [](const View& v) {
+    keys.number("link_ratio", Bare::ratio, "Longest over shortest link.", [](const View& v) {
       return std::optional(v.ratio);
     });
     keys.part(
@@ -227,7 +227,7 @@ const Record<LinkageCandidate>& linkage_record() {
         "grashof", grashof_record(), "Of a four-bar.", [](const View& v) { return v.grashof; });
     keys.custom("cognates",
                 cognates_shape(),
-                "Both four-bars that lead the origin of the moving frame along the same path.",
+                "Both four-bars that guide the origin of the moving frame along the same path.",
                 write_cognates);
     keys.list("drives",
               drive_record(),

@@ -13,8 +13,8 @@ namespace {
 const Record<LimitsNeeded>& limits_needed_record() {
   using View = LimitsNeeded;
   static const Record<View> record(
-      "Limits with which it would be usable, as it meets them exactly; null if it is, or has a "
-      "defect that no limit heals.",
+      "Limits with which it would be usable, which it meets exactly; null if it is usable, or has "
+      "a defect that no limit removes.",
       [](Record<View>& keys) {
         keys.quantity("transmission_angle",
                       QuantityKind::angle,
@@ -54,14 +54,14 @@ const Record<LinkageCheck>& check_record() {
                       to.end_list();
                     });
         keys.flag("in_order",
-                  "Whether it comes to all of them one after the other in one sense, that of the "
-                  "verdict if it has one.",
+                  "Whether it reaches all of them one after the other in one direction, that of "
+                  "the verdict if it has one.",
                   [](const View& v) { return v.passes_in_order; });
         keys.number("worst",
                     Bare::number,
                     "By how much it misses a position that the verdict promises: the larger of the "
-                    "distance as share of the size and the turn in radians; 0 where it promises "
-                    "none.",
+                    "distance as a fraction of the size and the rotation in radians; 0 where it "
+                    "promises none.",
                     [](const View& v) { return v.worst; })
             .at_least(0)
             .not_compared();
@@ -110,7 +110,7 @@ const Record<FoundLinkageView>& found_linkage_record() {
     keys.custom("coupler_curve",
                 object_shape(branch_record(), true),
                 "Path of the origin of the moving frame on the circuit of the first position, "
-                "driven by 'drive'; null unless the file has curves.",
+                "driven by 'drive'; null unless the file requests curves.",
                 write_coupler_curve);
     keys.part("verification", check_record(), check_of);
     keys.text("file", "The mechanism file written for it; null if there is none.", written_file)

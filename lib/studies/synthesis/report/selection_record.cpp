@@ -12,15 +12,15 @@ namespace {
 constexpr std::array<const char*, kMissingCount> kMissingTexts = {
     "Their positions contradict themselves.",
     "Fewer than two real dyads that stand alone.",
-    "No linkage of the kind that 'linkage' asks for."};
+    "No linkage of the type that 'linkage' requires."};
 
 // By Defect but for none.
 constexpr std::array<const char*, kDefectCount - 1> kDefectTexts = {
-    "A dyad without any digits: the positions do not carry it.",
+    "A dyad without any correct digits: the positions do not support it.",
     "Circuit defect.",
     "Branch defect.",
     "Order defect.",
-    "Of another class than asked for.",
+    "Of another class than required.",
     "The input meets a dead point elsewhere.",
     "A centre point outside its area.",
     "A circle point outside its area.",
@@ -52,8 +52,8 @@ const Record<SelectionCounts>& counts_of_selection_record() {
   using View = SelectionCounts;
   static const Record<View> record("What was tried.", [](Record<View>& keys) {
     keys.count("samples",
-               "Choices tried: a full grid, in which every free number has as many steps as the "
-               "others, the least that is not fewer than 'samples' of vary.",
+               "Choices tried: a full grid with the same number of steps for every free number, "
+               "the smallest with at least 'samples' of vary choices.",
                [](const View& v) { return v.samples; });
     keys.count(
         "with_linkage", "Those with a linkage.", [](const View& v) { return v.with_linkage; });
@@ -82,7 +82,7 @@ const Record<AngleView>& angle_selection_record() {
     keys.include(counts_of_selection_record(),
                  [](const View& v) -> const SelectionCounts& { return v.selection.counts; });
     keys.count("first_task",
-               "Number of the first task that it gave, if it gave any; the next choice follows.",
+               "Number of the first task that it produced, if any; the next choice follows.",
                [](const View& v) { return v.selection.first_task; });
   });
   return record;

@@ -101,7 +101,7 @@ void add_solution(Record<TaskView>& keys) {
       .only_if(has_dyads);
   keys.number("reciprocal_condition",
               Bare::number,
-              "Smallest by largest singular value of the conditions.",
+              "Smallest over largest singular value of the conditions.",
               [](const View& v) { return v.task.dyads->reciprocal_condition; })
       .not_compared()
       .only_if(has_dyads);
@@ -221,7 +221,7 @@ const Record<SynthesisAnalysis>& synthesis_record() {
   static const Record<View> record("The task.", [](Record<View>& keys) {
     keys.text("form", "For example PP-PP-P.", [](const View& v) { return v.form; });
     keys.count("working_digits",
-               "Decimal digits that the positions count with: 16, or what was asked for.",
+               "Decimal digits used for the positions: 16, or the number requested.",
                [](const View& v) { return v.digits.value_or(kDoubleDigits); });
     keys.part("selection",
               selection_record(),
@@ -243,7 +243,7 @@ const Record<SynthesisAnalysis>& synthesis_record() {
 const Record<SynthesisReportView>& synthesis_report_record() {
   using View = SynthesisReportView;
   static const Record<View> record(
-      "What 'kinestat synthesize --format json' writes: linkages that lead a plane through "
+      "What 'kinestat synthesize --format json' writes: linkages that guide a plane through "
       "positions. Lengths and angles are in the units of the file.",
       [](Record<View>& keys) {
         const auto head_of = [](const View& v) {

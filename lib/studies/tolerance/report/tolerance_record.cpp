@@ -47,25 +47,29 @@ const Record<ShownValue>& shown_record() {
 const Record<ShareView>& share_record() {
   using View = ShareView;
   static const Record<View> record(
-      "What parts at one coupling, or one drive, do to the position.", [](Record<View>& keys) {
+      "The effect on the position of parts at one coupling, or of one "
+      "drive.",
+      [](Record<View>& keys) {
         const auto influence = [](const View& v) {
           return shown_influence(v.share, v.of, v.units);
         };
         const auto has = [](const View& v) { return v.has_tolerances; };
         keys.converted("influence",
                        ByContext::beside,
-                       "How far the position moves by a unit of the deviation, in the direction "
-                       "that counts most. It is also the action that holds the deviation under a "
-                       "unit action at the position.",
+                       "Movement of the position per unit of the deviation, in the direction that "
+                       "has the most effect. It is also the action that holds the deviation under "
+                       "a unit action at the position.",
                        [influence](const View& v) { return pair_of(influence(v)); });
         keys.text("unit",
-                  "Unit of the position per unit of the deviation; empty if they are alike.",
+                  "Unit of the position per unit of the deviation; empty if they are of the same "
+                  "kind.",
                   [influence](const View& v) { return influence(v).unit; })
             .not_compared();
         keys.vector("direction",
                     Bare::direction,
-                    "The direction that counts most, of the head relative to the tail: of a place "
-                    "along it, of an angle about it; null of a drive, or where nothing moves.",
+                    "The direction that has the most effect, of the head relative to the tail: "
+                    "along it for a location, about it for an angle; null for a drive, or where "
+                    "nothing moves.",
                     [](const View& v) { return v.share.direction; });
         keys.part("tolerance",
                   shown_record(),
@@ -74,7 +78,7 @@ const Record<ShareView>& share_record() {
             .only_if(has);
         keys.part("moved",
                   shown_record(),
-                  "By how much the position may move through that, to either side.",
+                  "How far this may move the position, to either side.",
                   [](const View& v) { return shown(v.share.moved, v.of, v.units); })
             .only_if(has);
       });
@@ -83,7 +87,7 @@ const Record<ShareView>& share_record() {
 
 const Record<StackView>& stack_record() {
   using View = StackView;
-  static const Record<View> record("How far one position may be off.", [](Record<View>& keys) {
+  static const Record<View> record("The error of one position.", [](Record<View>& keys) {
     const auto has = [](const View& v) { return v.has_tolerances; };
     keys.part("drive",
               shown_record(),
@@ -93,15 +97,15 @@ const Record<StackView>& stack_record() {
         .only_in_tables();
     keys.converted("worst_case",
                    ByContext::beside,
-                   "Sum of what all deviations move, each at its tolerance in the direction that "
-                   "counts most. Only where a tolerance is given.",
+                   "Sum over all deviations, each at its tolerance in the direction that has the "
+                   "most effect. Only where a tolerance is given.",
                    [](const View& v) {
                      return pair_of(shown(v.stack.worst_case, v.stack.position.kind, v.units));
                    })
         .only_if(has);
     keys.converted("root_sum_square",
                    ByContext::beside,
-                   "Root of the sum of squares of the same: what to expect where deviations are "
+                   "Root sum square of the same contributions: what to expect if deviations are "
                    "independent.",
                    [](const View& v) {
                      return pair_of(shown(v.stack.root_sum_square, v.stack.position.kind, v.units));
@@ -161,8 +165,8 @@ const Record<CaseView>& case_record() {
                  })
             .in_tables_is(TableRole::table);
         keys.names("not_fitting",
-                   "Actions along or about which no part can deviate alone, as redundant "
-                   "constraints bear them: others would bend, or need play.",
+                   "Actions along or about which no part can deviate alone, because constraints "
+                   "are redundant there: other parts would have to bend, or need play.",
                    [](const View& v, const EachName& each) {
                      for (const std::string& name : v.one.not_fitting) {
                        each(name);
@@ -194,8 +198,8 @@ const Record<FoundTolerance>& general_record() {
 const Record<ToleranceReportView>& tolerance_report_record() {
   using View = ToleranceReportView;
   static const Record<View> record(
-      "What 'kinestat tolerance --format json' writes: how far positions are off where parts and "
-      "drives are, to first order.",
+      "What 'kinestat tolerance --format json' writes: position errors caused by deviations of "
+      "parts and drives, to first order.",
       [](Record<View>& keys) {
         add_head(keys);
         keys.part("tolerances",

@@ -14,8 +14,8 @@ namespace {
 
 const Record<SearchStages>& stages_record() {
   using View = SearchStages;
-  static const Record<View> record("What is left at each stage.", [](Record<View>& keys) {
-    keys.count("structures", "Structures of the sets that were looked at.", [](const View& v) {
+  static const Record<View> record("What remains at each stage.", [](Record<View>& keys) {
+    keys.count("structures", "Structures of the sets that were examined.", [](const View& v) {
       return v.structures;
     });
     keys.count("layouts",
@@ -37,7 +37,7 @@ const Record<SearchStages>& stages_record() {
     keys.count("undecided",
                "Neither refuted nor solved when the ranges were cut small.",
                [](const View& v) { return v.undecided; });
-    keys.count("found", "Those that do all that is asked.", [](const View& v) { return v.found; });
+    keys.count("found", "Those that meet all requirements.", [](const View& v) { return v.found; });
     keys.count("layouts_found", "The same up to roles and kinds of the sets.", [](const View& v) {
       return v.layouts_found;
     });
@@ -56,7 +56,7 @@ const Record<SetTeeth>& teeth_record() {
         keys.count("planet", "Of a planet.", [](const View& v) { return v.planet; });
         keys.count("ring", "Of the ring.", [](const View& v) { return v.ring; });
         keys.count("planets",
-                   "How many planets, or pairs of them, stand round the sun.",
+                   "Number of planets, or pairs of them, around the sun.",
                    [](const View& v) { return v.planets; });
       });
   return record;
@@ -76,7 +76,7 @@ const Record<TransmissionCheck>& transmission_check_record() {
             .not_compared();
         keys.number("torque",
                     Bare::number,
-                    "That of torques of elements, by the largest of the gear.",
+                    "That of torques of elements, relative to the largest of the gear.",
                     [](const View& v) { return v.torque; })
             .at_least(0)
             .not_compared();
@@ -87,7 +87,7 @@ const Record<TransmissionCheck>& transmission_check_record() {
             .at_least(0)
             .not_compared();
         keys.flag(
-            "agrees", "Whether this is but rounding.", [](const View& v) { return v.agrees; });
+            "agrees", "Whether this is only rounding.", [](const View& v) { return v.agrees; });
       });
   return record;
 }
@@ -122,10 +122,9 @@ const Record<SetView>& set_record() {
     keys.text("ring", "That of its ring.", [](const View& v) {
       return shaft_name(v.shaft(v.roles().ring));
     });
-    keys.number("stationary_ratio",
-                Bare::ratio,
-                "Teeth of the ring by those of the sun.",
-                [](const View& v) { return v.variant.found.stationary_ratios[v.set]; });
+    keys.number("stationary_ratio", Bare::ratio, "Ring teeth over sun teeth.", [](const View& v) {
+      return v.variant.found.stationary_ratios[v.set];
+    });
     keys.part("teeth", teeth_record(), [](const View& v) -> const SetTeeth& {
       return v.variant.teeth[v.set];
     });
@@ -151,7 +150,7 @@ const Record<LadderGear>& listed_gear_record() {
     keys.text("engaged", "The letters of its elements.", [](const View& v) {
       return engaged_letters(v.engaged);
     });
-    keys.number("ratio", Bare::ratio, "Input speed by output speed.", [](const View& v) {
+    keys.number("ratio", Bare::ratio, "Input speed over output speed.", [](const View& v) {
       return v.figures.ratio;
     });
     keys.number("efficiency", Bare::ratio, "With the losses of the sets.", [](const View& v) {
@@ -159,7 +158,7 @@ const Record<LadderGear>& listed_gear_record() {
     });
     keys.numbers("torques",
                  Bare::ratio,
-                 "Of engaged elements, tail on head, by the torque of the input.",
+                 "Of engaged elements, tail on head, over the torque of the input.",
                  [](const View& v, const EachNumber& each) {
                    for (std::size_t j = 0; j < v.figures.torques.size(); ++j) {
                      if ((v.engaged >> j & 1U) != 0) {
@@ -170,7 +169,7 @@ const Record<LadderGear>& listed_gear_record() {
         .in_tables_is(TableRole::element);
     keys.numbers("slips",
                  Bare::ratio,
-                 "Of open elements, head against tail, by the speed of the input.",
+                 "Of open elements, head relative to tail, over the speed of the input.",
                  [](const View& v, const EachNumber& each) {
                    for (std::size_t j = 0; j < v.figures.slips.size(); ++j) {
                      if ((v.engaged >> j & 1U) == 0) {
@@ -181,7 +180,7 @@ const Record<LadderGear>& listed_gear_record() {
         .in_tables_is(TableRole::element);
     keys.numbers("speeds",
                  Bare::ratio,
-                 "Of the shafts that turn, by the speed of the input.",
+                 "Of the turning shafts, over the speed of the input.",
                  [](const View& v, const EachNumber& each) {
                    for (std::size_t s = 1; s < v.figures.speeds.size(); ++s) {
                      each(shaft_name(static_cast<Shaft>(s)),
@@ -192,7 +191,7 @@ const Record<LadderGear>& listed_gear_record() {
         .in_tables_is(TableRole::element);
     keys.numbers("planet_speeds",
                  Bare::ratio,
-                 "Of planets in their carriers, by set, by the speed of the input.",
+                 "Of planets relative to their carriers, by set, over the speed of the input.",
                  [](const View& v, const EachNumber& each) {
                    for (std::size_t s = 0; s < v.planet_speeds.size(); ++s) {
                      each(
@@ -207,7 +206,7 @@ const Record<LadderGear>& listed_gear_record() {
 const Record<LadderFigures>& ladder_figures_record() {
   using View = LadderFigures;
   static const Record<View> record(
-      "What its ladder asks of it; torques and speeds are by those of the input.",
+      "What its ladder requires; torques and speeds are relative to those of the input.",
       [](Record<View>& keys) {
         keys.number(
             "spread", Bare::ratio, "First ratio by last.", [](const View& v) { return v.spread; });
@@ -236,7 +235,7 @@ const Record<LadderFigures>& ladder_figures_record() {
             });
         keys.number("planet_speed",
                     Bare::ratio,
-                    "The largest of a planet in its carrier in any gear.",
+                    "The largest of a planet relative to its carrier in any gear.",
                     [](const View& v) { return v.planet_speed; });
         keys.count("rotating_clutches", "Elements between two turning shafts.", [](const View& v) {
           return v.rotating_clutches;
@@ -258,14 +257,14 @@ const Record<TransmissionVariant>& variant_record() {
     keys.count("layout",
                "The number of its layout among those of the structure for this task.",
                [](const View& v) { return v.found.layout; });
-    keys.number("rank", Bare::number, "By what it is ranked; less is better.", [](const View& v) {
+    keys.number("rank", Bare::number, "The ranking value; less is better.", [](const View& v) {
       return v.found.rank;
     });
     keys.count("points",
-               "Stationary ratios of the lists that would do; 0 with ranges.",
+               "Stationary ratios of the lists that would suffice; 0 with ranges.",
                [](const View& v) { return v.found.points; });
     keys.count("placements",
-               "Placements of its elements that can be arranged as asked.",
+               "Placements of its elements that can be arranged as required.",
                [](const View& v) { return v.found.placements; });
     keys.map("sets",
              set_record(),
@@ -325,7 +324,7 @@ const Record<TransmissionAnalysis>& transmissions_record() {
   using View = TransmissionAnalysis;
   static const Record<View> record("What was found.", [](Record<View>& keys) {
     keys.count("structure_count",
-               "Structures that there are, also outside of a slice.",
+               "Total number of structures, including those outside a slice.",
                [](const View& v) { return v.structure_count; });
     keys.part("stages",
               stages_record(),
