@@ -60,7 +60,7 @@ void add_progress(CLI::App& command, ProgressChoice& choice) {
                               {"always", ProgressChoice::always},
                               {"never", ProgressChoice::never}},
                              choice,
-                             "tell how far it is on standard error; auto\nis on a terminal");
+                             "show progress on standard error; auto: on\na terminal");
 }
 
 void add_messages(CLI::App& command, DiagnosticsForm& form, bool& is_quiet) {
