@@ -8,15 +8,13 @@ from __future__ import annotations
 import json
 import math
 import re
-import tempfile
-from fractions import Fraction
 from pathlib import Path
 
 import motion_case
 import program
-from dynamics_case import CASES
 from motion_case import in_library
 from reference_test_case import ReferenceTest
+from swept_case import refused, swept
 
 EXACT = 1e-12
 
@@ -69,21 +67,6 @@ APART = FOUR_BAR.replace('at: [r + x, "sqrt(max(k^2 - x^2, 0))"]',
 
 # A column that no linkage among several has.
 BODIES = {FOUR_BAR: "coupler.at.x.mean", SLIDER_CRANK: "rod.at.x.mean"}
-
-
-def swept(text: str, sweep: str, *options: str) -> tuple[list[dict], str]:
-    """The rows, and what the program said."""
-    done = program.call("sweep", *options, "-", text=f"{text}\nsweep: {sweep}\n")
-    if done.returncode != 0:
-        raise AssertionError(done.stderr)
-    return [json.loads(line) for line in done.stdout.splitlines()], done.stderr
-
-
-def refused(text: str, sweep: str) -> str:
-    done = program.call("sweep", "-", text=f"{text}\nsweep: {sweep}\n")
-    if done.returncode == 0:
-        raise AssertionError(done.stdout)
-    return done.stderr
 
 
 def least_slope(r: float, l: float) -> float:
@@ -203,149 +186,6 @@ motion: {drive""")
 
 
 
-# A disc with its centre of mass beside the axis, turning steadily under its weight.
-ROTOR = """
-kinestat: 1
-space: planar
-parameters: {ma: 2, e: 0.1, n: 12, w: 4 rad/s, push: 6 N*m}
-gravity: [0, -9.81]
-ground: frame
-bodies: {disc: {mass: ma, centre_of_mass: [e, 0], inertia: 0.3}}
-couplings: {a: {type: revolute, bodies: [frame, disc], at: [0, 0]}}
-actuators: {motor: {coupling: a}}
-curves: {gas: {over: motor, period: 360 deg, points: [[0 deg, push], [360 deg, push]]}}
-loads: {gas: {body: disc, couple: gas}}
-cases: {turns: {motion: {motor: w}, acceleration: {}, action: {}}}
-motion: {drive: motor, to: 360 deg, steps: n, case: turns}
-"""
-
-# Two gears and a rack, whose mass the pinion feels by the square of its radius.
-RACK = """
-kinestat: 1
-space: planar
-parameters: {r: 0.05, r2: 0.1, ma: 7, Jz: 0.02}
-ground: frame
-bodies: {pinion: {inertia: Jz}, wheel: {inertia: 3*Jz}, rack: {mass: ma, centre_of_mass: [0.3, -r]}}
-couplings:
-  a: {type: revolute, bodies: [frame, pinion], at: [0, 0]}
-  b: {type: revolute, bodies: [frame, wheel], at: [0, r + r2]}
-  g: {type: gear, bodies: [pinion, wheel], at: [0, r], tangent: x, pressure_angle: 20 deg}
-  d: {type: prismatic, bodies: [frame, rack], at: [0, -r], axis: x}
-  t: {type: gear, bodies: [pinion, rack], at: [0, -r], tangent: x, pressure_angle: 20 deg}
-actuators: {motor: {coupling: a}, push: {coupling: d}}
-cases:
-  turns: {motion: {motor: 2 rad/s}, action: {push: 0}, input: motor}
-"""
-
-
-class Dynamics(ReferenceTest):
-    """RMS and peaks of drives and shaking forces, equivalent inertias."""
-
-    def test_an_eccentric_disc_shakes_and_asks_for_torque(self) -> None:
-        """Torque m g e cos phi - couple: straight lines between n steps have A^2/2 (2 + cos h)/3 as
-        mean square beside the square of the mean. It shakes by m e w^2."""
-        rows, _ = swept(ROTOR, "{vary: {ma: [1, 2], e: [0.1, 0.05], n: [12, 90], "
-                               "w: [3 rad/s, 50 rad/s]}, report: [motor.rms, motor.peak, "
-                               "shaking.force.magnitude.rms, shaking.force.magnitude.peak, "
-                               "shaking.force.x.rms, motor.inertia.mean]}")
-        self.assertEqual(16, len(rows))
-        for row in rows:
-            size = row["ma"] * row["e"] * 9.81
-            share = (2 + math.cos(2 * math.pi / row["n"])) / 3
-            self.assertEqual("solved", row["status"])
-            self.assertAlmostEqual(math.sqrt(size ** 2 / 2 * share + 36), row["motor.rms [N*m]"],
-                                   delta=1e-11)
-            self.assertAlmostEqual(size + 6, row["motor.peak [N*m]"], delta=1e-9)
-            shakes = row["ma"] * row["e"] * row["w [rad/s]"] ** 2
-            for figure in ("rms", "peak"):
-                self.assertAlmostEqual(shakes, row[f"shaking.force.magnitude.{figure} [N]"],
-                                       delta=1e-11 * shakes)
-            self.assertAlmostEqual(shakes * math.sqrt(share / 2), row["shaking.force.x.rms [N]"],
-                                   delta=1e-11 * shakes)
-            self.assertAlmostEqual(0.3 + row["ma"] * row["e"] ** 2, row["motor.inertia.mean [kg*m^2]"],
-                                   delta=1e-12)
-
-    def test_rows_are_those_of_motions_by_themselves(self) -> None:
-        columns = {"motor.rms": ("motor/action", "rms"),
-                   "ground.force.magnitude.rms": ("ground/force/magnitude", "rms"),
-                   "kinetic_energy.mean": ("kinetic_energy", "mean")}
-        rows, _ = swept(ROTOR, f"{{vary: {{e: [0.1, 0.2], w: [3 rad/s]}}, report: [{', '.join(columns)}]}}")
-        for row in rows:
-            text = ROTOR.replace("case: turns}", "case: turns, report: [action, dynamics]}")
-            motion = program.run("motion", "--set", f"e={row['e']}", "--set", "w=3 rad/s", "-", text=text)
-            figures = motion["motion"]["figures"]
-            for column, (name, figure) in columns.items():
-                title = next(key for key in row if key.startswith(column + " "))
-                self.assertEqual(figures[name][figure], row[title], column)
-
-    def test_means_in_time_need_time(self) -> None:
-        said = refused(SLIDER_CRANK, "{vary: {r: [1, 2]}, cases: [push], report: [motor.rms]}")
-        self.assertIn("'motor.rms' is a mean in time, and the motion has none", said)
-
-    def test_the_input_feels_all_inertia_by_the_square_of_its_ratio(self) -> None:
-        rows, _ = swept(RACK, "{vary: {r: [0.05, 0.03], ma: [7, 1], Jz: [0.02, 0.5]}, "
-                              "report: [equivalent_inertia, b.wz]}")
-        self.assertEqual(8, len(rows))
-        for row in rows:
-            expected = row["Jz"] * (1 + 3 * (row["r"] / 0.1) ** 2) + row["ma"] * row["r"] ** 2
-            self.assertAlmostEqual(expected, row["equivalent_inertia [kg*m^2]"], delta=1e-13)
-        slides, _ = swept(RACK.replace("motion: {motor: 2 rad/s}, action: {push: 0}, input: motor",
-                                       "motion: {push: 1 m/s}, action: {motor: 0}, input: push"),
-                          "{vary: {r: [0.05, 0.03]}, report: [equivalent_inertia]}")
-        for row in slides:
-            self.assertAlmostEqual(0.02 * (1 / row["r"] ** 2 + 3 / 0.1 ** 2) + 7,
-                                   row["equivalent_inertia [kg]"], delta=1e-11)
-
-    def test_gears_feel_what_their_table_tells(self) -> None:
-        """By fractions; the ring adds the square of its speed."""
-        case = CASES["ravigneaux_inertia"]
-        text = "parameters: {Jr: 0.06}\n" + case["yaml"].replace(
-            ", input_acceleration: 200 rad/s^2", "").replace("ring: {inertia: {polar: 0.06,",
-                                                                  "ring: {inertia: {polar: Jr,")
-        rows, _ = swept(text, "{vary: {Jr: [0.06, 0.2]}, cases: [M1, M2, M3, MR], "
-                              "report: [equivalent_inertia]}")
-        self.assertEqual(8, len(rows))
-        for row in rows:
-            gear = case["expected"]["gears"][row["case"]]
-            ring = float(Fraction(gear["speeds"]["ring"]))
-            expected = gear["equivalent_inertia_value"] + (row["Jr"] - 0.06) * ring ** 2
-            self.assertAlmostEqual(expected, row["equivalent_inertia [kg*m^2]"], delta=1e-13)
-
-    def test_what_has_no_equivalent_inertia_is_refused(self) -> None:
-        sweep = "{vary: {r: [0.05]}, report: [equivalent_inertia]}"
-        self.assertIn("case 'turns' names none", refused(RACK.replace(", input: motor", ""), sweep))
-        self.assertIn("none has any", refused(
-            RACK.replace("pinion: {inertia: Jz}, wheel: {inertia: 3*Jz}, rack: {mass: ma, centre_of_mass: [0.3, -r]}",
-                         "pinion: {}, wheel: {}, rack: {}").replace(", ma: 7, Jz: 0.02", ""), sweep))
-        # A mass that nobody places would count as if it were at the origin.
-        self.assertIn("no centre of mass", refused(RACK.replace(", centre_of_mass: [0.3, -r]", ""), sweep))
-
-    def test_a_table_gives_a_curve_other_points_in_all_states(self) -> None:
-        with tempfile.TemporaryDirectory() as folder:
-            table = Path(folder, "gas.csv")
-            table.write_text("turn [deg],couple [N*m]\n0,10\n360,10\n", encoding="utf-8")
-            sweep = "{vary: {ma: [1, 2]}, report: [motor.mean]}"
-            plain, _ = swept(ROTOR, sweep)
-            other, _ = swept(ROTOR, sweep, "--curve", f"gas={table}")
-            for row in plain:
-                self.assertAlmostEqual(-6, row["motor.mean [N*m]"], delta=1e-11)
-            for row in other:
-                self.assertAlmostEqual(-10, row["motor.mean [N*m]"], delta=1e-11)
-            # What was begun with other points is not gone on with.
-            file = Path(folder, "rotor.yaml")
-            file.write_text(f"{ROTOR}\nsweep: {sweep}\n", encoding="utf-8")
-            plans = []
-            for number in (10, 11):
-                table.write_text(f"turn [deg],couple [N*m]\n0,{number}\n360,{number}\n", encoding="utf-8")
-                done = program.plain("sweep", "--curve", f"gas={table}", "--shard", "1/2",
-                                     "--out", folder, str(file))
-                self.assertEqual("", "" if done.returncode == 0 else done.stderr)
-                shard = next(Path(folder).glob("*.shard"))
-                plans.append(shard.read_text(encoding="utf-8").splitlines()[0])
-                shard.unlink()
-            self.assertNotEqual(*plans)
-
-
 class Statuses(ReferenceTest):
     """States whose motion is not what was asked for."""
 
@@ -413,6 +253,12 @@ class Choices(ReferenceTest):
 
 # Of each file: what becomes the parameter p, if its own are not varied; what is varied and how;
 # which columns of its motion are asked for.
+
+    def test_means_in_time_need_time(self) -> None:
+        said = refused(SLIDER_CRANK, "{vary: {r: [1, 2]}, cases: [push], report: [motor.rms]}")
+        self.assertIn("'motor.rms' is a mean in time, and the motion has none", said)
+
+
 LIBRARY = {
     "planar/slider_crank.yaml": (
         ("at: [9, 12]", "at: [9 + p, 12]"), "p", (0, 0.7, -1.3, 4, 30),
