@@ -1,4 +1,4 @@
-"""Options that are wrong, of every command, derived from its help."""
+"""Wrong options for every command, derived from its help."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ def told_wrong(program: Program, command: Command, *options: str,
 
 @condition
 def unknown_option(program: Program, command: Command) -> Iterator[Judged]:
-    """status 2 by every command"""
+    """status 2 from every command"""
     yield told_wrong(program, command, "--wrong-option")
     yield told_wrong(program, command, "--wrong-option=1")
 
 
 @condition
 def wrong_values(program: Program, command: Command) -> Iterator[Judged]:
-    """status 2 by every option that takes a count; 3 where it stands for a key of the file"""
+    """status 2 for every option that takes a count; 3 if it overrides a key of the file"""
     for option, value in command.options().items():
         if value in WORDS_FOR_NUMBERS:
             for wrong in WRONG_NUMBERS:
@@ -37,7 +37,7 @@ def wrong_values(program: Program, command: Command) -> Iterator[Judged]:
 
 @condition
 def wrong_words(program: Program, command: Command) -> Iterator[Judged]:
-    """status 2 by every option that takes one of some words"""
+    """status 2 for every option that takes one of several words"""
     for option, value in command.options().items():
         if "|" in value:
             yield told_wrong(program, command, option, "nonsense")
@@ -46,7 +46,7 @@ def wrong_words(program: Program, command: Command) -> Iterator[Judged]:
 
 @condition
 def option_without_value(program: Program, command: Command) -> Iterator[Judged]:
-    """status 2 by every option that takes a value"""
+    """status 2 for every option that takes a value"""
     for option, value in command.options().items():
         if value:
             run = program.run(command.arguments("file.yaml", option), files=content(command))
@@ -55,6 +55,6 @@ def option_without_value(program: Program, command: Command) -> Iterator[Judged]
 
 @condition
 def wrong_settings(program: Program, command: Command) -> Iterator[Judged]:
-    """status 2 by every command"""
+    """status 2 from every command"""
     for setting in WRONG_SETTINGS:
         yield told_wrong(program, command, "--set", setting)

@@ -1,7 +1,7 @@
-"""Surroundings in which every command runs: disks, pipes, limits, environments, places of output.
+"""Conditions under which every command runs: disks, pipes, limits, environments, output paths.
 
-Each condition takes the program and a command, and yields its runs with what is wrong of each;
-its first line says what is promised. `FOR_ALL` lists them by name.
+Each condition takes the program and a command, and yields its runs with what is wrong in each; its
+first line states the promise. `FOR_ALL` lists them by name.
 """
 
 from __future__ import annotations
@@ -58,32 +58,32 @@ def same_as_ordinary(program: Program, command: Command, run: Run) -> Judged:
 
 @condition
 def missing_file(program: Program, command: Command) -> Iterator[Judged]:
-    """status 4 and E0151 by every command"""
+    """status 4 and E0151 from every command"""
     yield unreadable(program.run(command.arguments("nowhere.yaml")))
 
 
 @condition
 def folder_for_a_file(program: Program, command: Command) -> Iterator[Judged]:
-    """status 4 and E0151 by every command"""
+    """status 4 and E0151 from every command"""
     yield unreadable(program.run(command.arguments(".")))
 
 
 @condition
 def device_for_a_file(program: Program, command: Command) -> Iterator[Judged]:
-    """status 4 and E0151 by every command, without waiting"""
+    """status 4 and E0151 from every command, without waiting"""
     yield unreadable(program.run(command.arguments("/dev/zero"), hang=10))
 
 
 @condition
 def empty_file_name(program: Program, command: Command) -> Iterator[Judged]:
-    """status 2 or 4 by every command"""
+    """status 2 or 4 from every command"""
     run = program.run(command.arguments(""))
     yield judged(run, (run.status in (2, 4), f"status {run.status}"))
 
 
 @condition
 def circle_of_links(program: Program, command: Command) -> Iterator[Judged]:
-    """status 4 and E0151 by every command"""
+    """status 4 and E0151 from every command"""
     run = program.run(command.arguments("a.yaml"), shell='ln -s a.yaml a.yaml; exec "$@"')
     run.left = [path for path in run.left if path != "a.yaml"]
     yield unreadable(run)
@@ -91,7 +91,7 @@ def circle_of_links(program: Program, command: Command) -> Iterator[Judged]:
 
 @condition
 def too_large_a_file(program: Program, command: Command) -> Iterator[Judged]:
-    """status 3 or 4 and the limit, by every command"""
+    """status 3 or 4 and the limit, from every command"""
     run = program.run(command.arguments("file.yaml"), files={"file.yaml": b"#" * ((1 << 20) + 1)})
     yield judged(run, (run.status in (3, 4), f"status {run.status}"),
                  (b"1048576" in run.err, "the limit is not named"))
@@ -117,7 +117,7 @@ def odd_file_name(program: Program, command: Command) -> Iterator[Judged]:
 
 @condition
 def full_disk(program: Program, command: Command) -> Iterator[Judged]:
-    """status 4 and E0152 by every command"""
+    """status 4 and E0152 from every command"""
     run = program.run(command.arguments("file.yaml"), files=content(command),
                       shell='exec "$@" > /dev/full')
     yield unreadable(run, b"E0152")
@@ -125,14 +125,14 @@ def full_disk(program: Program, command: Command) -> Iterator[Judged]:
 
 @condition
 def help_to_a_full_disk(program: Program, command: Command) -> Iterator[Judged]:
-    """status 4 and E0152 by every command"""
+    """status 4 and E0152 from every command"""
     run = program.run([command.name, "--help"], shell='exec "$@" > /dev/full')
     yield unreadable(run, b"E0152")
 
 
 @condition
 def closed_pipe(program: Program, command: Command) -> Iterator[Judged]:
-    """a quiet end of every command, with nothing left behind"""
+    """every command ends quietly and leaves nothing behind"""
     run = program.run(command.arguments("file.yaml"), files=content(command),
                       shell='"$@" | true; status=${PIPESTATUS[0]}; '
                             '[[ $status == 141 ]] && exit 0; exit "$status"')
@@ -142,7 +142,7 @@ def closed_pipe(program: Program, command: Command) -> Iterator[Judged]:
 
 @condition
 def other_locale(program: Program, command: Command) -> Iterator[Judged]:
-    """the same bytes of every command"""
+    """the same bytes from every command"""
     for locale in ("pt_BR.UTF-8", "tr_TR.UTF-8", "xx_NOWHERE"):
         env = {"PATH": os.defpath, "LC_ALL": locale, "LANG": locale}
         run = program.run(command.arguments("file.yaml"), files=content(command), env=env)
@@ -151,7 +151,7 @@ def other_locale(program: Program, command: Command) -> Iterator[Judged]:
 
 @condition
 def empty_environment(program: Program, command: Command) -> Iterator[Judged]:
-    """the same bytes of every command"""
+    """the same bytes from every command"""
     run = program.run(command.arguments("file.yaml"), files=content(command),
                       shell='exec /usr/bin/env -i '
                             '${ASAN_OPTIONS+"ASAN_OPTIONS=$ASAN_OPTIONS"} "$@"')
@@ -160,7 +160,7 @@ def empty_environment(program: Program, command: Command) -> Iterator[Judged]:
 
 @condition
 def no_temporary_folder(program: Program, command: Command) -> Iterator[Judged]:
-    """the same bytes of every command"""
+    """the same bytes from every command"""
     env = {"PATH": os.defpath, "LC_ALL": "C", "TMPDIR": "/nonexistent", "HOME": "/nonexistent"}
     run = program.run(command.arguments("file.yaml"), files=content(command), env=env)
     yield same_as_ordinary(program, command, run)
@@ -168,7 +168,7 @@ def no_temporary_folder(program: Program, command: Command) -> Iterator[Judged]:
 
 @condition
 def run_again(program: Program, command: Command) -> Iterator[Judged]:
-    """the same bytes of every command, again and with any number of threads"""
+    """the same bytes from every command, repeated and with any number of threads"""
     for jobs in ([], ["--jobs", "1"], ["--jobs", "3"]):
         if jobs and "--jobs" not in command.options():
             continue
@@ -178,7 +178,7 @@ def run_again(program: Program, command: Command) -> Iterator[Judged]:
 
 @condition
 def little_memory(program: Program, command: Command) -> Iterator[Judged]:
-    """an answer, or status 4 and E0154, by every command"""
+    """an answer, or status 4 and E0154, from every command"""
     if program.has_sanitizers:
         return  # they reserve terabytes of addresses
     notes = b"x-notes: [" + b"0,\n  " * 150000 + b"0]\n"
@@ -190,7 +190,7 @@ def little_memory(program: Program, command: Command) -> Iterator[Judged]:
 
 @condition
 def few_open_files(program: Program, command: Command) -> Iterator[Judged]:
-    """the same bytes of every command"""
+    """the same bytes from every command"""
     run = program.run(command.arguments("file.yaml"), files=content(command),
                       shell='ulimit -n 8; exec "$@"')
     yield same_as_ordinary(program, command, run)
@@ -219,7 +219,7 @@ def is_json(text: bytes) -> bool:
 
 @condition
 def well_formed(program: Program, command: Command) -> Iterator[Judged]:
-    """strict JSON, whole lines that end with LF, no NaN, infinity or minus zero, in every form"""
+    """strict JSON, complete lines ending in LF, no NaN, infinity or minus zero, in every format"""
     forms = re.search(r"--format (\S+)", command.help)
     for form in forms[1].split("|") if forms else [""]:
         if form == "npy":
@@ -255,7 +255,7 @@ def output(command: Command) -> str:
 
 @condition
 def output_place_missing(program: Program, command: Command) -> Iterator[Judged]:
-    """status 4 of every command with --out"""
+    """status 4 from every command with --out"""
     if output(command):
         run = program.run(command.arguments("--out", "no/where", "file.yaml"),
                           files=content(command))
@@ -264,7 +264,7 @@ def output_place_missing(program: Program, command: Command) -> Iterator[Judged]
 
 @condition
 def foreign_output(program: Program, command: Command) -> Iterator[Judged]:
-    """status 4 of every command with --out, and the file of somebody else stays as it is"""
+    """status 4 from every command with --out, and the existing file is unchanged"""
     if output(command) == "FILE":
         run = program.run(command.arguments("--out", "mine", "file.yaml"),
                           files={**content(command), "mine": b"my notes\n"})
@@ -277,7 +277,7 @@ def foreign_output(program: Program, command: Command) -> Iterator[Judged]:
 
 @condition
 def output_onto_the_input(program: Program, command: Command) -> Iterator[Judged]:
-    """status 4 of every command with --out, and the mechanism file stays as it is"""
+    """status 4 from every command with --out, and the mechanism file is unchanged"""
     if output(command):
         run = program.run(command.arguments("--out", "file.yaml", "file.yaml"),
                           files=content(command))
