@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Checks that lib/ and app/ keep to the table of modules in lib/CMakeLists.txt, and to their shape.
+"""Checks lib/ and app/ against the table of modules in lib/CMakeLists.txt, and the sizes of files.
 
-Usage: check_layers.py [--root FOLDER]   Prints `file:line: message` per violation; exit status 1
-if there is any. What a module may include is what it DEPENDS on in that table, which is written
-from the bottom upwards.
+Usage: check_layers.py [--root FOLDER]   Prints `file:line: message` for each violation; exit status 1
+if there is any. A module may include what it DEPENDS on in that table, which is written from the
+bottom upwards.
 """
 
 from __future__ import annotations

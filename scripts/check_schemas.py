@@ -2,7 +2,7 @@
 """Checks the JSON Schemas of schemas/, and reports against schemas/report.schema.json.
 
 Usage: check_schemas.py [REPORT]...   Prints one line per fault; exit status 1 if there is any.
-JSON is read strictly: no NaN or infinity (not by overflow either), no -0.0, no key twice.
+JSON is read strictly: no NaN or infinity (including overflow), no -0.0, no duplicate keys.
 """
 
 from __future__ import annotations

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""Checks that nothing in lib/ decides on zero relative to the largest of its kind.
+"""Checks that nothing in lib/ sets values to zero relative to the largest of their kind.
 
-A value is zero where it is made: exactly, or because its own error bound does not tell it from
-zero (lib/README.md, Zeros). Outside lib/math no value may be compared with a share of something
-else for that. Decisions of other kinds (on ranks, consistency, drawing, search) are listed below
-with their reasons.
+A value becomes zero where it is computed: exactly, or because its own error bound does not
+distinguish it from zero (lib/README.md, Zeros). Outside lib/math no value may be compared with a
+fraction of another for that purpose. Decisions of other kinds (on ranks, consistency, drawing,
+search) are listed below with their reasons.
 
-Usage: check_zeros.py [--root FOLDER]   Prints `file:line: message` per violation; exit status 1
-if there is any, or if a row of the table below has nothing to allow any more.
+Usage: check_zeros.py [--root FOLDER]   Prints `file:line: message` for each violation; exit status 1
+if there is any, or if a row of the table below is no longer needed.
 """
 
 from __future__ import annotations

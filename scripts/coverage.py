@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The coverage of each module of lib/, from what the compiler's counters say; see coverage.sh.
+"""The coverage of each module of lib/, from the counters of the compiler; see coverage.sh.
 
 Usage: coverage.py --build FOLDER --tests WORDS [--only MODULES] [--write]
 """

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Tells which lines and branches of each module of lib/ the tests reach, and lists what none does.
+# Measures which lines and branches of each module of lib/ the tests reach, and lists the lines that none does.
 # Usage: scripts/coverage.sh [--write] [--only MODULES] [CTEST LABEL]...   (default: cli golden reference)
-# Builds everything anew without optimisation, which hides lines, and runs the unit tests and those of
-# the labels, an hour of a processor. The table is printed; --write puts it into RELIABILITY.md, and
-# build/coverage/unreached.txt lists the lines. --only 'core|math': the unit tests and libraries of
-# these modules alone.
+# Rebuilds everything without optimisation, which hides lines, and runs the unit tests and those of the
+# labels: an hour of processor time. The table is printed, --write puts it into RELIABILITY.md, and
+# build/coverage/unreached.txt lists the lines. --only 'core|math' selects the unit tests and libraries
+# of these modules.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Changes valid files and holds every command to its promises, for so many minutes.
-# Usage: scripts/fuzz.sh MINUTES [FIRST SEED]   PROGRAM=… in the environment is another program.
+# Mutates valid files and checks the promises of every command, for the given number of minutes.
+# Usage: scripts/fuzz.sh MINUTES [FIRST SEED]   PROGRAM=… in the environment selects another program.
 # Prints each complaint with its seed and its file; exit status 1 if there is any.
 set -euo pipefail
 

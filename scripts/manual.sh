@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Makes the manual as a site that works from the file system: build/manual/html/index.html.
+# Builds the manual as a website that works from the file system: build/manual/html/index.html.
 # Usage: scripts/manual.sh [--program PROGRAM] [--out FOLDER]
-# Pages come from manual/, from the mechanisms, and from what the program says of itself; it is built
-# if it is not there. Warnings are errors, and so is a command of the manual that fails.
+# Pages come from manual/, from the mechanisms, and from the help of the program, which is built if
+# necessary. Warnings are errors, and so are commands of the manual that fail.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

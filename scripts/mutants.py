@@ -1,16 +1,15 @@
 #!/usr/bin/env python3
-"""Changes one token of the library at a time and sees whether a test notices.
+"""Mutation testing: changes one token of the library at a time and checks whether a test fails.
 
 Usage: mutants.py [--seed S] [--first N] [--count N] [--minutes M] [--only MODULES]
                   [--labels LABELS]   (default: 1, 0, 50, no end, all, golden|reference|cli)
        mutants.py --report | --write
 
-Mutants are numbered: seed and number always make the same one of the same sources. Each is compiled
-alone, put among the objects of its module and linked into the unit tests of the module and into the
-program; tests run the fastest first until one fails. What came of it is a line of
-build/mutants/log.jsonl, and what stands there is not done again, but for what survived with other
-labels. --report tells the score of each module and the survivors, --write puts the score into
-RELIABILITY.md. Needs build/release, with its tests built.
+Mutants are numbered: the same seed, number and sources give the same mutant. Each is compiled alone and
+linked with the other objects of its module into the unit tests of the module and into the program; tests
+run, the fastest first, until one fails. Results are lines of build/mutants/log.jsonl; mutants listed there
+are not run again, except survivors of other labels. --report prints the score of each module and the
+survivors, --write puts the score into RELIABILITY.md. Needs build/release, with its tests built.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, and makes the packages: .deb files for the program, the library,
-# its headers and Python, and a .tar.gz with all of these that runs from any folder. Says where they
-# are.
+# Installs what is missing, builds, and creates the packages: .deb files for the program, the library,
+# its headers and Python, and a .tar.gz with all of these that runs from any folder. Prints their
+# paths.
 # Usage: scripts/package.sh [FOLDER]   (default: build/release/packages)
 set -euo pipefail
 

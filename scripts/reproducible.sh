@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Shows that what is made does not depend on where and when: builds in two folders, and compares the
-# bytes of every library, the program and the packages. Prints their sums; exit status 1 if any differ.
-# Usage: scripts/reproducible.sh [--against BUILD]   (a quarter of an hour a build on two cores)
-# --against: BUILD, a release build of this checkout that is there and whole, is one of the two.
+# Checks that builds do not depend on place and time: builds in two folders and compares the bytes of
+# every library, the program and the packages. Prints their checksums; exit status 1 if any differ.
+# Usage: scripts/reproducible.sh [--against BUILD]   (a quarter of an hour per build on two cores)
+# --against: BUILD, an existing complete release build of this checkout, is one of the two.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

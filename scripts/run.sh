@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, and analyses mechanisms; reports go to reports/, and for files
-# without options also a page to look at.
+# Installs what is missing, builds, and analyses mechanisms; reports go to reports/, for files without
+# options with an HTML page.
 # Usage: scripts/run.sh [OPTION | FILE]...   (default: the Ravigneaux train)
-# Options are those of `kinestat analyze`; the exit status is the program's.
+# Options are those of `kinestat analyze`; the exit status is that of the program.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

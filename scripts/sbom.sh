@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Lists what others wrote that is in the program, with versions and licences: SPDX 2.3 as JSON.
+# Lists the third-party code in the program, with versions and licences: SPDX 2.3 as JSON.
 # Usage: scripts/sbom.sh [FILE]   (default: standard output)
-# The program is built if it is not there; which libraries are in it the linker and compiler tell.
+# The program is built if necessary; the libraries in it are reported by the linker and the compiler.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that are missing; does nothing when all are there.
+# Installs the Debian packages that are missing; does nothing if all are installed.
 # Usage: scripts/setup.sh [build|package|test|sanitize|bench|lint|browser|viewers|manual]...   (default: build test)
 set -euo pipefail
 

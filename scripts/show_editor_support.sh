@@ -4,10 +4,10 @@
 # Editors with the YAML language server (VS Code with the extension "YAML" by Red Hat, Neovim,
 # Emacs, Helix, Zed and others) read the first line of a mechanism file,
 #   # yaml-language-server: $schema=../../schemas/mechanism.schema.json
-# and from then on complete keys and words, explain what the pointer rests on, and underline
-# mistakes. This script starts that server as an editor would, opens files of mechanisms/ and prints
-# what the editor shows: completion in a coupling, in a case and at the top level, hover, and the
-# messages for a file with mistakes. Nothing of it is needed to build or use kinestat.
+# and then complete keys and words, explain the key under the pointer, and underline mistakes. This
+# script starts that server as an editor would, opens files of mechanisms/ and prints what the editor
+# shows: completion in a coupling, in a case and at the top level, hover, and the messages for a file
+# with mistakes. It is not needed to build or use kinestat.
 #
 # Usage: scripts/show_editor_support.sh [FOLDER]
 #   FOLDER  where the server is installed and kept for the next time; default a temporary folder

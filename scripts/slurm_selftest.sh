@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# A sweep as a real Slurm array on one node of loopback, merged and compared with the same sweep in
-# one piece.
+# Runs a sweep as a real Slurm array on one loopback node, merges it, and compares it with the same
+# sweep in one piece.
 #
 #   scripts/slurm_selftest.sh [KINESTAT]
 #
-# Starts a controller and a node of its own in a temporary folder, on free ports, and ends them. It
-# touches no cluster that may be there. Needs slurmctld, slurmd and munged (Debian: slurmctld,
-# slurmd, munge) and root, because slurmd does; where one is missing it says so and ends with
-# status 77, which ctest counts as skipped.
+# Starts its own controller and node in a temporary folder, on free ports, and ends them; an existing
+# cluster is not touched. Needs slurmctld, slurmd and munged (Debian: slurmctld, slurmd, munge) and
+# root, because slurmd does; if one is missing, it says so and ends with status 77, which ctest counts
+# as skipped.
 set -euo pipefail
 
 root=$(cd "$(dirname "$0")/.." && pwd)

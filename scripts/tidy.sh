@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs clang-tidy on the files changed since a commit (default: HEAD), or on all.
-# Usage: scripts/tidy.sh [BASE | --all]   (about 8 s a file)
+# Usage: scripts/tidy.sh [BASE | --all]   (about 8 s per file)
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

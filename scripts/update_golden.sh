@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Rewrites the expected outputs that no longer hold; review the difference.
+# Rewrites the expected outputs that have changed; review the difference.
 # Usage: scripts/update_golden.sh [NAME | FOLDER]...   (default: all)
-#   NAME    a mechanism, as in planar_four_bar for mechanisms/planar/four_bar.yaml: its golden;
-#           or a folder of tests/cli or tests/golden that has a file cmd: what it expects
+#   NAME    a mechanism, such as planar_four_bar for mechanisms/planar/four_bar.yaml: its golden;
+#           or a folder of tests/cli or tests/golden with a file cmd: its expected output
 #   FOLDER  the path of such a folder
-# The program is built first, unless KINESTAT in the environment is the path of one.
+# The program is built first, unless KINESTAT in the environment is the path of a program.
 set -euo pipefail
 
 caller=$PWD
