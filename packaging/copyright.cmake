@@ -1,5 +1,5 @@
-# Writes ${CMAKE_CURRENT_BINARY_DIR}/copyright: the licence of kinestat, and what others wrote that is
-# in it, from dependencies.json, with the texts in licences/ that systems do not have anyway.
+# Writes ${CMAKE_CURRENT_BINARY_DIR}/copyright: the licence of kinestat and the third-party code in it, from
+# dependencies.json, with the licence texts of licences/ that systems do not have anyway.
 set(dependencies_file ${CMAKE_CURRENT_LIST_DIR}/dependencies.json)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
   ${dependencies_file} ${PROJECT_SOURCE_DIR}/LICENSE)

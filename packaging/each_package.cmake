@@ -1,9 +1,9 @@
-# Read by CPack for each kind of package. Archives and their members are as old as the version.
+# Read by CPack for each kind of package. Archives and their members get the date of the version.
 if(NOT DEFINED ENV{SOURCE_DATE_EPOCH})
   set(ENV{SOURCE_DATE_EPOCH} ${CPACK_KINESTAT_EPOCH})
 endif()
 
-# An archive is one, and unpacks into a folder of its own.
+# There is one archive, which unpacks into its own folder.
 if(NOT CPACK_GENERATOR STREQUAL "DEB")
   list(FILTER CPACK_COMPONENTS_ALL EXCLUDE REGEX "^debian_")
   list(APPEND CPACK_COMPONENTS_ALL zsh licences)

@@ -1,4 +1,4 @@
-# Writes the pages of the manual, and what shells complete by, as the program has them.
+# Writes the manual pages and the shell completions, as printed by the program.
 # cmake -DPROGRAM=… -DFOLDER=… -P shell_files.cmake
 function(write file)
   cmake_path(GET file PARENT_PATH folder)
@@ -10,7 +10,7 @@ endfunction()
 file(REMOVE_RECURSE ${FOLDER})
 write(man/man1/kinestat.1 help --man)
 
-# The page of the program names all others.
+# The page of the program lists all others.
 file(READ ${FOLDER}/man/man1/kinestat.1 page)
 string(REPLACE "\\-" "-" page "${page}")
 string(REGEX REPLACE "\\\\f[BIR]" "" page "${page}")

@@ -1,5 +1,5 @@
-# Compresses what is in the packages once more with a filter for machine code, which dpkg and lintian
-# read but do not write: a tenth less. Run by CPack behind its own work.
+# Compresses the contents of the packages again with a filter for machine code, which dpkg and lintian
+# read but do not write: a tenth smaller. Run by CPack after its own work.
 find_program(XZ_PROGRAM xz)
 find_program(AR_PROGRAM ar)
 if(NOT XZ_PROGRAM OR NOT AR_PROGRAM)

@@ -1,5 +1,5 @@
-# The Debian packages, each a group of components. A program and a library that others load are
-# packages of their own, so that the program needs none.
+# The Debian packages, each a group of components. The program and the shared library are separate
+# packages, so that the program needs no other.
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
@@ -20,7 +20,7 @@ if(AWK_PROGRAM AND GZIP_PROGRAM)
   execute_process(COMMAND ${GZIP_PROGRAM} -9nkf ${changelog} COMMAND_ERROR_IS_FATAL ANY)
 endif()
 
-# The first line of a description is its summary, which is no one for all.
+# The first line of a description is its summary; there is no common one.
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")
 
 set(packages kinestat)
@@ -69,7 +69,7 @@ parameters, those of NumPy where it is installed.")
     ${CMAKE_CURRENT_LIST_DIR}/python3-kinestat/prerm)
 endif()
 
-# The components, and for each package `debian_PACKAGE`, what has no place elsewhere.
+# The components, and for each package `debian_PACKAGE`, with the remaining files.
 set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
 set(CPACK_COMPONENTS_ALL "")
 foreach(package ${packages})

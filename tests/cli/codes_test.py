@@ -2,7 +2,7 @@
 """Every diagnostic code is unique, shown by a case of tests/cli, and explained truthfully.
 
 An explanation ends with an example, a file or commands, in which lines marked - are wrong and lines
-marked + right. The wrong version brings about its code and no other, the right one nothing.
+marked + right. The wrong version must cause its code and no other, the right one none.
 """
 
 from __future__ import annotations

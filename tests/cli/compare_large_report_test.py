@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`kinestat compare` of two reports of 50 MB: what differs is found, in little memory and time."""
+"""`kinestat compare` of two reports of 50 MB: differences are found, in little memory and time."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""What shells complete: every command, option and word that the help has, and the names of a file,
-in bash, zsh and fish as users would see it."""
+"""Shell completion: every command, option and value of the help, and the names in a file, in bash,
+zsh and fish as users would see it."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Tables load where people load them: Python, SQLite, Miller, Octave, as far as they are here.
+"""Tables load in Python, SQLite, Miller and Octave, as far as these are installed.
 
-Long and wide hold the same numbers; names of columns and units are those that the help tells.
+Long and wide tables contain the same numbers; names of columns and units are those of the help.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The pages for man(1): of the program, of every command and of every topic, with all that the help
-says of them, read by the formatter without a complaint."""
+"""The pages for man(1): of the program, of every command and of every topic, with the complete help
+text, formatted without a warning."""
 
 from __future__ import annotations
 

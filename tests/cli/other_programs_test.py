@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""What `plot --emit` writes is drawn by Graphviz and gnuplot without a complaint.
+"""Graphviz and gnuplot draw the output of `plot --emit` without a warning.
 
-A program that is not installed is left out, with a word on it.
+A program that is not installed is skipped, with a note.
 """
 
 from __future__ import annotations

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Every picture of every mechanism: well-formed, inside its view, legible, the same every time."""
+"""Every picture of every mechanism: well-formed, inside its frame, legible, reproducible."""
 
 from __future__ import annotations
 

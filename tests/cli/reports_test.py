@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The reports of every mechanism: strict JSON by the schema, and CSV that says the same."""
+"""The reports of every mechanism: strict JSON by the schema, and CSV with the same values."""
 
 from __future__ import annotations
 

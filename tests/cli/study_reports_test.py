@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The reports of studies of every mechanism, by their schemas, and CSV that says the same."""
+"""The reports of studies of every mechanism, by their schemas, and CSV with the same values."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Sweeps as arrays of NumPy: every value is that of the text, whoever shares or interrupts the run,
-and the recipes of the cookbook run as they are printed where their packages are installed."""
+"""Sweeps as NumPy arrays: every value equals that of the text, also when a run is sharded or
+interrupted, and the recipes of the cookbook run as printed if their packages are installed."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Sweeps of teeth with conditions on planets, and with limits of gears."""
+"""Sweeps of tooth numbers with conditions on planets, and with limits of gears."""
 
 from __future__ import annotations
 

@@ -1,6 +1,5 @@
 #!/usr/bin/env python3
-"""Samples of a sweep end to end: their rows hold what a second implementation draws, and mean what
-closed forms say."""
+"""Samples of a sweep, end to end: rows agree with a second implementation, means with closed forms."""
 
 from __future__ import annotations
 

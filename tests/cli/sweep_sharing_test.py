@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Sweeps end to end: nobody who shares, interrupts or damages a run changes a byte of its result
-unseen."""
+"""Sweeps, end to end: sharding, interrupting or damaging a run changes no byte of its result
+unnoticed."""
 
 from __future__ import annotations
 

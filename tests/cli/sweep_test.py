@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Sweeps end to end: what their rows say."""
+"""Sweeps, end to end: the contents of their rows."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The reports of tasks of synthesis: strict JSON by their schemas, and CSV that says the same."""
+"""The reports of synthesis tasks: strict JSON by their schemas, and CSV with the same values."""
 
 from __future__ import annotations
 
