@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """The documentation of the format is true: examples of the help, the starter files and the READMEs.
 
-An example is a block that begins with `kinestat: 1`, possibly after the name of its file, as in `#
-press.yaml`; it must be accepted without a message and follow the schema. A console block of a
+An example is a block that begins with `kinestat: 1`, possibly after the name of its file, as in
+`# press.yaml`; it must be accepted without a message and follow the schema. A console block of a
 README is run line by line, in a folder with the files named earlier on the page, and must print
-the output shown; a line `…` stands for any lines. A script that begins with its name, as in `#
-check.sh`, can be called by a console block.
+the output shown; a line `…` stands for any lines. A script that begins with its name, as in
+`# check.sh`, can be called by a console block.
 """
 
 from __future__ import annotations

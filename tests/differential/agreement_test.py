@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds every pass that sees a drawn position against what analyze says of it.
+"""Checks every pass that sees a drawn position against what analyze says of it.
 
 The first row of a motion and each row of a sweep must have the values, the status and the findings
 that analyze has of the same position.

@@ -1,4 +1,4 @@
-"""Many files through one process of the program, and what became of each."""
+"""Many files through one process of the program, and the result of each."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""Changes of a mechanism file that leave its mechanics as they are.
+"""Changes of a mechanism file that do not change its mechanics.
 
-Each takes the file, changes its tree, and says by which factor magnitudes are then multiplied;
-None where the change says nothing of this file.
+Each takes the file, changes its tree, and returns the factors by which quantities are then multiplied;
+None if the change does not apply to this file.
 """
 
 from __future__ import annotations

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds analyses of random mechanisms against plain equations in fractions.
+"""Checks analyses of random mechanisms against plain equations in fractions.
 
 Status, every rate and action, twists, wrenches, ratios and powers, and the counts. Values must keep
 the digits that are promised, or the bound of the report if it refers to the numbers as typed; what is

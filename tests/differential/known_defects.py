@@ -1,7 +1,6 @@
-"""Disagreements that are known and still open, each by what a test says of it.
+"""Known disagreements that are still open, each as reported by a test.
 
-A known defect must show: as soon as nothing of a whole run matches it, its test fails until the line
-is gone.
+A known defect must occur: if nothing in a whole run matches it, its test fails until the line is removed.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""A mechanism file as a tree of words, every scalar as it was typed, to be changed and written."""
+"""A mechanism file as a tree of texts, every scalar as typed, to be changed and written."""
 
 from __future__ import annotations
 

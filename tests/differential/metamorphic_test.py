@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds the library against itself, changed in ways that must not matter.
+"""Checks the library against itself, changed in ways that must not matter.
 
 Usage: metamorphic_test.py PROGRAM MECHANISMS [unittest arguments]
 

@@ -1,7 +1,7 @@
 """The answers of analyze, of a motion's first row and of a sweep's row, by the same names.
 
-Kinds: rate, speed of bodies, action, power, quotient. A name that a pass does not answer is absent;
-a value that it says not to exist is None.
+Kinds: rate, speed of bodies, action, power, quotient. A name without an answer of a pass is absent;
+a value that does not exist according to the pass is None.
 """
 
 from __future__ import annotations

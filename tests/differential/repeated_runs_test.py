@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds motions of the library against themselves in other steps, and sweeps and selections against
+"""Checks motions of the library against themselves in other steps, and sweeps and selections against
 other numbers of threads.
 
 Usage: repeated_runs_test.py PROGRAM MECHANISMS [unittest arguments]

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds shift tables of random trains against analyses of the same states written by hand."""
+"""Checks shift tables of random trains against analyses of the same states written by hand."""
 
 from __future__ import annotations
 

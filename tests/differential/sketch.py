@@ -1,7 +1,7 @@
-"""A mechanism as drawn, in fractions: its screws, and the file that says the same.
+"""A mechanism as drawn, in fractions: its screws, and its file.
 
-Axes that are no world axes have whole lengths, as (3, 4) or (1, 2, 2), so that all numbers of the
-unit screws are fractions.
+Oblique axes have integer lengths, such as (3, 4) or (1, 2, 2), so that all numbers of the unit screws
+are fractions.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The list of faults as faults.yaml has it, and whether what it names exists."""
+"""The list of faults of faults.yaml, and whether the tests it names exist."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import yaml
 from program import ROOT
 
 CASES = ROOT / "tests" / "cli"
-# Numbers that the list has never had.
+# Numbers that were never assigned.
 NEVER_GIVEN = {104, 125}
 
 

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Every fault of faults.yaml on every command that it can meet.
+"""Every fault of faults.yaml on every command to which it applies.
 
 Usage: faults_test.py --program PROGRAM [--write] [unittest arguments]
 
---write brings the table of RELIABILITY.md up to date. With sanitizers, which make a run fifty times
-slower, each fault meets some of the commands, and all commands meet some faults.
+--write updates the table of RELIABILITY.md. With sanitizers, which make a run fifty times slower, each
+fault is tried on some commands, and every command with some faults.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Files that are wrong, or odd and yet right, through every command."""
+"""Wrong files, and unusual but valid ones, through every command."""
 
 from __future__ import annotations
 

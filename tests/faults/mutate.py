@@ -1,6 +1,6 @@
-"""Valid mechanism files with something changed, as a tree and not as bytes.
+"""Mutations of valid mechanism files, as trees and not as bytes.
 
-Seeds are the mechanisms of the library; words to put in come from the schema.
+The originals are the mechanisms of the library; inserted words come from the schema.
 """
 
 from __future__ import annotations

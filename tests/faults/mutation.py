@@ -1,4 +1,4 @@
-"""One changed file through every command, and what must hold of all that is said of it."""
+"""One mutated file through every command, and what must hold for all answers."""
 
 from __future__ import annotations
 

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Valid files with something changed, through every command and every oracle.
+"""Mutated valid files, through every command and every oracle.
 
 Usage: mutation_test.py --program PROGRAM [--minutes M] [--first SEED] [unittest arguments]
 
-Without --minutes the same few seeds every time, and the files of corpus/, which have once shown a
-defect; with it as many as fit from --first on, each complaint with its seed and its file.
+Without --minutes the same few seeds every time, and the files of corpus/, each of which has once shown
+a defect; with it as many seeds as fit from --first on, each complaint with its seed and its file.
 """
 
 from __future__ import annotations

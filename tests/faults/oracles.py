@@ -1,6 +1,6 @@
-"""What must agree in what the program says of one file, whatever the file is.
+"""What must agree between the reports of one file, for any file.
 
-Each oracle takes reports as they were written and yields what disagrees.
+Each oracle takes the reports as written and yields the disagreements.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The table of RELIABILITY.md: what is promised of each fault, and what holds it."""
+"""The table of RELIABILITY.md: the promise for each fault, and its tests."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""That the driver can fail: programs that break one promise each, and what is then said.
+"""The driver can fail: programs that break one promise each, and what is then reported.
 
-Each of these programs is a script that asks the true one and spoils the answer.
+Each of these programs is a script that calls the true one and spoils the answer.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The program, its commands as its help lists them, and one run with what it cost and left."""
+"""The program, its commands as listed by its help, and one run with its cost and leftovers."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What holds of every run, whatever was asked of the program."""
+"""What holds for every run, with any arguments."""
 
 from __future__ import annotations
 

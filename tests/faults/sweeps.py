@@ -1,4 +1,4 @@
-"""A sweep of two states of a file: the oracle that each row says what analyze says of it."""
+"""A sweep of two states of a file: the oracle that each row agrees with analyze."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds what analysis promises of its digits and its zeros against fractions.
+"""Checks what analysis promises of its digits and its zeros against fractions.
 
 Usage: accuracy_test.py PROGRAM [unittest arguments]
 """

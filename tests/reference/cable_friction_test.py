@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds belts and capstans against the closed forms of Euler and Eytelwein.
+"""Checks belts and capstans against the closed forms of Euler and Eytelwein.
 
 Usage: cable_friction_test.py PROGRAM [unittest arguments]
 """

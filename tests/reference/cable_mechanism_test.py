@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds the mechanisms with ropes of the library against the tables that Alves 2023 prints.
+"""Checks the mechanisms with ropes of the library against the tables that Alves 2023 prints.
 
 Usage: cable_mechanism_test.py PROGRAM MECHANISMS [unittest arguments]
 """

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds ropes of the section `cables` against the pulleys of davies.json, which have RR chains.
+"""Checks ropes of the section `cables` against the pulleys of davies.json, which have RR chains.
 
 Usage: cable_test.py PROGRAM [unittest arguments]
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds numbers that move against their tables, interpolated here, and against what other commands
+"""Checks numbers that move against their tables, interpolated here, and against what other commands
 say of the same position.
 
 Usage: curve_test.py PROGRAM [unittest arguments]

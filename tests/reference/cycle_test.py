@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What a motion with inertia comes to as a whole: flywheels, harmonics, counterweights, limit speeds,
+"""Overall results of a motion with inertia: flywheels, harmonics, counterweights, limit speeds,
 against closed forms and the cases of dynamics.json.
 
 Usage: cycle_test.py PROGRAM [unittest arguments]

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds the program against every case of davies.json, each as a file of its own.
+"""Checks the program against every case of davies.json, each as a file of its own.
 
 Usage: davies_test.py PROGRAM [unittest arguments]
 """

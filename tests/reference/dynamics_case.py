@@ -1,6 +1,6 @@
-"""What tests of mechanisms with inertia share: the cases of dynamics.json, and how near is near.
+"""Shared by tests of mechanisms with inertia: the cases of dynamics.json, and tolerances.
 
-The expected rows stand there with the mechanisms they are of, by two or three independent ways: Newton
+The expected rows are there with their mechanisms, by two or three independent methods: Newton
 and Euler's equations of each body in forty digits, the reduced equation by virtual power, and a
 multibody program.
 """

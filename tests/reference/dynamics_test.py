@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds mechanisms with inertia, row by row, against two or three independent ways.
+"""Checks mechanisms with inertia, row by row, against two or three independent ways.
 
 Usage: dynamics_test.py PROGRAM [unittest arguments]
 """

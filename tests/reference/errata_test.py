@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Where the sources print what is wrong: the right value, and that the printed one is another.
+"""Errata of the sources: the right value, and that it differs from the printed one.
 
 Usage: errata_test.py PROGRAM MECHANISMS [unittest arguments]
 """

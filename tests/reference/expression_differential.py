@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds the program's expressions against another parser: Python's own, on translated text.
+"""Checks the program's expressions against another parser: Python's own, on translated text.
 
 Random expressions become parameters of a mechanism file; the values in the report must be those
 that Python finds for the same text, and faulty ones must be refused in their lines.

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds the program against the gearboxes of davies.json, gear by gear.
+"""Checks the program against the gearboxes of davies.json, gear by gear.
 
 Usage: gearbox_test.py PROGRAM [unittest arguments]
 """

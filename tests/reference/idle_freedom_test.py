@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds cases that leave the spin of a rod between two balls open against closed forms.
+"""Checks cases that leave the spin of a rod between two balls open against closed forms.
 
 Usage: idle_freedom_test.py PROGRAM [unittest arguments]
 """

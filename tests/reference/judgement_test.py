@@ -1,4 +1,4 @@
-"""What analysis says of a position, motions, sweeps, shift tables and pages say of it too."""
+"""Motions, sweeps, shift tables and pages give the same verdict on a position as analysis."""
 
 from __future__ import annotations
 

@@ -2,7 +2,7 @@
 """Derivatives and affine forms at corners and jumps, against the closed form m = F x of a lever.
 
 At a corner the slopes of both sides differ, at a jump one is infinite: there is no derivative, and
-the report says so. Towards a parameter that does not come to the corner there is one all the same.
+the report says so. With respect to a parameter that does not cross the corner there is one.
 
 Usage: kink_test.py PROGRAM [unittest arguments]
 """

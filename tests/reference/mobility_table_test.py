@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds the program against the counts that tables of davies.json collect from the sources.
+"""Checks the program against the counts that tables of davies.json collect from the sources.
 
 Usage: mobility_table_test.py PROGRAM [unittest arguments]
 """

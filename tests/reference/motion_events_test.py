@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds what happens between the positions of a motion against closed forms.
+"""Checks what happens between the positions of a motion against closed forms.
 
 Usage: motion_events_test.py PROGRAM MECHANISMS [unittest arguments]
 """

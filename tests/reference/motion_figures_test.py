@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds the extremes and means of a motion, wherever its steps fall, against closed forms.
+"""Checks the extremes and means of a motion, wherever its steps fall, against closed forms.
 
 Usage: motion_figures_test.py PROGRAM MECHANISMS [unittest arguments]
 """

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds motions with friction against closed forms where what slides comes to rest.
+"""Checks motions with friction against closed forms where what slides comes to rest.
 
 Usage: motion_friction_test.py PROGRAM MECHANISMS [unittest arguments]
 """

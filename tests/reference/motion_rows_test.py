@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds the rows of motions against closed forms where they come to rest, or nearly.
+"""Checks the rows of motions against closed forms where they come to rest, or nearly.
 
 Usage: motion_rows_test.py PROGRAM MECHANISMS [unittest arguments]
 """

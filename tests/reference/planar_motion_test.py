@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds motions of planar linkages against closed forms, and their tables against each other.
+"""Checks motions of planar linkages against closed forms, and their tables against each other.
 
 Usage: planar_motion_test.py PROGRAM MECHANISMS [unittest arguments]
 """

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds the shift table of a two-speed rack drive to closed form, in several units.
+"""Checks the shift table of a two-speed rack drive to closed form, in several units.
 
 Usage: rack_shift_test.py PROGRAM [unittest arguments]
 """

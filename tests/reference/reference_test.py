@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds the Ravigneaux transmission of the library against exact and printed values.
+"""Checks the Ravigneaux transmission of the library against exact and printed values.
 
 Usage: reference_test.py PROGRAM MECHANISMS [unittest arguments]
 """

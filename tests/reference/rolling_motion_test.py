@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds motions of cams, gears and ropes against closed forms.
+"""Checks motions of cams, gears and ropes against closed forms.
 
 Usage: rolling_motion_test.py PROGRAM MECHANISMS [unittest arguments]
 """

@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
 """Derivatives by the adjoint against central differences of whole analyses with --set.
 
-For every mechanism of the library with parameters: the usual values of its first case that is
-solved, by every parameter. Of those with friction, and of some that rub in every way there is: all
-actions, frictions and powers of every case, against differences of the report. In the same way all
-that stiffness or the least norm completes. Parameters that are
-whole numbers of teeth move by a thousandth all the same: formulas do not mind.
+For every mechanism of the library with parameters: the default values of its first solved case, by
+every parameter. For those with friction, and some with every kind of friction: all actions, frictions
+and powers of every case, against differences of reports; likewise for everything completed by
+stiffness or least norm. Tooth numbers are also varied by a thousandth: the formulas allow it.
 """
 
 from __future__ import annotations

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds the states of random transmissions against exact fractions: class, ratio, slips, torques.
+"""Checks the states of random transmissions against exact fractions: class, ratio, slips, torques.
 
 Usage: shift_differential.py PROGRAM [COUNT [FIRST]]
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds shift tables against exact equations of Willis, gear by gear and class by class.
+"""Checks shift tables against exact equations of Willis, gear by gear and class by class.
 
 Usage: shift_test.py PROGRAM MECHANISMS [unittest arguments]
 """

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Simulations in which meshes lose power, by closed forms: constant accelerations while one gear drives.
+"""Simulations with mesh losses, by closed forms: constant accelerations while one gear drives.
 
 Usage: simulation_loss_test.py KINESTAT
 """

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What couplings bear in simulations, by momentum and by closed forms.
+"""Actions of couplings in simulations, by momentum and by closed forms.
 
 Usage: simulation_reaction_test.py KINESTAT
 """

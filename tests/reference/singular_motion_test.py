@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds motions through singular positions against closed forms.
+"""Checks motions through singular positions against closed forms.
 
 Usage: singular_motion_test.py PROGRAM MECHANISMS [unittest arguments]
 """

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds motions of spatial linkages against closed forms.
+"""Checks motions of spatial linkages against closed forms.
 
 Usage: spatial_motion_test.py PROGRAM MECHANISMS [unittest arguments]
 """

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds the tasks of mechanisms/synthesis against numbers that this program did not compute.
+"""Checks the tasks of mechanisms/synthesis against numbers that this program did not compute.
 
 Usage: synthesis_test.py PROGRAM MECHANISMS   Known linkages are found again; the dyads of the tables
 of do Valle 1983 were computed in arithmetic of 60 digits by an elimination of its own, from the

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds block and tackle and the differential hoist of Weston against their closed forms.
+"""Checks block and tackle and the differential hoist of Weston against their closed forms.
 
 Usage: tackle_test.py PROGRAM [unittest arguments]
 """
