@@ -12,7 +12,6 @@
 #include "core/tolerance.hpp"
 #include "mechanism/bind/bind.hpp"
 #include "studies/sweep/task/row_status.hpp"
-#include "studies/sweep/task/sizes.hpp"
 #include "studies/sweep/task/sweep_samples.hpp"
 
 namespace kinestat {
@@ -91,14 +90,21 @@ std::optional<double> gear_ratio(const SweepTask& task, std::size_t row, const C
 // Whether a value is so far from the others, from what the case knows, or a ratio from one, that it
 // may be made of what rounding left.
 bool may_be_rounding(const SweepTask& task, const Case& which, const SweepRow& row) {
-  Sizes sizes;
-  sizes.compare_with(largest_known(task, which));
+  double largest = largest_known(task, which);
+  double least = std::numeric_limits<double>::infinity();
   for (std::size_t q = 0; q < row.values.size(); ++q) {
     const SweepColumnKind kind = task.columns[q].kind;
-    sizes.add(row.values[q]);
-    sizes.add(kind == SweepColumnKind::ratio || kind == SweepColumnKind::torque_ratio ? 1.0 : 0.0);
+    const double size = std::abs(row.values[q]);
+    if (size > 0.0) {  // which no value is not
+      largest = std::max(largest, size);
+      least = std::min(least, size);
+    }
+    if (kind == SweepColumnKind::ratio || kind == SweepColumnKind::torque_ratio) {
+      largest = std::max(largest, 1.0);
+      least = std::min(least, 1.0);
+    }
   }
-  return sizes.are_apart();
+  return least < kSameValue * largest;
 }
 
 StateSolver::StateSolver(const SweepTask& task, std::size_t lanes)

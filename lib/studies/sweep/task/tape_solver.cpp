@@ -6,8 +6,8 @@
 
 #include "core/tolerance.hpp"
 #include "power/rate_ratio.hpp"
+#include "studies/sweep/task/lane_rows.hpp"
 #include "studies/sweep/task/row_status.hpp"
-#include "studies/sweep/task/sizes.hpp"
 #include "studies/sweep/task/state_solver.hpp"
 #include "studies/sweep/task/sweep_task.hpp"
 
@@ -44,6 +44,7 @@ TapeSolver::TapeSolver(const SweepTask& task, const SweepTapes& tapes, std::size
       mechanism_(task.mechanism),
       is_loaded_(lanes, 0),
       has_answer_(lanes, 0),
+      has_plain_ratios_(lanes * task.cases.size(), 0),
       has_combinations_(std::ranges::any_of(task.gears, is_no_gear)),
       ratio_columns_(find_columns(task.columns, SweepColumnKind::ratio)),
       torque_ratio_columns_(find_columns(task.columns, SweepColumnKind::torque_ratio)),
@@ -160,53 +161,61 @@ void TapeSolver::fill(std::size_t count, std::span<SweepRow> rows) {
   for (std::size_t lane = 0; lane < count; ++lane) {
     has_answer_[lane] = is_loaded_[lane] != 0 && tapes_.tape.is_met(workspace_, lane) ? 1 : 0;
   }
-  if (asks_nothing_else_) {
-    fill_columns(count, rows);
-    return;
+  for (std::size_t i = 0; i < cases; ++i) {
+    if (!is_no_gear(task_.gears[i])) {
+      fill_columns(i, rows);
+    }
   }
-  for (std::size_t lane = 0; lane < count; ++lane) {
+  for (std::size_t lane = 0; lane < count && !asks_nothing_else_; ++lane) {
     const bool is_filled =
         has_answer_[lane] != 0 && fill_cases(lane, rows.subspan(lane * cases, cases));
     has_answer_[lane] = is_filled ? 1 : 0;
   }
 }
 
-// Column by column, of which nothing but the tape decides.
-void TapeSolver::fill_columns(std::size_t count, std::span<SweepRow> rows) {
-  if (workspace_.lanes() == kLanes) {
-    fill_columns_of<kLanes>(count, rows);
-  } else {
-    fill_columns_of<1>(count, rows);
+// What the tape alone decides on, of all lanes: where no state is in one, too.
+void TapeSolver::fill_columns(std::size_t i, std::span<SweepRow> rows) {
+  const std::size_t cases = task_.cases.size();
+  const CaseTape& taped = tapes_.cases[i];
+  const std::span<SweepRow> from = rows.subspan(i);
+  for (std::size_t lane = 0; lane < workspace_.lanes(); ++lane) {
+    SweepRow& row = from[lane * cases];
+    row.status = "solved";
+    if (taped.columns.size() + taped.ratios.size() < row.values.size()) {
+      std::ranges::fill(row.values, kNoValue);
+    }
+  }
+  LaneMagnitudes columns(taped.known);
+  columns.add(workspace_, taped.columns);
+  fill_lanes(workspace_, taped.columns, from, cases);
+  keep_clear(columns);
+  demand_clear_ends(taped.input_rates, taped.output_rates);
+  demand_clear_ends(taped.input_actions, taped.output_actions);
+  if (!taped.ratios.empty() && !task_.gears[i]) {
+    LaneMagnitudes ratios(1.0);
+    ratios.add(workspace_, taped.ratios);
+    fill_lanes(workspace_, taped.ratios, from, cases);
+    for (std::size_t lane = 0; lane < workspace_.lanes(); ++lane) {
+      has_plain_ratios_[lane * cases + i] = ratios.are_clear(lane) ? 1 : 0;
+    }
   }
 }
 
-// Of lanes without a state the numbers are looked at, too: a fixed number of lanes is a vector.
-template <std::size_t lanes>
-void TapeSolver::fill_columns_of(std::size_t count, std::span<SweepRow> rows) {
-  const std::size_t cases = task_.cases.size();
-  double doubts[lanes] = {};  // above zero where a value is faint, no number if it is not finite
-  for (SweepRow& row : rows.first(count * cases)) {
-    row.status = "solved";
+void TapeSolver::keep_clear(const LaneMagnitudes& magnitudes) {
+  for (std::size_t lane = 0; lane < workspace_.lanes(); ++lane) {
+    has_answer_[lane] = has_answer_[lane] != 0 && magnitudes.are_clear(lane) ? 1 : 0;
   }
-  for (std::size_t i = 0; i < cases; ++i) {
-    SizesOf<lanes> sizes;
-    sizes.compare_with(tapes_.cases[i].known);
-    for (const TapedColumn& one : tapes_.cases[i].columns) {
-      const double* values = workspace_.numbers(one.cell);
-      sizes.add(values);
-      for (std::size_t lane = 0; lane < lanes; ++lane) {
-        doubts[lane] += 0.0 * values[lane];
-      }
-      for (std::size_t lane = 0; lane < count; ++lane) {
-        rows[lane * cases + i].values[one.column] = values[lane];
-      }
-    }
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-      doubts[lane] += sizes.are_apart(lane) ? 1.0 : 0.0;
-    }
-  }
-  for (std::size_t lane = 0; lane < count; ++lane) {
-    has_answer_[lane] = has_answer_[lane] != 0 && doubts[lane] == 0.0 ? 1 : 0;
+}
+
+// An input or output may be so small beside the other that it is rounding, and a ratio of them
+// nothing: then the whole analysis decides.
+void TapeSolver::demand_clear_ends(std::span<const std::size_t> inputs,
+                                   std::span<const std::size_t> outputs) {
+  if (!inputs.empty() || !outputs.empty()) {
+    LaneMagnitudes ends;
+    ends.add(workspace_, inputs);
+    ends.add(workspace_, outputs);
+    keep_clear(ends);
   }
 }
 
@@ -259,22 +268,6 @@ bool TapeSolver::sums_inputs(const CaseTape& taped, std::size_t lane) {
   return std::abs(sum) > kSameValue * terms;
 }
 
-// Whether an input or output is so small beside the other that it may be rounding, and a ratio of
-// them nothing: then the whole analysis decides.
-bool TapeSolver::has_faint_ends(const CaseTape& taped, std::size_t lane) {
-  const auto are_apart = [&](std::span<const std::size_t> in, std::span<const std::size_t> out) {
-    Sizes sizes;
-    for (const std::span<const std::size_t> cells : {in, out}) {
-      for (const std::size_t cell : cells) {
-        sizes.add(workspace_.number(cell, lane));
-      }
-    }
-    return sizes.are_apart();
-  };
-  return are_apart(taped.input_rates, taped.output_rates) ||
-         are_apart(taped.input_actions, taped.output_actions);
-}
-
 TapeSolver::TapedRatios TapeSolver::find_ratios(const CaseTape& taped, std::size_t lane) {
   const std::optional<double> fast = common_rate(read(taped.input_rates, lane));
   if (!fast) {
@@ -316,47 +309,26 @@ void TapeSolver::fill_ratios(const CaseTape& taped,
   }
 }
 
-bool TapeSolver::fill_columns(std::span<const TapedColumn> columns,
-                              double known,
-                              std::size_t lane,
-                              SweepRow& row) const {
-  int too_large = 0;
-  Sizes sizes;
-  sizes.compare_with(known);
-  for (const TapedColumn& one : columns) {
-    const double value = workspace_.number(one.cell, lane);
-    row.values[one.column] = value;
-    sizes.add(value);
-    too_large += std::abs(value) <= kLargestMagnitude ? 0 : 1;
-  }
-  return too_large == 0 && !sizes.are_apart();
-}
-
 // Whether no cable pushes and no contact pulls.
 bool TapeSolver::is_possible(const CaseTape& taped, std::size_t lane) const {
   return std::ranges::all_of(
       taped.one_sided, [&](std::size_t cell) { return workspace_.number(cell, lane) >= 0.0; });
 }
 
-// False where a number is too large, or the case is no gear or not possible in this state.
+// False where the case is no gear or not possible in this state.
 bool TapeSolver::fill_case(std::size_t i, std::size_t lane, SweepRow& row) {
   const CaseTape& taped = tapes_.cases[i];
   if ((task_.gears[i] && !drives_output(taped, lane)) || !is_possible(taped, lane) ||
-      !sums_inputs(taped, lane) || has_faint_ends(taped, lane)) {
+      !sums_inputs(taped, lane)) {
     return false;
   }
-  if (taped.columns.size() + taped.ratios.size() < row.values.size()) {
-    std::ranges::fill(row.values, kNoValue);
-  }
-  row.status = "solved";
-  const bool has_plain_ratios = !taped.ratios.empty() && !task_.gears[i];
-  if (taped.has_ratios && !(has_plain_ratios && fill_columns(taped.ratios, 1.0, lane, row))) {
+  if (taped.has_ratios && has_plain_ratios_[lane * task_.cases.size() + i] == 0) {
     const TapedRatios ratios = find_ratios(taped, lane);
     fill_ratios(taped, ratios, row);
     row.status = status_of(taped, ratios, lane);
     ratios_[i] = task_.gears[i] ? ratios.ratio : std::nullopt;
   }
-  return fill_columns(taped.columns, taped.known, lane, row) && fill_powers(i, lane, row);
+  return fill_powers(i, lane, row);
 }
 
 // False where a value is missing that an analysis may have, or may have a reason not to have.

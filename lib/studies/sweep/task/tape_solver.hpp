@@ -20,6 +20,7 @@
 namespace kinestat {
 
 class StateBinder;
+struct LaneMagnitudes;
 struct SweepTask;
 
 /// What stands in a row where a quantity has no value.
@@ -66,15 +67,14 @@ class TapeSolver {
                   const StateWalk& walk,
                   std::size_t lane);
   bool decide_gears(std::size_t lane);
-  void fill_columns(std::size_t count, std::span<SweepRow> rows);
-  template <std::size_t lanes>
-  void fill_columns_of(std::size_t count, std::span<SweepRow> rows);
+  void fill_columns(std::size_t i, std::span<SweepRow> rows);
+  void demand_clear_ends(std::span<const std::size_t> inputs, std::span<const std::size_t> outputs);
+  void keep_clear(const LaneMagnitudes& magnitudes);
   bool fill_cases(std::size_t lane, std::span<SweepRow> rows);
   bool fill_case(std::size_t i, std::size_t lane, SweepRow& row);
   bool is_possible(const CaseTape& taped, std::size_t lane) const;
   bool drives_output(const CaseTape& taped, std::size_t lane);
   bool sums_inputs(const CaseTape& taped, std::size_t lane);
-  bool has_faint_ends(const CaseTape& taped, std::size_t lane);
   TapedRatios find_ratios(const CaseTape& taped, std::size_t lane);
   std::string_view status_of(const CaseTape& taped, const TapedRatios& ratios, std::size_t lane);
   bool fill_powers(std::size_t i, std::size_t lane, SweepRow& row);
@@ -85,13 +85,6 @@ class TapeSolver {
   void fill_ratios(const CaseTape& taped, const TapedRatios& ratios, SweepRow& row) const;
   std::span<const double> read(std::span<const std::size_t> outputs, std::size_t lane);
 
-  // Whether all are finite, and none is so small beside the others and what is known that it may be
-  // rounding.
-  bool fill_columns(std::span<const TapedColumn> columns,
-                    double known,
-                    std::size_t lane,
-                    SweepRow& row) const;
-
   const SweepTask& task_;
   const SweepTapes& tapes_;
   LaneTape::Workspace workspace_;
@@ -100,6 +93,7 @@ class TapeSolver {
   Mechanism mechanism_;          ///< with what of a state is bound
   std::vector<char> is_loaded_;  ///< of each lane
   std::vector<char> has_answer_;
+  std::vector<char> has_plain_ratios_;  ///< of each lane and case: those of the tape count
 
   // An input that the tape reads.
   struct Load {
