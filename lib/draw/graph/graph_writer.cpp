@@ -15,7 +15,8 @@ constexpr double kNodeText = 12.5;
 constexpr double kLabelText = 11.5;
 constexpr double kNodeHalfHeight = 13.0;
 constexpr double kBetweenEdges = 30.0;  // parallel edges, in their middle [px]
-constexpr double kBetweenLines = 5.0;   // the lines of one edge
+constexpr double kMostBetweenEdges = 70.0;
+constexpr double kBetweenLines = 5.0;  // the lines of one edge
 constexpr double kWidest = 11.0;
 constexpr double kHair = 1.2;
 
@@ -105,12 +106,31 @@ class GraphWriter {
     for (std::size_t e = 0; e < model_.edges.size(); ++e) {
       curves.push_back(curves_of(e));
       for (const Curve& curve : curves.back()) {
-        for (std::size_t i = 1; i < curve.points.size(); ++i) {
-          placer_.keep_off(curve.points[i - 1], curve.points[i]);
-        }
+        keep_off(e, curve);
       }
     }
     return curves;
+  }
+
+  // Arrows of power by both their sides and the head.
+  void keep_off(std::size_t e, const Curve& curve) {
+    const double half = has_power(e) ? power_width(power_of(e)->size, largest_) / 2 : 0.0;
+    const std::size_t last = curve.points.size() - 1;
+    for (std::size_t i = 1; i <= last; ++i) {
+      const PixelPoint aside = half * left_of(unit_of(curve.points[i] - curve.points[i - 1]));
+      placer_.keep_off(curve.points[i - 1] + aside, curve.points[i] + aside);
+      if (half > 1.0) {
+        placer_.keep_off(curve.points[i - 1] - aside, curve.points[i] - aside);
+      }
+    }
+    if (has_power(e)) {
+      const bool is_forward = power_of(e)->is_forward;
+      const PixelPoint tip = curve.points[is_forward ? last : 0];
+      const PixelPoint out = curve.direction(is_forward ? 1.0 : 0.0);
+      const double head = head_length(2 * half);
+      const PixelPoint back = tip - (is_forward ? head : -head) * out;
+      placer_.keep_off(back + 0.4 * head * left_of(out), back - 0.4 * head * left_of(out));
+    }
   }
 
   PixelPoint place(int node) const { return places_[static_cast<std::size_t>(node)]; }
@@ -125,16 +145,34 @@ class GraphWriter {
     }
     offsets_.resize(model_.edges.size(), 0.0);
     for (const auto& [pair, edges] : parallel) {
-      double width = -kBetweenEdges;
+      const double between = room_between(pair.first, pair.second, edges);
+      double width = -between;
       for (const std::size_t e : edges) {
-        width += kBetweenEdges + bundle_width(e);
+        width += between + bundle_width(e);
       }
       double at = -width / 2;
       for (const std::size_t e : edges) {
         offsets_[e] = at + bundle_width(e) / 2;
-        at += bundle_width(e) + kBetweenEdges;
+        at += bundle_width(e) + between;
       }
     }
+  }
+
+  // So much that the label of each edge fits in, which takes more the steeper the edges are.
+  double room_between(int tail, int head, const std::vector<std::size_t>& edges) const {
+    constexpr double kAround = 8.0;
+    const PixelPoint across = left_of(unit_of(place(head) - place(tail)));
+    double room = kBetweenEdges;
+    for (const std::size_t e : edges) {
+      room = std::max(room, size_across(label_text(e), label_style(e), across) + kAround);
+    }
+    return std::min(room, kMostBetweenEdges);
+  }
+
+  // Of a text in that direction.
+  static double size_across(const std::string& text, const TextStyle& style, PixelPoint across) {
+    return std::abs(across.x) * text_width(text, style.size, style.weight) +
+           std::abs(across.y) * style.size;
   }
 
   double bundle_width(std::size_t e) const {
@@ -313,27 +351,35 @@ class GraphWriter {
     write_label(svg_, label, far, port.text, style);
   }
 
+  bool has_power(std::size_t e) const {
+    const ModelPower* power = power_of(e);
+    return power != nullptr && power->size > 0.0;
+  }
+
+  std::string label_text(std::size_t e) const {
+    const std::string& label = model_.edges[e].label;
+    return has_power(e) ? label + ": " + power_of(e)->text : label;
+  }
+
+  TextStyle label_style(std::size_t e) const {
+    return {.ink = has_power(e) || power_of(e) == nullptr ? Ink::ink : Ink::soft,
+            .size = kLabelText,
+            .weight = has_power(e) ? Weight::bold : Weight::normal,
+            .anchor = Anchor::middle,
+            .has_halo = true};
+  }
+
   void draw_label(std::size_t e, const Curve& curve) {
-    const ModelEdge& edge = model_.edges[e];
-    if (edge.stroke == EdgeStroke::background) {
+    if (model_.edges[e].stroke == EdgeStroke::background) {
       return;
     }
-    const ModelPower* power = power_of(e);
-    const bool has_power = power != nullptr && power->size > 0.0;
-    const std::string text = has_power ? edge.label + ": " + power->text : edge.label;
-    const TextStyle style = {.ink = has_power || power == nullptr ? Ink::ink : Ink::soft,
-                             .size = kLabelText,
-                             .weight = has_power ? Weight::bold : Weight::normal,
-                             .anchor = Anchor::middle,
-                             .has_halo = true};
-    const double half_width = text_width(text, style.size, style.weight) / 2;
-    const double beside = has_power ? power_width(power->size, largest_) / 2 : 1.0;
+    const std::string text = label_text(e);
+    const TextStyle style = label_style(e);
+    const double beside = has_power(e) ? power_width(power_of(e)->size, largest_) / 2 : 1.0;
     std::vector<PixelPoint> middles;
-    for (const double share : {0.5, 0.42, 0.58, 0.34, 0.72, 0.26}) {
+    for (const double share : {0.5, 0.42, 0.58, 0.34, 0.72, 0.26, 0.8, 0.18}) {
       const PixelPoint across = left_of(curve.direction(share));
-      // As far off the line as half of the text is long in that direction.
-      const double away = beside + 3.0 + std::abs(across.x) * half_width +
-                          std::abs(across.y) * style.size / 2 + bundle_width(e) / 2;
+      const double away = beside + 3.0 + size_across(text, style, across) / 2 + bundle_width(e) / 2;
       middles.push_back(curve.at(share) + away * across);
       middles.push_back(curve.at(share) - away * across);
     }

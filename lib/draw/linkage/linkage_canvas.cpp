@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "core/text.hpp"
 #include "draw/symbols.hpp"
 #include "draw/text_styles.hpp"
 
@@ -113,29 +114,41 @@ void LinkageCanvas::name(std::string text, PixelPoint anchor, double distance, I
                     .style = {.ink = ink, .size = 13.0, .weight = Weight::bold, .has_halo = true}});
 }
 
+// Of couplings that share a place, as all those on the axis of a gear train do, the first few are
+// named; all of them in the title.
 void LinkageCanvas::name_couplings() {
   constexpr double kNear = 5.0;
-  std::vector<WaitingName> found;
+  constexpr std::size_t kMostNamed = 4;
+
+  struct Place {
+    PixelPoint at;
+    std::vector<std::string> couplings;
+  };
+
+  std::vector<Place> found;
   for (int e = 0; e < analysis_.mechanism.topology.coupling_count(); ++e) {
-    const CouplingTopology& coupling = analysis_.mechanism.topology.coupling(CouplingId{e});
     const auto& written = analysis_.description.couplings[static_cast<std::size_t>(e)];
     if (written.part != nullptr && written.part->segment == 0) {
       continue;  // of a virtual link
     }
     const PixelPoint at = view_.at(place(CouplingId{e}));
-    const auto same = std::ranges::find_if(
-        found, [&](const WaitingName& name) { return length_of(name.anchor - at) < kNear; });
-    if (same != found.end()) {
-      same->text += ", " + coupling.name;
-    } else {
-      found.push_back(
-          {.text = coupling.name,
-           .anchor = at,
-           .distance = 8.0,
-           .style = {.ink = Ink::ink, .size = 12.0, .has_halo = true, .is_italic = true}});
+    auto same = std::ranges::find_if(
+        found, [&](const Place& other) { return length_of(other.at - at) < kNear; });
+    if (same == found.end()) {
+      same = found.insert(same, {.at = at, .couplings = {}});
     }
+    same->couplings.push_back(analysis_.mechanism.topology.coupling(CouplingId{e}).name);
   }
-  names_.insert(names_.end(), found.begin(), found.end());
+  for (const Place& one : found) {
+    names_.push_back(
+        {.text = plain_list(one.couplings, kMostNamed),
+         .title = one.couplings.size() > kMostNamed
+                      ? plain_list(one.couplings, one.couplings.size())
+                      : std::string(),
+         .anchor = one.at,
+         .distance = 8.0,
+         .style = {.ink = Ink::ink, .size = 12.0, .has_halo = true, .is_italic = true}});
+  }
 }
 
 void LinkageCanvas::draw_paths() {
@@ -257,7 +270,13 @@ void LinkageCanvas::draw_names() {
   open_layer("names");
   for (const WaitingName& name : names_) {
     const PlacedName label = placer_.place(name.anchor, name.text, name.style, name.distance);
+    if (!name.title.empty()) {
+      svg_.open_group(name.title);
+    }
     write_label(svg_, label, name.anchor, name.text, name.style);
+    if (!name.title.empty()) {
+      svg_.close_group();
+    }
   }
   svg_.close_group();
 }

@@ -68,6 +68,7 @@ class LinkageCanvas {
  private:
   struct WaitingName {
     std::string text;
+    std::string title = {};  ///< shown under the pointer, where there is one
     PixelPoint anchor;
     double distance = 0.0;
     TextStyle style;
