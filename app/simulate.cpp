@@ -6,7 +6,7 @@ namespace kinestat::app {
 void add_simulate(CLI::App& command, Job& job) {
   command.footer(
       "  kinestat simulate pendulum.yaml\n"
-      "  kinestat simulate --report action --format csv pendulum.yaml\n"
+      "  kinestat simulate --report action --format csv --layout wide pendulum.yaml\n"
       "  kinestat simulate --format csv --curve torque=motor.csv press.yaml\n");
 
   struct Flags {
@@ -19,6 +19,7 @@ void add_simulate(CLI::App& command, Job& job) {
   add_files(command, files);
   add_curves(command, files.analyse.load);
   add_format(command, files);
+  add_layout(command, files);
   add_repeated(command,
                "--report",
                flags->report,
