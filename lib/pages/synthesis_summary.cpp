@@ -24,19 +24,23 @@ std::string with_article(const std::string& noun) {
   return fmt::format("{} {}", kVowels.find(noun.front()) == kVowels.npos ? "a" : "an", noun);
 }
 
-// "3 of 6 linkages are usable"; of a selection "388 of 4096 choices have a usable linkage".
+// "3 of 6 linkages are usable", "1 of 6 linkages is usable"; of a selection "388 of 4096 choices
+// have a usable linkage".
 std::string usable_text(const SynthesisAnalysis& synthesis, const SynthesisTask& task) {
   if (synthesis.selection) {
     const SelectionCounts& counts = *synthesis.selection;
-    return fmt::format("{} of {} a usable linkage",
+    return fmt::format("{} of {} {} a usable linkage",
                        counts.usable,
-                       counted(counts.samples, "choice has", "choices have"));
+                       counted(counts.samples, "choice", "choices"),
+                       counts.usable == 1 || counts.samples == 1 ? "has" : "have");
   }
   const auto usable = static_cast<int>(std::ranges::count(
       task.linkages, Defect::none, [](const LinkageCandidate& one) { return one.defect; }));
-  return fmt::format("{} of {} usable",
+  const auto all = static_cast<int>(task.linkages.size());
+  return fmt::format("{} of {} {} usable",
                      usable,
-                     counted(static_cast<int>(task.linkages.size()), "linkage is", "linkages are"));
+                     counted(all, "linkage", "linkages"),
+                     usable == 1 || all == 1 ? "is" : "are");
 }
 
 void add_best(const SynthesisAnalysis& synthesis,
