@@ -361,27 +361,25 @@ class SchemeWriter {
     }
   }
 
-  // In a developed section at the best of some places along it, as symbols stand close there.
+  // At the best of some places along it, as symbols stand close there.
   void name_shaft(const std::string& name, const DrawnShaft& shaft) {
+    constexpr int kPlaces = 32;                // from the middle outwards
+    constexpr double kBeyond[] = {0.0, 22.0};  // the far ones beyond plates
     const TextStyle style = {.ink = Ink::soft, .size = 11.5, .has_halo = true, .is_italic = true};
-    const PixelPoint middle = 0.5 * (shaft.from + shaft.to);
-    if (layout_.axes.empty() || shaft.from.y != shaft.to.y) {
-      write(name, middle, 4.0, style);
-      return;
-    }
-    constexpr int kPlaces = 32;                               // from the middle outwards
-    constexpr double kBeside[] = {-10.0, 10.0, -32.0, 32.0};  // the far ones beyond plates
+    const PixelPoint across = left_of(unit_of(shaft.to - shaft.from));
+    const double near = 4.5 + std::abs(across.x) * text_width(name, style.size) / 2 +
+                        std::abs(across.y) * style.size / 2;
     std::vector<PixelPoint> places;
     for (int i = 0; i < kPlaces; ++i) {
       const double share = 0.5 + (i % 2 == 0 ? 0.5 : -0.5) * (i + 0.5) / kPlaces;
-      for (const double side : kBeside) {
-        PixelPoint place = shaft.from + share * (shaft.to - shaft.from);
-        place.y += side;
-        places.push_back(place);
+      const PixelPoint place = shaft.from + share * (shaft.to - shaft.from);
+      for (const double beyond : kBeyond) {
+        places.push_back(place + (near + beyond) * across);
+        places.push_back(place - (near + beyond) * across);
       }
     }
     const PlacedName label = placer_.place_at(places, name, style);
-    write_label(svg_, label, middle, name, style);
+    write_label(svg_, label, 0.5 * (shaft.from + shaft.to), name, style);
   }
 
   // Its wheel says what it is.
