@@ -270,6 +270,21 @@ void add_friction_at_rest(const JudgedFile& file, const CaseAnalysis& one, CaseF
                     "give a motion, in which this coupling moves, or remove its friction");
 }
 
+void add_held_cables(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
+  if (one.action->held_cables.empty()) {
+    return;
+  }
+  found.warning(
+      "W0609",
+      one.which.where,
+      fmt::format("case '{}': the drum or pulley on {} is at rest, so 'eta' has no direction: "
+                  "actions are those without its loss",
+                  one.which.label,
+                  names_of(one.action->held_cables, file.mechanism.topology)),
+      "for a start from rest give its drive a very small speed in the direction of the coming "
+      "motion, 1e-3 rpm for example");
+}
+
 // What has no value, neither from equilibrium nor from what completes it.
 std::vector<int> find_open(const StaticSolution& action) {
   std::vector<int> open;
@@ -435,6 +450,7 @@ void add_action_value_findings(const JudgedFile& file,
   add_other_equilibrium(file, one, found);
   add_pulling_contacts(file, one, found);
   add_cable_findings(file, one, found);
+  add_held_cables(file, one, found);
 }
 
 }  // namespace kinestat

@@ -79,6 +79,7 @@ bool is_held(const Mechanism& mechanism, const CouplingFriction& friction) {
 struct Frictions {
   std::vector<FrictionLaw> laws;
   std::vector<CouplingId> at_rest;
+  std::vector<CouplingId> held_cables;
 };
 
 Frictions find_frictions(const Mechanism& mechanism,
@@ -91,8 +92,10 @@ Frictions find_frictions(const Mechanism& mechanism,
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (found[i]) {
       result.laws.push_back(*found[i]);
-    } else if (!is_held(mechanism, mechanism.frictions[i])) {
-      result.at_rest.push_back(mechanism.frictions[i].coupling);
+    } else {
+      std::vector<CouplingId>& couplings =
+          is_held(mechanism, mechanism.frictions[i]) ? result.held_cables : result.at_rest;
+      couplings.push_back(mechanism.frictions[i].coupling);
     }
   }
   return result;
@@ -156,6 +159,7 @@ StaticSolution solve_statics(const Mechanism& mechanism,
       frictions.laws.empty()
           ? solve_action(mechanism, basis, which.actions, loads, accuracy)
           : solve_with_friction(mechanism, basis, which.actions, loads, frictions.laws);
+  solution.held_cables = std::move(frictions.held_cables);
   return resolve_indeterminacy(mechanism, basis, which.actions, loads, std::move(solution));
 }
 

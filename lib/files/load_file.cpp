@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/contract.hpp"
 #include "core/text.hpp"
 #include "core/utf8.hpp"
 #include "expression/parameters.hpp"
@@ -52,10 +53,17 @@ void apply(const Override& text, MechanismDescription& description, Diagnostics&
   parameter->set_by = text;
 }
 
-// Bare, a length of the file would silently count in the file's unit wherever it is used. Where the
-// file has a bare number, the places that use it decide what it may be.
+Expression zero_of(const Dimension& dimension) {
+  auto parsed = parse_expression(fmt::format("0 {}", si_unit_of(dimension)));
+  KINESTAT_EXPECTS(std::holds_alternative<Expression>(parsed));
+  return std::get<Expression>(std::move(parsed));
+}
+
+// Bare, a length of the file would silently count in the file's unit wherever it is used; zero is
+// zero in every unit. Where the file has a bare number, the places that use it decide what it may
+// be.
 void check_dimensions(const std::vector<Parameter>& given,
-                      const MechanismDescription& description,
+                      MechanismDescription& description,
                       Diagnostics& found) {
   const ParameterTable before = evaluate_parameters(given).table;
   const ParameterTable after = evaluate_parameters(parameters_of(description)).table;
@@ -64,7 +72,9 @@ void check_dimensions(const std::vector<Parameter>& given,
     const Quantity* const is = after.find(given[i].name);
     const Override& text = description.parameters[i].set_by;
     const bool has_both = !text.empty() && was != nullptr && is != nullptr;
-    if (has_both && !is_bare(was->dimension) && was->dimension != is->dimension) {
+    if (has_both && !is_bare(was->dimension) && is_bare(is->dimension) && is->value == 0.0) {
+      description.parameters[i].value.expression = zero_of(was->dimension);
+    } else if (has_both && !is_bare(was->dimension) && was->dimension != is->dimension) {
       refuse(text,
              fmt::format("'{}' is {} in the file, and this is {}",
                          given[i].name,

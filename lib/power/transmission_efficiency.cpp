@@ -212,6 +212,8 @@ LossyState state_of(const Mechanism& mechanism,
   std::ranges::for_each(flow.actuators, count);
   std::ranges::for_each(flow.loads, count);
   state.actions = direction.action.magnitudes;
+  state.actuators = flow.actuators;
+  state.input = flow.input;
   state.balance_residual = largest == 0.0 ? 0.0 : std::abs(sum) / largest;
   return state;
 }

@@ -28,6 +28,8 @@ struct LossyState {
   std::vector<double> friction;                ///< powers of the friction of couplings [W], in the
                                                ///< order of the friction of the case
   std::vector<std::optional<double>> actions;  ///< of each action
+  std::vector<double> actuators;               ///< powers [W], as those of a PowerFlow
+  double input = 0.0;                          ///< [W], likewise
   double balance_residual = 0.0;  ///< |sum of the powers of actuators, loads and losses| relative
                                   ///< to the largest of them
 };

@@ -75,6 +75,8 @@ struct StaticSolution {
                                          ///< the drawing included
   std::vector<FrictionAction> friction;  ///< of the couplings that have any
   std::vector<CouplingId> at_rest;       ///< where friction has no direction
+  std::vector<CouplingId> held_cables;   ///< drums at rest that an actuator holds: the friction of
+                                         ///< their cables has no direction either, and is left out
   std::vector<CouplingId> open_friction;  ///< that depends on actions which equilibrium leaves open
   std::vector<VecX> other_actions;  ///< magnitudes of each action in other equilibria that fulfil
                                     ///< the laws of friction too [N·m or N]: beside the answer;

@@ -58,9 +58,13 @@ TextBlocks overview_blocks(const Analysis& analysis);
 std::string results_text(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in);
 
 /// Cells of a table with a line a case, "-" where there is no number: the ratio with its unit; the
-/// efficiency with the losses of meshes where there are any, by the model that the file chooses.
+/// efficiency with the losses of meshes where there are any, by the model that the file chooses;
+/// the input power with them, which the model of what rolls knows.
 std::string ratio_cell(const CaseAnalysis& one, const Mechanism& mechanism, const InUnits& in);
 std::string efficiency_cell(const CaseAnalysis& one, const Mechanism& mechanism);
+std::string input_power_cell(const CaseAnalysis& one,
+                             const Mechanism& mechanism,
+                             const InUnits& in);
 
 /// Its power flow: what the teeth roll, and which power circulates; the case must have one.
 TextBlocks power_blocks(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in);

@@ -37,7 +37,7 @@ TextBlocks overview_blocks(const Analysis& analysis) {
     columns[0].cells.push_back(printable(one.which.label));
     columns[1].cells.push_back(ratio_cell(one, analysis.mechanism, in));
     columns[2].cells.push_back(efficiency_cell(one, analysis.mechanism));
-    columns[3].cells.push_back(one.power ? format_short(in.power(one.power->input)) : kNoNumber);
+    columns[3].cells.push_back(input_power_cell(one, analysis.mechanism, in));
     columns[4].cells.push_back(action_cell(largest.force));
     columns[5].cells.push_back(action_cell(largest.moment));
   }

@@ -35,14 +35,12 @@ std::string ratio_text(const CaseAnalysis& one,
   return text + "\n";
 }
 
-std::string efficiency_text(const PowerFlow& flow, bool has_lossy_meshes) {
+std::string efficiency_text(const PowerFlow& flow) {
   if (flow.is_self_locking) {
     return "; self-locking: friction takes more than the inputs give";
   }
   if (flow.efficiency) {
-    return fmt::format("; efficiency {}{}",
-                       format_short(*flow.efficiency),
-                       has_lossy_meshes ? " without mesh losses" : "");
+    return fmt::format("; efficiency {}", format_short(*flow.efficiency));
   }
   return flow.no_efficiency.empty() ? "" : "; no efficiency: " + flow.no_efficiency;
 }
@@ -52,10 +50,11 @@ std::string balance_text(const CaseAnalysis& one, const InUnits& in) {
   const std::string_view all =
       flow.loads.empty() ? "the powers of all couplings" : "the powers of all couplings and loads";
   return fmt::format(
-      "  input power {} {}{}; {}\n",
+      "  {}input power {} {}{}; {}\n",
+      one.efficiency ? "without mesh losses: " : "",
       format_short(in.power(flow.input)),
       in.units().text(QuantityKind::power),
-      efficiency_text(flow, one.efficiency.has_value()),
+      efficiency_text(flow),
       flow.is_balanced
           ? fmt::format("{} sum to zero", all)
           : fmt::format("{} sum to {:.3g} of the largest", all, flow.balance_residual));
@@ -80,8 +79,8 @@ bool nothing_rolls(const LossyState& state) {
   return std::ranges::none_of(state.meshes, &MeshLossPower::rolls);
 }
 
-// "  with the losses of what rolls: out -270.681 N*m": of the inputs and outputs those whose action
-// the case does not give.
+// "  with mesh losses: input power 500 W, out -270.681 N*m": of the inputs and outputs those whose
+// action the case does not give.
 std::string lossy_ends_text(const Mechanism& mechanism,
                             const CaseAnalysis& one,
                             const InUnits& in) {
@@ -93,7 +92,10 @@ std::string lossy_ends_text(const Mechanism& mechanism,
   for (const std::optional<double>& action : actions) {
     largest = std::max(largest, std::abs(action.value_or(0.0)));
   }
-  std::vector<std::string> parts;
+  std::vector<std::string> parts = {
+      fmt::format("input power {} {}",
+                  format_short(in.power(one.efficiency->state->input)),
+                  in.units().text(QuantityKind::power))};
   for (const int end : ends) {
     const ActuatorTopology& actuator = mechanism.topology.actuators[static_cast<std::size_t>(end)];
     const auto a = static_cast<std::size_t>(actuator.action);
@@ -108,9 +110,7 @@ std::string lossy_ends_text(const Mechanism& mechanism,
                                   in.units().text(action_kind(is_couple))));
     }
   }
-  return parts.empty()
-             ? ""
-             : fmt::format("  with the losses of what rolls: {}\n", fmt::join(parts, ", "));
+  return fmt::format("  with mesh losses: {}\n", fmt::join(parts, ", "));
 }
 
 void count(double size, const std::string& coupling, LargestAction& largest) {
@@ -228,6 +228,18 @@ std::string efficiency_cell(const CaseAnalysis& one, const Mechanism& mechanism)
                                       : one.power      ? one.power->efficiency
                                                        : std::nullopt;
   return value ? format_short(*value) : "-";
+}
+
+// With the losses that the efficiency has.
+std::string input_power_cell(const CaseAnalysis& one,
+                             const Mechanism& mechanism,
+                             const InUnits& in) {
+  if (!one.power) {
+    return "-";
+  }
+  const bool has_losses =
+      one.efficiency && one.efficiency->state && mechanism.loss_model == LossModel::carrier;
+  return format_short(in.power(has_losses ? one.efficiency->state->input : one.power->input));
 }
 
 std::string results_text(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in) {

@@ -30,6 +30,11 @@ TextBlocks actuators_blocks(const Topology& topology, const CaseAnalysis& one, c
   if (has_power) {
     head.push_back(fmt::format("power [{}]", in.units().text(QuantityKind::power)));
   }
+  const LossyState* const lossy =
+      one.efficiency && one.efficiency->state ? &*one.efficiency->state : nullptr;
+  if (lossy != nullptr) {
+    head.insert(head.end(), {"with mesh losses", head.back()});
+  }
   Table table(std::move(head));
   for (std::size_t i = 0; i < topology.actuators.size(); ++i) {
     const auto a = static_cast<std::size_t>(topology.actuators[i].action);
@@ -40,6 +45,11 @@ TextBlocks actuators_blocks(const Topology& topology, const CaseAnalysis& one, c
         in.units().text(action_kind(turns))};
     if (has_power) {
       row.push_back(format_short(in.power(one.power->actuators[i])));
+    }
+    if (lossy != nullptr) {
+      const std::optional<double>& action = lossy->actions[a];
+      row.push_back(cell_of(action ? std::optional(in.action(*action, turns)) : std::nullopt));
+      row.push_back(format_short(in.power(lossy->actuators[i])));
     }
     table.add(std::move(row));
   }

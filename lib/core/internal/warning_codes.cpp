@@ -103,6 +103,11 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "is in these units of the file: with 'units: {angular_velocity: rpm}' in N*m/rpm, which is "
      "9.55 N*m*s/rad, with 'units: {length: mm}' in N/(mm/s), a thousand N*s/m. Write the unit; "
      "with it, any value is accepted without a warning."},
+    {"W0314",
+     done,
+     "large loss of a mesh",
+     "The loss of a mesh is the fraction of the rolling power that is lost, a few hundredths for "
+     "real teeth, and this is above 0.3. If it is an efficiency, write it as one: {eta: 0.98}."},
     {"W0501",
      done,
      "rounding decides on a rank",
@@ -259,6 +264,14 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "the other. Which one occurs depends on what happened before, unless one of them requires of "
      "a member what it cannot provide. Give the action of that member instead of a known one, and "
      "there is one solution."},
+    {"W0609",
+     done,
+     "loss of a cable at rest",
+     "The 'eta' of a pulley or drum is friction, and friction opposes motion. Here the drum is at "
+     "rest and an actuator holds it: the action of that actuator may be anything between the "
+     "values for the two directions of motion, and the report has the one without loss, which lies "
+     "between them. To start from rest takes the larger of the two. Give the drive a very small "
+     "speed in the direction of the coming motion to get it."},
     {"W0701",
      done,
      "loss of a mesh is not known",

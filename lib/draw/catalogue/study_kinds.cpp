@@ -159,8 +159,16 @@ Figure simulation_of(const PictureSource& source) {
   return simulation_figure(*source.simulation, titled("Simulation", source));
 }
 
+std::string why_not_over_time(const PictureSource& source,
+                              const Figure& figure,
+                              const char* without_charts) {
+  return source.simulation->rows.size() < 2 ? "its simulation has no two rows"
+         : figure.charts.empty()            ? without_charts
+                                            : "";
+}
+
 std::string why_no_simulation(const PictureSource& source) {
-  return source.simulation->rows.size() < 2 ? "its simulation has no two rows" : "";
+  return why_not_over_time(source, simulation_of(source), "nothing changes in its simulation");
 }
 
 Picture draw_simulation(const PictureSource& source) {
@@ -173,6 +181,10 @@ std::string simulation_text(const PictureSource& source) {
 
 Figure energies_of(const PictureSource& source) {
   return energy_figure(*source.simulation, titled("Energies", source));
+}
+
+std::string why_no_energies(const PictureSource& source) {
+  return why_not_over_time(source, energies_of(source), "its simulation has no energies");
 }
 
 Picture draw_energies(const PictureSource& source) {
@@ -278,7 +290,7 @@ constexpr auto kStudyKinds = std::to_array<PictureKind>({
     {.name = "energies",
      .sentence = "energies of a simulation over time",
      .need = PictureNeed::simulation,
-     .why_not = why_no_simulation,
+     .why_not = why_no_energies,
      .draw = draw_energies,
      .gnuplot = energies_text},
     {.name = "sweep-curves",

@@ -131,6 +131,7 @@ class CurveBinder {
              "is written where it is used, or is a parameter");
       return;
     }
+    bool has_dimension = false;  // which a zero need not name
     for (std::size_t i = 0; i < curve_.points.size(); ++i) {
       const CurvePointDescription& point = curve_.points[i];
       const std::optional<double> at = place(point.at);
@@ -138,9 +139,11 @@ class CurveBinder {
       if (!at || !value) {
         continue;
       }
-      if (result_.at.empty()) {
+      const bool is_plain_zero = value->value == 0.0 && is_bare(value->dimension);
+      if (!is_plain_zero && !has_dimension) {
         result_.dimension = value->dimension;
-      } else if (value->dimension != result_.dimension) {
+        has_dimension = true;
+      } else if (!is_plain_zero && value->dimension != result_.dimension) {
         refuse("E0309",
                point.value.where,
                fmt::format("the value of point {} of curve '{}' is {}, others are {}",
@@ -148,7 +151,7 @@ class CurveBinder {
                            curve_.name.text,
                            phrase_of(value->dimension),
                            phrase_of(result_.dimension)),
-               "give all values of a curve the same kind of unit, zero too");
+               "give all values of a curve the same kind of unit");
         return;
       }
       result_.at.push_back(*at);

@@ -111,6 +111,12 @@ void emit_lossy_actuators(const LossesView& v, const EachNumber& each) {
   }
 }
 
+void emit_lossy_powers(const LossesView& v, const EachNumber& each) {
+  for (std::size_t i = 0; i < v.topology.actuators.size(); ++i) {
+    each(v.topology.actuators[i].name, v.state.actuators[i], QuantityKind::power);
+  }
+}
+
 }  // namespace
 
 const Record<EfficiencyView>& efficiency_record() {
@@ -186,6 +192,18 @@ const Record<LossesView>& losses_record() {
                      "moment or force; null where equilibrium leaves it undetermined.",
                      emit_lossy_actuators)
             .in_tables_as("lossy_action");
+        keys.numbers("powers",
+                     QuantityKind::power,
+                     "Power that each actuator supplies with all losses.",
+                     emit_lossy_powers)
+            .in_tables_as("lossy_power");
+        keys.quantity(
+                "input",
+                QuantityKind::power,
+                "Power of the inputs with all losses; without inputs that of all actuators and "
+                "loads that supply power.",
+                [](const LossesView& v) { return v.state.input; })
+            .in_tables_as("losses/input");
         keys.number("balance_residual",
                     Bare::number,
                     "Sum of the powers of actuators, loads and losses relative to the largest; "

@@ -45,6 +45,21 @@ std::optional<NumberLaw<double>> law_of(const LossValue& loss, Evaluator& evalua
   return evaluator.law(loss.value, QuantityKind::dimensionless, samples);
 }
 
+// Real teeth lose some hundredths. Who writes 0.98 means the efficiency.
+void doubt(double fraction,
+           const LossValue& loss,
+           const std::string& what,
+           const SectionContext& context) {
+  constexpr double kUnlikely = 0.3;
+  if (fraction > kUnlikely) {
+    context.found.warning(
+        "W0314",
+        loss.value.where,
+        fmt::format("{} is {:.6g}, the fraction of the power that is lost", what, fraction),
+        fmt::format("if it is the efficiency, write {{eta: {}}}", loss.value.expression.text()));
+  }
+}
+
 void check_value(const LossValue& loss, const std::string& what, const SectionContext& context) {
   if (is_law(loss)) {
     (void)law_of(loss, context.evaluator);
@@ -52,7 +67,9 @@ void check_value(const LossValue& loss, const std::string& what, const SectionCo
   }
   switch (loss.form) {
     case LossForm::fraction:
-      context.number(loss.value, kLoss, what);
+      if (const std::optional<double> fraction = context.number(loss.value, kLoss, what)) {
+        doubt(*fraction, loss, what, context);
+      }
       return;
     case LossForm::efficiency:
       context.number(loss.value, kLossEfficiency, "'eta' of " + what);

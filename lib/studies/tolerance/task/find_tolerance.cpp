@@ -17,6 +17,7 @@
 #include "studies/motion/task/find_motion.hpp"
 #include "studies/motion/task/motion_findings.hpp"
 #include "studies/motion/task/motion_position.hpp"
+#include "studies/motion/task/motion_table_maker.hpp"
 #include "studies/tolerance/task/read_tolerances.hpp"
 
 namespace kinestat {
@@ -100,7 +101,7 @@ class ToleranceJob {
     const std::optional<ReadTolerances> tolerances = read({&held, 1});
     MotionPlan plan = *plan_;
     plan.which = -1;
-    const auto motion =
+    std::optional<FoundMotion> motion =
         tolerances ? follow_motion(analysis_.description, mechanism_, std::move(plan), found_)
                    : std::nullopt;
     if (!motion) {
@@ -108,6 +109,14 @@ class ToleranceJob {
     }
     FoundTolerance result = answer_with(*tolerances);
     result.is_along = true;
+    PositionFindings of_positions;
+    motion->table = make_motion_table(analysis_.description,
+                                      mechanism_,
+                                      *motion,
+                                      {.columns = std::vector<std::string>(),
+                                       .dead_points = false,
+                                       .extremes = std::vector<std::string>()},
+                                      of_positions);
     add_motion_findings(*motion, analysis_.description, mechanism_, found_);
     result.cases = steps_of(*motion, held, tolerances->of_cases.front());
     return result;

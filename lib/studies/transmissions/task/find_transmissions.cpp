@@ -175,6 +175,13 @@ std::optional<TransmissionAnalysis> find_transmissions(const std::string& path,
   if (!check(description, found)) {
     return std::nullopt;
   }
+  if (!description.synthesis || !description.synthesis->transmission) {
+    found.error("E0303",
+                {},
+                "the file has no task 'synthesis: {transmission: …}'",
+                "'kinestat new transmission' writes an example");
+    return std::nullopt;
+  }
   std::optional<TransmissionTask> task = read_transmission_task(description, found);
   if (!task) {
     return std::nullopt;
