@@ -8,11 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include "format/any_mapping.hpp"
 #include "format/collections.hpp"
 #include "format/form.hpp"
-#include "format/mapping_check.hpp"
 #include "format/member.hpp"
-#include "io/fields.hpp"
 
 namespace kinestat {
 
@@ -21,7 +20,7 @@ namespace kinestat {
 ///     m.key("to", "Where the motion ends, measured from the drawn position.")
 ///         .needed(&DriveRange::to, drawn_position(), "360 deg");
 template <class T>
-class Mapping {
+class Mapping : public AnyMapping {
  public:
   class Key;
 
@@ -30,11 +29,8 @@ class Mapping {
   Mapping(std::string_view definition,
           std::string_view meaning,
           std::string_view example,
-          Declare declare) {
-    shape_ = {.kind = FormKind::mapping, .definition = definition, .meaning = meaning};
-    if (!example.empty()) {
-      shape_.examples.push_back(example);
-    }
+          Declare declare)
+      : AnyMapping(definition, meaning, example, place_member(), usual) {
     declare(*this);
   }
 
@@ -45,23 +41,11 @@ class Mapping {
     return Key(*this, {.key = name, .meaning = meaning});
   }
 
-  /// `key` stands instead of `others`.
-  void instead(std::string_view key, SharedList<std::string_view> others, std::string_view hint) {
-    shape_.rules.push_back({.kind = FormRule::Kind::instead,
-                            .key = key,
-                            .others = std::move(others),
-                            .message = "{} cannot have '{}' beside '{}'",
-                            .hint = hint});
-  }
-
-  void rule(FormRule rule) { shape_.rules.push_back(std::move(rule)); }
-
-  /// Keys that begin like this one are the user's own and pass unread.
-  void own_keys(FormKey beginning) { shape_.beginnings.push_back(std::move(beginning)); }
-
   /// What else must hold, once all keys are read.
   void check(std::function<void(const T&, const FileValue&)> check) {
-    checks_.push_back(std::move(check));
+    add_check([check = std::move(check)](const void* object, const FileValue& value) {
+      check(*static_cast<const T*>(object), value);
+    });
   }
 
   /// The keys of an item stand in this mapping itself if there is one item; several are the list
@@ -72,57 +56,60 @@ class Mapping {
                       FormKey list_key,
                       std::string_view title,
                       std::string_view hint,
-                      const Mapping<Item>* of_list = nullptr);
-
-  void example(std::string_view text) { shape_.examples.push_back(text); }  ///< another
-
-  void may_be_empty() { shape_.may_be_empty = true; }  ///< nothing need stand behind its name
-
-  void write_in_lines() { is_in_lines_ = true; }  ///< a line for each key
-
-  const FormShape& shape() const { return shape_; }
-
-  /// The value as a mapping, in which other keys may be `known`. Empty iff an error was added.
-  std::optional<T> read(const FileValue& value,
-                        const SharedList<std::string_view>& known = {}) const {
-    T object;
-    if constexpr (HasPlace<T>) {
-      object.where = value.place;
+                      const Mapping<Item>* of_list = nullptr) {
+    SharedList<std::string_view> replaced;
+    for (const FormKey& key : item.shape().keys) {
+      replaced.push_back(key.key);
     }
-    return read_into(object, value, known) ? std::optional(std::move(object)) : std::nullopt;
+    instead(list_key.key, std::move(replaced), hint);
+    const Mapping<Item>& listed = of_list != nullptr ? *of_list : item;
+    const auto list = list_of(listed.form(), std::string(title), std::string(hint));
+    add_one_or_several(item, member, kListOps<Item>, std::move(list_key), any_of(list));
   }
 
-  /// False iff an error was added.
-  bool read_into(T& object,
-                 const FileValue& value,
-                 const SharedList<std::string_view>& known = {}) const;
+  /// The value as a mapping. Empty iff an error was added.
+  std::optional<T> read(const FileValue& value) const {
+    T object;
+    return any_read(&object, value) ? std::optional(std::move(object)) : std::nullopt;
+  }
+
+  /// False iff an error was added. Where the object stands is not noted.
+  bool read_into(T& object, const FileValue& value) const { return any_read_into(&object, value); }
 
   /// Without the keys that are as they would be if left out.
-  FileText text(const T& object) const;
+  FileText text(const T& object) const { return any_text(&object); }
 
   /// The same; empty if all keys are left out.
-  std::optional<FileText> text_if_any(const T& object) const;
+  std::optional<FileText> text_if_any(const T& object) const { return any_text_if_any(&object); }
 
-  Form<T> form() const;
+  Form<T> form() const { return form_of_a<T>(any_form()); }
 
  private:
-  template <class>
-  friend class Mapping;
+  static std::optional<AnyMember> place_member() {
+    if constexpr (HasPlace<T>) {
+      return &T::where;
+    } else {
+      return std::nullopt;
+    }
+  }
 
-  struct Step {
-    std::function<void(const FileValue&, T&)> read;
-    std::function<std::optional<FileText>(const T&)> write;  // empty: the key is left out
-  };
-
-  FormShape shape_;
-  bool is_in_lines_ = false;
-  std::vector<Step> steps_;  // of the keys
-  std::vector<std::function<void(const T&, const FileValue&)>> checks_;
+  static const void* usual() {
+    static const T object{};
+    return &object;
+  }
 };
+
+template <class T>
+const Form<T>& form_of(const Form<T>& form) {
+  return form;
+}
+
+template <class T>
+Form<T> form_of(const Mapping<T>& mapping) {
+  return mapping.form();
+}
 
 }  // namespace kinestat
 
-#include "format/mapping_groups.hpp"
 #include "format/mapping_key.hpp"
-#include "format/mapping_members.hpp"
 #include "format/mapping_parts.hpp"

@@ -11,14 +11,33 @@
 namespace kinestat {
 
 /// The mapping in messages: the file itself is "the mechanism".
-std::string_view title_of(const FileValue& mapping);
+Title title_of(const FileValue& mapping);
 
-/// The value behind the key of that index; a needed one that is missing becomes an error of
-/// `fields`, unless another key stands instead of it.
-std::optional<FileValue> find_key(const FormShape& shape,
-                                  std::size_t index,
-                                  Fields& fields,
-                                  const FileValue& mapping);
+/// The keys of a mapping while it is read.
+class MappingKeys {
+ public:
+  /// A value that is no mapping is an error. Keys that are `known` may stand beside those of the
+  /// shape.
+  MappingKeys(const FormShape& shape,
+              const FileValue& mapping,
+              const SharedList<std::string_view>& known);
+
+  /// The value behind the key of that index; a needed one that is missing becomes an error of
+  /// finish(), unless another key stands instead of it.
+  std::optional<FileValue> find(std::size_t index);
+
+  /// Says everything that is wrong with the keys, once all have been looked for.
+  void finish();
+
+ private:
+  void complain_of_missing(const FormKey& key);
+
+  const FormShape& shape_;
+  const FileValue& mapping_;
+  const SharedList<std::string_view>& known_;
+  std::size_t found_ = 0;
+  Fields fields_;
+};
 
 /// Complains of keys that do not belong together. `errors_before` counts the errors before the
 /// mapping was read.

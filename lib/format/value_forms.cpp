@@ -299,4 +299,22 @@ std::optional<std::size_t> read_word_of(const FileValue& value, const SharedList
   return std::nullopt;
 }
 
+AnyForm any_choice_of(SharedList<Word> words,
+                      void (*set)(void* object, std::size_t index),
+                      std::size_t (*index_of)(const void* object)) {
+  return {.shape = {.kind = FormKind::word, .words = words},
+          .read =
+              [words, set](const FileValue& value, void* object) {
+                const auto index = read_word_of(value, words);
+                if (index) {
+                  set(object, *index);
+                }
+                return index.has_value();
+              },
+          .write =
+              [words, index_of](const void* object) {
+                return single_text(std::string(words[index_of(object)].text));
+              }};
+}
+
 }  // namespace kinestat

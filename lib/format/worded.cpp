@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "format/value_forms.hpp"
+#include "io/fields.hpp"
 
 namespace kinestat {
 
@@ -45,7 +46,7 @@ std::optional<std::size_t> find_worded(const FileValue& value,
   }
   return read_word_of({.node = *word,
                        .what = title,
-                       .owner = value.what,
+                       .owner = &value.what,
                        .where = word->where,
                        .place = word->where,
                        .space = value.space,

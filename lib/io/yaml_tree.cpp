@@ -49,9 +49,15 @@ void check_root(const std::optional<YamlNode>& root, Diagnostics& found) {
 
 }  // namespace
 
+// Every mapping is asked for all keys that it may have: their first letters tell most apart.
 const YamlNode* YamlNode::find(std::string_view key) const {
-  const auto entry = std::ranges::find(entries, key, &YamlEntry::key);
-  return entry == entries.end() ? nullptr : &entry->value;
+  const char first = key.empty() ? '\0' : key.front();
+  for (const YamlEntry& entry : entries) {
+    if (entry.key[0] == first && entry.key == key) {
+      return &entry.value;
+    }
+  }
+  return nullptr;
 }
 
 bool is_truth_value(const YamlNode& node) {

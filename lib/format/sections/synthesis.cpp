@@ -62,7 +62,7 @@ Form<std::vector<PoseDerivative>> derivatives() {
     if (list && std::ranges::any_of(*list, has_angle) && !std::ranges::all_of(*list, has_angle)) {
       value.found.error("E0303",
                         value.node.where,
-                        fmt::format(fmt::runtime(rule.message), value.owner),
+                        fmt::format(fmt::runtime(rule.message), *value.owner),
                         std::string(rule.hint));
       return std::nullopt;
     }
@@ -241,7 +241,7 @@ void declare_range(const FreeRange& free, Mapping<Task>& m) {
           range->shape(),
           [range, which](const FileValue& value, Task& task) {
             FileValue renamed = value;
-            renamed.what = fmt::format("'{}' of 'vary'", word_of(which));
+            renamed.what = Title("'{}' of 'vary'", std::string_view(word_of(which)));
             if (auto one = range->read(renamed)) {
               one->which = which;
               task.vary.push_back(*std::move(one));
