@@ -61,8 +61,11 @@ const YamlNode* YamlNode::find(std::string_view key) const {
 }
 
 bool is_truth_value(const YamlNode& node) {
-  return node.kind == YamlKind::scalar && !node.quoted &&
-         (node.text == "true" || node.text == "false");
+  if (node.kind != YamlKind::scalar || node.quoted) {
+    return false;
+  }
+  const std::string_view text = node.text;
+  return text.starts_with('t') ? text == "true" : text.starts_with('f') && text == "false";
 }
 
 std::optional<YamlNode> read_yaml(const SourceFile& source,

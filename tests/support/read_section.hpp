@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "format/mapping.hpp"
+#include "forms/mapping.hpp"
 #include "support/read_text.hpp"
 
 namespace kinestat {

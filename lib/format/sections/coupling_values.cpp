@@ -4,11 +4,11 @@
 
 #include <fmt/format.h>
 
-#include "format/alternatives.hpp"
-#include "format/mapping.hpp"
-#include "format/number_forms.hpp"
-#include "format/value_forms.hpp"
-#include "format/variants.hpp"
+#include "forms/alternatives.hpp"
+#include "forms/mapping.hpp"
+#include "forms/number_forms.hpp"
+#include "forms/value_forms.hpp"
+#include "forms/variants.hpp"
 #include "io/cut_value.hpp"
 #include "io/value_reader.hpp"
 

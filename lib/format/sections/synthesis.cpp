@@ -8,12 +8,12 @@
 
 #include <fmt/format.h>
 
-#include "format/alternatives.hpp"
-#include "format/number_forms.hpp"
 #include "format/sections/sections.hpp"
 #include "format/sections/synthesis_limits.hpp"
 #include "format/sections/transmission.hpp"
-#include "format/value_forms.hpp"
+#include "forms/alternatives.hpp"
+#include "forms/number_forms.hpp"
+#include "forms/value_forms.hpp"
 #include "io/field_values.hpp"
 
 namespace kinestat {

@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "format/any_mapping.hpp"
-#include "format/collections.hpp"
-#include "format/form.hpp"
-#include "format/member.hpp"
+#include "forms/any_mapping.hpp"
+#include "forms/collections.hpp"
+#include "forms/form.hpp"
+#include "forms/member.hpp"
 
 namespace kinestat {
 
@@ -32,6 +32,7 @@ class Mapping : public AnyMapping {
           Declare declare)
       : AnyMapping(definition, meaning, example, place_member(), usual) {
     declare(*this);
+    close();
   }
 
   Mapping(Mapping&&) = default;
@@ -111,5 +112,5 @@ Form<T> form_of(const Mapping<T>& mapping) {
 
 }  // namespace kinestat
 
-#include "format/mapping_key.hpp"
-#include "format/mapping_parts.hpp"
+#include "forms/mapping_key.hpp"
+#include "forms/mapping_parts.hpp"

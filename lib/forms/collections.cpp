@@ -1,6 +1,8 @@
-#include "format/collections.hpp"
+#include "forms/collections.hpp"
 
-#include "format/parts.hpp"
+#include <utility>
+
+#include "forms/parts.hpp"
 
 namespace kinestat {
 
@@ -12,12 +14,12 @@ const Name& name_in(const ElementMembers& members, const void* element) {
                                    : *static_cast<const Name*>(name);
 }
 
-void set_name(const ElementMembers& members, void* element, const Name& given) {
+void set_name(const ElementMembers& members, void* element, Name given) {
   void* const name = members.name.of(element);
   if (members.has_optional_name) {
-    *static_cast<std::optional<Name>*>(name) = given;
+    *static_cast<std::optional<Name>*>(name) = std::move(given);
   } else {
-    *static_cast<Name*>(name) = given;
+    *static_cast<Name*>(name) = std::move(given);
   }
 }
 
@@ -84,12 +86,12 @@ AnyForm any_by_name(const ElementMembers& members,
                 const int errors_before = names.found.error_count();
                 list.reserve(elements, count_whole(names.node, shape.items.front()));
                 for (const YamlEntry& entry : names.node.entries) {
-                  const Name given{.text = entry.key, .where = entry.key_where};
+                  Name given{.text = entry.key, .where = entry.key_where};
                   check_element_name(given, shape, names.found);
                   void* const element = list.add(elements);
                   void* const object = members.value ? members.value->of(element) : element;
                   (void)read(element_of(names, entry, title), object);
-                  set_name(members, element, given);
+                  set_name(members, element, std::move(given));
                 }
                 return names.found.error_count() == errors_before;
               },

@@ -1,4 +1,4 @@
-#include "format/parts.hpp"
+#include "forms/parts.hpp"
 
 #include <algorithm>
 #include <array>

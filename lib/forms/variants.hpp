@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "format/mapping.hpp"
+#include "forms/mapping.hpp"
 
 namespace kinestat {
 

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "core/diagnostic.hpp"
-#include "format/file_text.hpp"
-#include "format/form_shape.hpp"
+#include "forms/file_text.hpp"
+#include "forms/form_shape.hpp"
 #include "io/title.hpp"
 #include "io/yaml_tree.hpp"
 

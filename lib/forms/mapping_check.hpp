@@ -2,16 +2,22 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 
-#include "format/form.hpp"
+#include "forms/form.hpp"
 #include "io/fields.hpp"
 
 namespace kinestat {
 
 /// The mapping in messages: the file itself is "the mechanism".
 Title title_of(const FileValue& mapping);
+
+/// A bit for what a key begins with; that of the keys that are looked for even where none begins
+/// so.
+std::uint64_t beginning_of(std::string_view key);
+inline constexpr std::uint64_t kAnyBeginning = std::uint64_t{1} << 63U;
 
 /// The keys of a mapping while it is read.
 class MappingKeys {
@@ -21,6 +27,9 @@ class MappingKeys {
   MappingKeys(const FormShape& shape,
               const FileValue& mapping,
               const SharedList<std::string_view>& known);
+
+  /// The bits of the keys that are there, and that of any.
+  std::uint64_t beginnings() const { return beginnings_; }
 
   /// The value behind the key of that index; a needed one that is missing becomes an error of
   /// finish(), unless another key stands instead of it.
@@ -35,6 +44,7 @@ class MappingKeys {
   const FormShape& shape_;
   const FileValue& mapping_;
   const SharedList<std::string_view>& known_;
+  std::uint64_t beginnings_ = kAnyBeginning;
   std::size_t found_ = 0;
   Fields fields_;
 };

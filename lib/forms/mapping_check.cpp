@@ -1,4 +1,4 @@
-#include "format/mapping_check.hpp"
+#include "forms/mapping_check.hpp"
 
 #include <algorithm>
 
@@ -111,6 +111,11 @@ std::string_view code_for_key(const FormRule& rule, const FileValue& mapping) {
 
 }  // namespace
 
+std::uint64_t beginning_of(std::string_view key) {
+  constexpr unsigned kBits = 63;
+  return std::uint64_t{1} << (key.empty() ? 0U : static_cast<unsigned char>(key.front()) % kBits);
+}
+
 Title title_of(const FileValue& mapping) {
   return mapping.what.empty() ? Title("the mechanism") : mapping.what;
 }
@@ -121,7 +126,11 @@ MappingKeys::MappingKeys(const FormShape& shape,
     : shape_(shape),
       mapping_(mapping),
       known_(known),
-      fields_(mapping.node, mapping.where, title_of(mapping), mapping.found) {}
+      fields_(mapping.node, mapping.where, title_of(mapping), mapping.found) {
+  for (const YamlEntry& entry : mapping.node.entries) {
+    beginnings_ |= beginning_of(entry.key);
+  }
+}
 
 std::optional<FileValue> MappingKeys::find(std::size_t index) {
   const FormKey& key = shape_.keys[index];

@@ -1,4 +1,4 @@
-// The keys of a mapping while they are declared; to be included through format/mapping.hpp.
+// The keys of a mapping while they are declared; to be included through forms/mapping.hpp.
 #pragma once
 
 #include <concepts>
@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "format/lazy.hpp"
-#include "format/mapping.hpp"
+#include "forms/lazy.hpp"
+#include "forms/mapping.hpp"
 
 namespace kinestat {
 

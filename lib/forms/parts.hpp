@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "format/form.hpp"
+#include "forms/form.hpp"
 
 namespace kinestat {
 

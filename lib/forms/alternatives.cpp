@@ -1,4 +1,4 @@
-#include "format/alternatives.hpp"
+#include "forms/alternatives.hpp"
 
 #include <algorithm>
 

@@ -1,8 +1,9 @@
-#include "format/any_mapping.hpp"
+#include "forms/any_mapping.hpp"
 
+#include <algorithm>
 #include <string>
 
-#include "format/mapping_check.hpp"
+#include "forms/mapping_check.hpp"
 
 namespace kinestat {
 
@@ -36,6 +37,9 @@ bool AnyMapping::any_read_into(void* object,
   }
   MappingKeys keys(shape_, value, known);
   for (std::size_t i = 0; i < steps_.size(); ++i) {
+    if ((keys.beginnings() & beginnings_[i]) == 0) {
+      continue;  // as most keys that a mapping may have
+    }
     if (const auto behind = keys.find(i)) {
       steps_[i].read(*behind, object);
     }
@@ -86,6 +90,16 @@ AnyForm AnyMapping::any_form() const {
                 FileText written = any_text(object);
                 return shape_.may_be_empty && written.entries.empty() ? FileText() : written;
               }};
+}
+
+void AnyMapping::close() {
+  for (const FormKey& key : shape_.keys) {
+    const bool may_be_needed =
+        key.is_needed || std::ranges::any_of(shape_.rules, [&](const FormRule& rule) {
+          return rule.kind == FormRule::Kind::needed_beside && rule.key == key.key;
+        });
+    beginnings_.push_back(may_be_needed ? kAnyBeginning : beginning_of(key.key));
+  }
 }
 
 void AnyMapping::add(FormKey key, ReadKey read, WriteKey write) {

@@ -1,19 +1,20 @@
 // A mapping of a mechanism file that is read into objects of any type.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "format/any_member.hpp"
-#include "format/form.hpp"
-#include "format/member.hpp"
+#include "forms/any_member.hpp"
+#include "forms/form.hpp"
+#include "forms/member.hpp"
 
 namespace kinestat {
 
-/// What format/mapping.hpp declares, without the type of the object.
+/// What forms/mapping.hpp declares, without the type of the object.
 class AnyMapping {
  public:
   const FormShape& shape() const { return shape_; }
@@ -63,6 +64,9 @@ class AnyMapping {
 
   AnyForm any_form() const;
 
+  /// To be called once all keys and rules are declared.
+  void close();
+
   void add(FormKey key, ReadKey read, WriteKey write);
 
   /// A key whose value is a member.
@@ -101,7 +105,8 @@ class AnyMapping {
 
   FormShape shape_;
   bool is_in_lines_ = false;
-  std::vector<Step> steps_;  // of the keys
+  std::vector<Step> steps_;                // of the keys
+  std::vector<std::uint64_t> beginnings_;  // of the keys, as MappingKeys::beginnings
   std::vector<std::function<void(const void*, const FileValue&)>> checks_;
   std::optional<AnyMember> place_;
   const void* (*usual_)();

@@ -1,4 +1,4 @@
-// The rarer parts of a declaration; to be included through format/mapping.hpp.
+// The rarer parts of a declaration; to be included through forms/mapping.hpp.
 #pragma once
 
 #include <functional>
@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "format/mapping_key.hpp"
+#include "forms/mapping_key.hpp"
 
 namespace kinestat {
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "format/form.hpp"
+#include "forms/form.hpp"
 
 namespace kinestat {
 

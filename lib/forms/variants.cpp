@@ -1,4 +1,4 @@
-#include "format/variants.hpp"
+#include "forms/variants.hpp"
 
 #include <optional>
 #include <utility>

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "description/value.hpp"
-#include "format/any_member.hpp"
-#include "format/form.hpp"
+#include "forms/any_member.hpp"
+#include "forms/form.hpp"
 
 namespace kinestat {
 

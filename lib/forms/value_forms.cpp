@@ -1,4 +1,4 @@
-#include "format/value_forms.hpp"
+#include "forms/value_forms.hpp"
 
 #include <algorithm>
 
@@ -7,7 +7,7 @@
 #include "core/contract.hpp"
 #include "core/utf8.hpp"
 #include "expression/functions.hpp"
-#include "format/number_forms.hpp"
+#include "forms/number_forms.hpp"
 #include "io/cut_value.hpp"
 #include "io/value_reader.hpp"
 

@@ -1,8 +1,8 @@
-#include "format/worded.hpp"
+#include "forms/worded.hpp"
 
 #include <algorithm>
 
-#include "format/value_forms.hpp"
+#include "forms/value_forms.hpp"
 #include "io/fields.hpp"
 
 namespace kinestat {
