@@ -78,7 +78,9 @@ std::span<const std::string> reserved_names() {
 }
 
 bool is_reserved_name(std::string_view name) {
-  return std::ranges::find(reserved_names(), name) != reserved_names().end();
+  return std::ranges::any_of(reserved_names(), [name](const std::string& one) {
+    return name.starts_with(one.front()) && one == name;
+  });
 }
 
 }  // namespace kinestat

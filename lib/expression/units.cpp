@@ -205,8 +205,11 @@ UnitScale operator/(const UnitScale& a, const UnitScale& b) {
   return {a.numerator * b.denominator, a.denominator * b.numerator, a.pi_power - b.pi_power};
 }
 
+// Every name in an expression might be a unit: first letters tell most apart.
 const Unit* find_unit(std::string_view name) {
-  const auto at = std::ranges::find(kUnits, name, &Unit::name);
+  const auto at = std::ranges::find_if(kUnits, [name](const Unit& unit) {
+    return name.starts_with(unit.name.front()) && unit.name == name;
+  });
   return at != kUnits.end() ? &*at : nullptr;
 }
 

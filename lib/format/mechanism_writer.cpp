@@ -12,7 +12,7 @@
 #include "core/text.hpp"
 #include "core/utf8.hpp"
 #include "format/sections/sections.hpp"
-#include "format/value_forms.hpp"
+#include "forms/value_forms.hpp"
 
 namespace kinestat {
 

@@ -18,11 +18,10 @@ constexpr std::size_t kMostKeys = 40;  // that a mapping of the format has
 
 }  // namespace
 
-Fields::Fields(const YamlNode& node, SourceRange where, std::string_view what, Diagnostics& found)
+Fields::Fields(const YamlNode& node, SourceRange where, const Title& what, Diagnostics& found)
     : where_(where), what_(what), found_(found) {
   if (node.kind == YamlKind::mapping) {
     node_ = &node;
-    known_.reserve(kMostKeys);
   } else {
     found_.error("E0304",
                  node.where,
@@ -38,10 +37,16 @@ const YamlNode* Fields::find(std::string_view key) {
 
 const YamlNode* Fields::require(std::string_view key, std::string what_to_add) {
   const YamlNode* value = find(key);
-  if (value == nullptr && node_ != nullptr) {
-    missing_.push_back({.key = std::string(key), .what_to_add = std::move(what_to_add)});
+  if (value == nullptr) {
+    lacks(key, std::move(what_to_add));
   }
   return value;
+}
+
+void Fields::lacks(std::string_view key, std::string what_to_add) {
+  if (node_ != nullptr) {
+    missing_.push_back({.key = std::string(key), .what_to_add = std::move(what_to_add)});
+  }
 }
 
 void Fields::ignore_prefix(std::string_view prefix) {

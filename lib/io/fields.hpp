@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/diagnostic.hpp"
+#include "io/title.hpp"
 #include "io/yaml_tree.hpp"
 
 namespace kinestat {
@@ -18,13 +19,18 @@ class Fields {
  public:
   /// `what` names the mapping in messages: "coupling 'a'". `where` is where a missing key is
   /// reported. A node that is no mapping is an error; the fields are then empty.
-  Fields(const YamlNode& node, SourceRange where, std::string_view what, Diagnostics& found);
+  Fields(const YamlNode& node, SourceRange where, const Title& what, Diagnostics& found);
 
   /// The value of the key, or null if it is absent.
   const YamlNode* find(std::string_view key);
 
   /// Likewise, but absence is an error of finish(), whose hint says what to add: "'at: [x, y]'".
   const YamlNode* require(std::string_view key, std::string what_to_add);
+
+  /// An error of finish(), likewise, of a key that is known and absent.
+  void lacks(std::string_view key, std::string what_to_add);
+
+  bool lacks_any() const { return !missing_.empty(); }
 
   /// Lets keys that begin so stand without being listed among the known ones.
   void ignore_prefix(std::string_view prefix);
@@ -43,7 +49,7 @@ class Fields {
 
   const YamlNode* node_ = nullptr;
   SourceRange where_;
-  std::string_view what_;
+  Title what_;
   Diagnostics& found_;
   std::vector<std::string_view> known_;
   std::string_view ignored_prefix_;  ///< empty: none

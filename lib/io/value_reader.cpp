@@ -19,14 +19,14 @@ namespace {
 constexpr const char* kQuote = "put it in quotes: '{}'";
 
 // A space of another kind behind a ':' makes key and value one key.
-std::string missing_value_hint(std::string_view what) {
-  const std::string foreign = foreign_character(what);
+std::string missing_value_hint(const Title& what) {
+  const std::string foreign = foreign_character(what.text());
   return foreign.empty()
              ? "write the value behind the ':'"
              : fmt::format("write the value behind ': '; the name before it holds {}", foreign);
 }
 
-bool check_scalar(const YamlNode& node, std::string_view what, Diagnostics& found) {
+bool check_scalar(const YamlNode& node, const Title& what, Diagnostics& found) {
   if (node.kind == YamlKind::scalar) {
     return true;
   }
@@ -43,7 +43,7 @@ bool check_scalar(const YamlNode& node, std::string_view what, Diagnostics& foun
 
 // Other readers of YAML would not take it for a text either.
 bool check_no_truth_value(const YamlNode& node,
-                          std::string_view what,
+                          const Title& what,
                           std::string_view asked,
                           std::string_view hint,
                           Diagnostics& found) {
@@ -119,7 +119,7 @@ std::string components_hint(const YamlNode& node, std::size_t count) {
 }
 
 std::optional<std::vector<Value>> read_components(const YamlNode& node,
-                                                  std::string_view what,
+                                                  const Title& what,
                                                   Space space,
                                                   Diagnostics& found) {
   const std::size_t count = space == Space::planar ? 2 : 3;
@@ -171,18 +171,14 @@ std::string with_commas(const YamlNode& node) {
   return listed;
 }
 
-std::optional<std::string> read_text(const YamlNode& node,
-                                     std::string_view what,
-                                     Diagnostics& found) {
+std::optional<std::string> read_text(const YamlNode& node, const Title& what, Diagnostics& found) {
   return check_scalar(node, what, found) &&
                  check_no_truth_value(node, what, "a text", kQuote, found)
              ? std::optional(node.text)
              : std::nullopt;
 }
 
-std::optional<Name> read_reference(const YamlNode& node,
-                                   std::string_view what,
-                                   Diagnostics& found) {
+std::optional<Name> read_reference(const YamlNode& node, const Title& what, Diagnostics& found) {
   if (!check_scalar(node, what, found) ||
       !check_no_truth_value(node, what, "a name", kQuote, found)) {
     return std::nullopt;
@@ -190,7 +186,7 @@ std::optional<Name> read_reference(const YamlNode& node,
   return Name{.text = node.text, .where = node.where};
 }
 
-bool check_name(const Name& name, std::string_view what, Diagnostics& found) {
+bool check_name(const Name& name, const Title& what, Diagnostics& found) {
   const std::string& text = name.text;
   const bool is_good =
       !text.empty() && is_letter(text.front()) &&
@@ -209,7 +205,7 @@ bool check_name(const Name& name, std::string_view what, Diagnostics& found) {
   return is_good;
 }
 
-std::optional<Value> read_value(const YamlNode& node, std::string_view what, Diagnostics& found) {
+std::optional<Value> read_value(const YamlNode& node, const Title& what, Diagnostics& found) {
   if (!check_scalar(node, what, found) ||
       !check_no_truth_value(node, what, "a number", "write a number or an expression", found) ||
       report_loose_end(node, found)) {
@@ -228,7 +224,7 @@ std::optional<Value> read_value(const YamlNode& node, std::string_view what, Dia
                .text_column = node.text_column};
 }
 
-std::optional<double> read_number(const YamlNode& node, std::string_view what, Diagnostics& found) {
+std::optional<double> read_number(const YamlNode& node, const Title& what, Diagnostics& found) {
   const std::optional<Value> value = read_value(node, what, found);
   if (!value) {
     return std::nullopt;
@@ -245,7 +241,7 @@ std::optional<double> read_number(const YamlNode& node, std::string_view what, D
   return std::get<double>(number);
 }
 
-std::optional<bool> read_bool(const YamlNode& node, std::string_view what, Diagnostics& found) {
+std::optional<bool> read_bool(const YamlNode& node, const Title& what, Diagnostics& found) {
   if (is_truth_value(node)) {
     return node.text == "true";
   }
@@ -262,7 +258,7 @@ std::optional<bool> read_bool(const YamlNode& node, std::string_view what, Diagn
 }
 
 void complain_of_word(const YamlNode& node,
-                      std::string_view what,
+                      const Title& what,
                       std::span<const std::string> words,
                       Diagnostics& found) {
   const bool is_collection = node.kind == YamlKind::sequence || node.kind == YamlKind::mapping;
@@ -287,7 +283,7 @@ void complain_of_word(const YamlNode& node,
 }
 
 std::optional<PointDescription> read_point(const YamlNode& node,
-                                           std::string_view what,
+                                           const Title& what,
                                            Space space,
                                            Diagnostics& found) {
   std::optional<std::vector<Value>> components = read_components(node, what, space, found);
@@ -298,7 +294,7 @@ std::optional<PointDescription> read_point(const YamlNode& node,
 }
 
 std::optional<AxisDescription> read_axis(const YamlNode& node,
-                                         std::string_view what,
+                                         const Title& what,
                                          Space space,
                                          Diagnostics& found) {
   if (node.kind == YamlKind::scalar) {

@@ -49,14 +49,23 @@ void check_root(const std::optional<YamlNode>& root, Diagnostics& found) {
 
 }  // namespace
 
+// Every mapping is asked for all keys that it may have: their first letters tell most apart.
 const YamlNode* YamlNode::find(std::string_view key) const {
-  const auto entry = std::ranges::find(entries, key, &YamlEntry::key);
-  return entry == entries.end() ? nullptr : &entry->value;
+  const char first = key.empty() ? '\0' : key.front();
+  for (const YamlEntry& entry : entries) {
+    if (entry.key[0] == first && entry.key == key) {
+      return &entry.value;
+    }
+  }
+  return nullptr;
 }
 
 bool is_truth_value(const YamlNode& node) {
-  return node.kind == YamlKind::scalar && !node.quoted &&
-         (node.text == "true" || node.text == "false");
+  if (node.kind != YamlKind::scalar || node.quoted) {
+    return false;
+  }
+  const std::string_view text = node.text;
+  return text.starts_with('t') ? text == "true" : text.starts_with('f') && text == "false";
 }
 
 std::optional<YamlNode> read_yaml(const SourceFile& source,

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "format/mapping.hpp"
+#include "forms/mapping.hpp"
 #include "support/read_text.hpp"
 
 namespace kinestat {
@@ -17,8 +17,6 @@ auto read_form(const Form<T>& form,
   return read_text(text, [&](const YamlNode& node, Diagnostics& found) {
     return form.read({.node = node,
                       .what = what,
-                      .key = nullptr,
-                      .owner = "",
                       .where = node.where,
                       .place = node.where,
                       .space = space,

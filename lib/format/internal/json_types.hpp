@@ -1,8 +1,8 @@
 // Which JSON types the values of a shape have.
 #pragma once
 
-#include "format/form_shape.hpp"
 #include "format/internal/json.hpp"
+#include "forms/form_shape.hpp"
 
 namespace kinestat {
 

@@ -9,7 +9,7 @@
 #include "format/internal/rule_schema.hpp"
 #include "format/internal/snippets.hpp"
 #include "format/internal/worded_schema.hpp"
-#include "format/value_forms.hpp"
+#include "forms/value_forms.hpp"
 
 namespace kinestat {
 

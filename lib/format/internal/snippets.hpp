@@ -3,8 +3,8 @@
 
 #include <string_view>
 
-#include "format/form_shape.hpp"
 #include "format/internal/json.hpp"
+#include "forms/form_shape.hpp"
 
 namespace kinestat {
 

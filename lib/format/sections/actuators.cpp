@@ -1,7 +1,7 @@
 // The section `actuators`.
-#include "format/collections.hpp"
 #include "format/sections/sections.hpp"
-#include "format/value_forms.hpp"
+#include "forms/collections.hpp"
+#include "forms/value_forms.hpp"
 
 namespace kinestat {
 

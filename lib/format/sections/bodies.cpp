@@ -4,12 +4,12 @@
 
 #include <fmt/format.h>
 
-#include "format/alternatives.hpp"
-#include "format/collections.hpp"
-#include "format/mapping.hpp"
-#include "format/number_forms.hpp"
 #include "format/sections/sections.hpp"
-#include "format/value_forms.hpp"
+#include "forms/alternatives.hpp"
+#include "forms/collections.hpp"
+#include "forms/mapping.hpp"
+#include "forms/number_forms.hpp"
+#include "forms/value_forms.hpp"
 
 namespace kinestat {
 

@@ -1,11 +1,11 @@
 // The section `cables`.
 #include <fmt/format.h>
 
-#include "format/alternatives.hpp"
-#include "format/number_forms.hpp"
 #include "format/sections/sections.hpp"
-#include "format/value_forms.hpp"
-#include "format/variants.hpp"
+#include "forms/alternatives.hpp"
+#include "forms/number_forms.hpp"
+#include "forms/value_forms.hpp"
+#include "forms/variants.hpp"
 
 namespace kinestat {
 

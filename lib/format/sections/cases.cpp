@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "format/number_forms.hpp"
 #include "format/sections/sections.hpp"
-#include "format/value_forms.hpp"
+#include "forms/number_forms.hpp"
+#include "forms/value_forms.hpp"
 
 namespace kinestat {
 

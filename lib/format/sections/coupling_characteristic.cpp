@@ -1,9 +1,9 @@
 // The key `characteristic` of a torque converter.
-#include "format/alternatives.hpp"
-#include "format/collections.hpp"
-#include "format/mapping.hpp"
-#include "format/number_forms.hpp"
 #include "format/sections/coupling_values.hpp"
+#include "forms/alternatives.hpp"
+#include "forms/collections.hpp"
+#include "forms/mapping.hpp"
+#include "forms/number_forms.hpp"
 
 namespace kinestat {
 

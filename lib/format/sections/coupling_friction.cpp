@@ -1,10 +1,10 @@
 // The key `friction` of a coupling.
 #include <array>
 
-#include "format/alternatives.hpp"
-#include "format/mapping.hpp"
-#include "format/number_forms.hpp"
 #include "format/sections/coupling_values.hpp"
+#include "forms/alternatives.hpp"
+#include "forms/mapping.hpp"
+#include "forms/number_forms.hpp"
 
 namespace kinestat {
 

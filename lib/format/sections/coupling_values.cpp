@@ -4,11 +4,11 @@
 
 #include <fmt/format.h>
 
-#include "format/alternatives.hpp"
-#include "format/mapping.hpp"
-#include "format/number_forms.hpp"
-#include "format/value_forms.hpp"
-#include "format/variants.hpp"
+#include "forms/alternatives.hpp"
+#include "forms/mapping.hpp"
+#include "forms/number_forms.hpp"
+#include "forms/value_forms.hpp"
+#include "forms/variants.hpp"
 #include "io/cut_value.hpp"
 #include "io/value_reader.hpp"
 
@@ -91,10 +91,11 @@ void refuse_ends(const FileValue& value) {
   value.found.error(
       "E0304",
       node.where,
-      node.kind == YamlKind::sequence
-          ? fmt::format(
-                "{} joins {} bod{}, it must join two", value.owner, count, count == 1 ? "y" : "ies")
-          : fmt::format("{} must join two bodies", value.owner),
+      node.kind == YamlKind::sequence ? fmt::format("{} joins {} bod{}, it must join two",
+                                                    *value.owner,
+                                                    count,
+                                                    count == 1 ? "y" : "ies")
+                                      : fmt::format("{} must join two bodies", *value.owner),
       fmt::format("write bodies: [{}]{}; motions are those of the head relative to the tail",
                   listed.empty() ? "tail, head" : listed,
                   listed.empty() ? "" : ": a comma between the names"));
@@ -209,16 +210,15 @@ Form<std::vector<ScrewDescription>> screws_of(const Form<ScrewDescription>& one,
 }  // namespace
 
 Form<std::vector<PointOfBody>> points_of_bodies() {
-  auto form = by_name(
+  auto form = values_by_name(
       &PointOfBody::first,
+      &PointOfBody::second,
       point(),
       {.name_definition = "name",
        .foreign = {.names = letters(), .instead = "Write a point as [x, y] or [x, y, z]."},
        .least = 2,
        .most = 2},
-      "{1}",
-      [](PointOfBody& one, PointDescription&& at) { one.second = std::move(at); },
-      [](const PointOfBody& one) -> const PointDescription& { return one.second; });
+      "{1}");
   form.read = [read =
                    form.read](const FileValue& value) -> std::optional<std::vector<PointOfBody>> {
     return check_points_of_bodies(value) ? read(value) : std::nullopt;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "couplings/kind.hpp"
-#include "format/form.hpp"
+#include "forms/form.hpp"
 
 namespace kinestat {
 

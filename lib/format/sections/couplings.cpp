@@ -4,12 +4,12 @@
 #include <memory>
 
 #include "couplings/kinds.hpp"
-#include "format/alternatives.hpp"
-#include "format/number_forms.hpp"
 #include "format/sections/coupling_values.hpp"
 #include "format/sections/sections.hpp"
-#include "format/value_forms.hpp"
-#include "format/worded.hpp"
+#include "forms/alternatives.hpp"
+#include "forms/number_forms.hpp"
+#include "forms/value_forms.hpp"
+#include "forms/worded.hpp"
 
 namespace kinestat {
 

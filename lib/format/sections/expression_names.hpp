@@ -7,7 +7,7 @@
 
 #include "core/diagnostic.hpp"
 #include "description/value.hpp"
-#include "format/form.hpp"
+#include "forms/form.hpp"
 
 namespace kinestat {
 

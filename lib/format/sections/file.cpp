@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include "core/version.hpp"
-#include "format/alternatives.hpp"
-#include "format/number_forms.hpp"
 #include "format/sections/sections.hpp"
-#include "format/value_forms.hpp"
+#include "forms/alternatives.hpp"
+#include "forms/number_forms.hpp"
+#include "forms/value_forms.hpp"
 
 namespace kinestat {
 
@@ -266,9 +266,7 @@ const Mapping<MechanismDescription>& file_sections() {
 FileValue whole_file(const YamlNode& root, Diagnostics& found) {
   constexpr SourceRange kBegin{.line = 1, .column = 1, .length = 1};
   FileValue file{.node = root,
-                 .what = "",
-                 .key = nullptr,
-                 .owner = "",
+                 .what = {},
                  .where = kBegin,
                  .place = kBegin,
                  .space = Space::spatial,
@@ -276,9 +274,7 @@ FileValue whole_file(const YamlNode& root, Diagnostics& found) {
   if (const YamlNode* word = root.find("space")) {
     Diagnostics unheard;  // what is wrong is said once it is read
     file.space = space_word().read({.node = *word,
-                                    .what = "",
-                                    .key = nullptr,
-                                    .owner = "",
+                                    .what = {},
                                     .where = word->where,
                                     .place = word->where,
                                     .space = std::nullopt,

@@ -1,8 +1,8 @@
 #include "format/sections/input_values.hpp"
 
-#include "format/alternatives.hpp"
-#include "format/collections.hpp"
-#include "format/value_forms.hpp"
+#include "forms/alternatives.hpp"
+#include "forms/collections.hpp"
+#include "forms/value_forms.hpp"
 
 namespace kinestat {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "description/shift_description.hpp"
-#include "format/form.hpp"
+#include "forms/form.hpp"
 
 namespace kinestat {
 

@@ -1,7 +1,7 @@
 // The sections `loads`, at the top level and in a case, and `gravity`.
-#include "format/number_forms.hpp"
 #include "format/sections/sections.hpp"
-#include "format/value_forms.hpp"
+#include "forms/number_forms.hpp"
+#include "forms/value_forms.hpp"
 
 namespace kinestat {
 

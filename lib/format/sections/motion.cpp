@@ -1,9 +1,9 @@
 // The section `motion`.
 #include <fmt/format.h>
 
-#include "format/number_forms.hpp"
 #include "format/sections/sections.hpp"
-#include "format/value_forms.hpp"
+#include "forms/number_forms.hpp"
+#include "forms/value_forms.hpp"
 
 namespace kinestat {
 

@@ -1,10 +1,10 @@
 // The section `parameters`.
 #include "expression/parameters.hpp"
 
-#include "format/alternatives.hpp"
-#include "format/number_forms.hpp"
 #include "format/sections/expression_names.hpp"
 #include "format/sections/sections.hpp"
+#include "forms/alternatives.hpp"
+#include "forms/number_forms.hpp"
 
 namespace kinestat {
 

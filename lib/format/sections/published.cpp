@@ -1,10 +1,10 @@
 // The section `published`.
 #include <cmath>
 
-#include "format/alternatives.hpp"
-#include "format/number_forms.hpp"
 #include "format/sections/sections.hpp"
-#include "format/value_forms.hpp"
+#include "forms/alternatives.hpp"
+#include "forms/number_forms.hpp"
+#include "forms/value_forms.hpp"
 
 namespace kinestat {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "description/mechanism_description.hpp"
-#include "format/mapping.hpp"
+#include "forms/mapping.hpp"
 
 namespace kinestat {
 

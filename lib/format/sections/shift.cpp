@@ -1,10 +1,10 @@
 // The section `shift`.
-#include "format/alternatives.hpp"
-#include "format/collections.hpp"
-#include "format/number_forms.hpp"
 #include "format/sections/input_values.hpp"
 #include "format/sections/sections.hpp"
-#include "format/value_forms.hpp"
+#include "forms/alternatives.hpp"
+#include "forms/collections.hpp"
+#include "forms/number_forms.hpp"
+#include "forms/value_forms.hpp"
 
 namespace kinestat {
 

@@ -1,8 +1,8 @@
 // The section `simulation`.
-#include "format/collections.hpp"
-#include "format/number_forms.hpp"
 #include "format/sections/sections.hpp"
-#include "format/value_forms.hpp"
+#include "forms/collections.hpp"
+#include "forms/number_forms.hpp"
+#include "forms/value_forms.hpp"
 
 namespace kinestat {
 

@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include "format/alternatives.hpp"
-#include "format/number_forms.hpp"
 #include "format/sections/sections.hpp"
-#include "format/value_forms.hpp"
+#include "forms/alternatives.hpp"
+#include "forms/number_forms.hpp"
+#include "forms/value_forms.hpp"
 #include "io/value_reader.hpp"
 
 namespace kinestat {
@@ -20,7 +20,7 @@ Form<std::vector<Value>> values(bool is_behind_key) {
   auto form = list_of(any_number(), "", kVaryHint);
   form.read = [read = form.read, is_behind_key](const FileValue& list) {
     FileValue called = list;
-    called.what = fmt::format("the values of {}", is_behind_key ? list.owner : list.what);
+    called.what = Title("the values of {}", is_behind_key ? list.owner : &list.what);
     return read(called);
   };
   return form;
@@ -106,7 +106,7 @@ Form<Requirement> requirement(std::string_view key,
                 .examples = {example}},
       .read = [key](const FileValue& value) -> std::optional<Requirement> {
         const YamlNode& node = value.node;
-        const auto text = read_text(node, fmt::format("a condition of '{}'", key), value.found);
+        const auto text = read_text(node, Title("a condition of '{}'", key), value.found);
         if (!text) {
           return std::nullopt;
         }

@@ -8,12 +8,12 @@
 
 #include <fmt/format.h>
 
-#include "format/alternatives.hpp"
-#include "format/number_forms.hpp"
 #include "format/sections/sections.hpp"
 #include "format/sections/synthesis_limits.hpp"
 #include "format/sections/transmission.hpp"
-#include "format/value_forms.hpp"
+#include "forms/alternatives.hpp"
+#include "forms/number_forms.hpp"
+#include "forms/value_forms.hpp"
 #include "io/field_values.hpp"
 
 namespace kinestat {
@@ -62,7 +62,7 @@ Form<std::vector<PoseDerivative>> derivatives() {
     if (list && std::ranges::any_of(*list, has_angle) && !std::ranges::all_of(*list, has_angle)) {
       value.found.error("E0303",
                         value.node.where,
-                        fmt::format(fmt::runtime(rule.message), value.owner),
+                        fmt::format(fmt::runtime(rule.message), *value.owner),
                         std::string(rule.hint));
       return std::nullopt;
     }
@@ -241,7 +241,7 @@ void declare_range(const FreeRange& free, Mapping<Task>& m) {
           range->shape(),
           [range, which](const FileValue& value, Task& task) {
             FileValue renamed = value;
-            renamed.what = fmt::format("'{}' of 'vary'", word_of(which));
+            renamed.what = Title("'{}' of 'vary'", std::string_view(word_of(which)));
             if (auto one = range->read(renamed)) {
               one->which = which;
               task.vary.push_back(*std::move(one));

@@ -3,9 +3,9 @@
 #include <utility>
 #include <vector>
 
-#include "format/alternatives.hpp"
-#include "format/number_forms.hpp"
-#include "format/value_forms.hpp"
+#include "forms/alternatives.hpp"
+#include "forms/number_forms.hpp"
+#include "forms/value_forms.hpp"
 
 namespace kinestat {
 

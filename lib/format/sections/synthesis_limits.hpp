@@ -2,7 +2,7 @@
 #pragma once
 
 #include "description/synthesis_description.hpp"
-#include "format/mapping.hpp"
+#include "forms/mapping.hpp"
 
 namespace kinestat {
 

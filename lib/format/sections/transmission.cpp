@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "format/alternatives.hpp"
-#include "format/number_forms.hpp"
-#include "format/value_forms.hpp"
+#include "forms/alternatives.hpp"
+#include "forms/number_forms.hpp"
+#include "forms/value_forms.hpp"
 
 namespace kinestat {
 

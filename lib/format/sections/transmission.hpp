@@ -2,7 +2,7 @@
 #pragma once
 
 #include "description/transmission_description.hpp"
-#include "format/mapping.hpp"
+#include "forms/mapping.hpp"
 
 namespace kinestat {
 

@@ -14,6 +14,23 @@ bool has_line(const std::string& text, const std::string& line) {
   return ("\n" + text).find("\n" + line + "\n") != std::string::npos;
 }
 
+// Each key of a mapping is counted once where it is there.
+void expect_keys_once(const FormShape& shape, const std::string& path) {
+  for (std::size_t i = 0; i < shape.keys.size(); ++i) {
+    const FormKey& key = shape.keys[i];
+    const auto first = std::ranges::find(shape.keys, key.key, &FormKey::key);
+    EXPECT_EQ(first - shape.keys.begin(), static_cast<std::ptrdiff_t>(i)) << path << "/" << key.key;
+    expect_keys_once(key.shape, path + "/" + std::string(key.key));
+  }
+  for (const FormShape& item : shape.items) {
+    expect_keys_once(item, path);
+  }
+}
+
+TEST(KeyTable, NoMappingOfTheFormatHasAKeyTwice) {
+  expect_keys_once(file_sections().shape(), "");
+}
+
 TEST(KeyTable, SaysFormNeedUsualValueAndExampleAndTheMeaningBelow) {
   const std::string table = key_table("motion");
 

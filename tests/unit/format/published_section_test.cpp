@@ -11,8 +11,6 @@ auto published_of(const std::string& text) {
     const YamlNode& node = *root.find("published");
     return published().read({.node = node,
                              .what = "'published'",
-                             .key = nullptr,
-                             .owner = "",
                              .where = node.where,
                              .place = node.where,
                              .space = Space::planar,

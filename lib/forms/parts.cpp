@@ -1,4 +1,4 @@
-#include "format/parts.hpp"
+#include "forms/parts.hpp"
 
 #include <algorithm>
 #include <array>
@@ -64,14 +64,14 @@ std::string names_hint(const FileValue& value, const FormShape& shape) {
 FileValue item_of(const FileValue& list, std::size_t index, const std::string& title) {
   FileValue item = part_of(list, list.node.items[index], list.node.items[index].where);
   if (!title.empty()) {
-    item.what = fmt::format(fmt::runtime(title), index + 1, list.owner);
+    item.what = Title(title, index + 1, list.owner);
   }
   return item;
 }
 
 FileValue element_of(const FileValue& names, const YamlEntry& entry, const std::string& title) {
   FileValue element = part_of(names, entry.value, entry.key_where);
-  element.what = fmt::format(fmt::runtime(title), entry.key, names.what, key_of(names));
+  element.what = Title(title, std::string_view(entry.key), &names.what, key_of(names));
   return element;
 }
 
@@ -122,8 +122,8 @@ void check_element_name(const Name& name, const FormShape& shape, Diagnostics& f
   }
 }
 
-std::string element_key(const std::optional<Name>& name, const FormShape& shape) {
-  return shape.name_definition.empty() ? in_quotes(name->text) : name->text;
+std::string element_key(const Name& name, const FormShape& shape) {
+  return shape.name_definition.empty() ? in_quotes(name.text) : name.text;
 }
 
 }  // namespace kinestat

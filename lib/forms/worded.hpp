@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "format/mapping.hpp"
+#include "forms/mapping.hpp"
 
 namespace kinestat {
 
@@ -29,12 +29,13 @@ Form<T> chosen_by_word(std::vector<Lazy<Mapping<T>>> mappings,
   for (const Lazy<Mapping<T>>& mapping : mappings) {
     shape.items.push_back(Lazy<FormShape>([mapping] { return mapping->shape(); }));
   }
-  return {.shape = shape,
-          .read = [mappings, shape, title](const FileValue& value) -> std::optional<T> {
-            const auto index = find_worded(value, shape, title);
-            return index ? mappings[*index]->read(value) : std::nullopt;
-          },
-          .write = [mappings, which](const T& one) { return mappings[which(one)]->text(one); }};
+  const AnyRead read = [mappings, shape, title](const FileValue& value, void* object) {
+    const auto index = find_worded(value, shape, title);
+    return index && mappings[*index]->any_read(object, value);
+  };
+  return {.shape = shape, .read = read, .write = [mappings, which](const T& one) {
+            return mappings[which(one)]->text(one);
+          }};
 }
 
 }  // namespace kinestat

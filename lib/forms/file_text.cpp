@@ -1,4 +1,4 @@
-#include "format/file_text.hpp"
+#include "forms/file_text.hpp"
 
 #include <fmt/format.h>
 

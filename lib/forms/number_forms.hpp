@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "description/value.hpp"
-#include "format/form.hpp"
+#include "forms/form.hpp"
 
 namespace kinestat {
 

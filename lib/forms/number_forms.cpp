@@ -1,10 +1,10 @@
-#include "format/number_forms.hpp"
+#include "forms/number_forms.hpp"
 
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "format/value_forms.hpp"
+#include "forms/value_forms.hpp"
 #include "io/value_reader.hpp"
 
 namespace kinestat {

@@ -4,11 +4,11 @@
 #include <concepts>
 #include <memory>
 #include <optional>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "description/value.hpp"
+#include "forms/form.hpp"
 
 namespace kinestat {
 
@@ -58,5 +58,26 @@ const T* present(const T& member, const T& usual, bool is_needed) {
     return &member;
   }
 }
+
+/// What is done with a member by a form, whatever their types.
+struct MemberOps {
+  void (*read)(const AnyRead& read, const FileValue& value, void* member);
+  const void* (*present)(const void* member, const void* usual, bool is_needed);
+};
+
+template <class Member, class Value>
+inline constexpr MemberOps kMemberOps = {
+    .read =
+        [](const AnyRead& read, const FileValue& value, void* member) {
+          Value one{};
+          if (read(value, &one)) {
+            set_member(*static_cast<Member*>(member), std::move(one));
+          }
+        },
+    .present = [](const void* member, const void* usual, bool is_needed) -> const void* {
+      const Value* const one = present(
+          *static_cast<const Member*>(member), *static_cast<const Member*>(usual), is_needed);
+      return one;
+    }};
 
 }  // namespace kinestat

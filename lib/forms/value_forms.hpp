@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "description/value.hpp"
-#include "format/form.hpp"
+#include "forms/form.hpp"
 
 namespace kinestat {
 
@@ -71,18 +71,21 @@ FileText text_of(const std::vector<Value>& values);
 /// The index of the word.
 std::optional<std::size_t> read_word_of(const FileValue& value, const SharedList<Word>& words);
 
+AnyForm any_choice_of(SharedList<Word> words,
+                      void (*set)(void* object, std::size_t index),
+                      std::size_t (*index_of)(const void* object));
+
 /// One of the words, in the order of the enumeration.
 template <class Enum>
 Form<Enum> choice_of(SharedList<Word> words) {
-  return {.shape = {.kind = FormKind::word, .words = words},
-          .read = [words](const FileValue& value) -> std::optional<Enum> {
-            const auto index = read_word_of(value, words);
-            return index ? std::optional(static_cast<Enum>(*index)) : std::nullopt;
-          },
-          .write =
-              [words](Enum one) {
-                return single_text(std::string(words[static_cast<std::size_t>(one)].text));
-              }};
+  return form_of_a<Enum>(any_choice_of(
+      std::move(words),
+      [](void* object, std::size_t index) {
+        *static_cast<Enum*>(object) = static_cast<Enum>(index);
+      },
+      [](const void* object) {
+        return static_cast<std::size_t>(*static_cast<const Enum*>(object));
+      }));
 }
 
 }  // namespace kinestat

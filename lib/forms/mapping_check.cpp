@@ -1,4 +1,4 @@
-#include "format/mapping_check.hpp"
+#include "forms/mapping_check.hpp"
 
 #include <algorithm>
 
@@ -49,38 +49,6 @@ std::string what_to_add(const FormKey& key, std::optional<Space> space) {
       key.shape->remark.empty() ? "" : fmt::format(", {}", key.shape->remark);
   return fmt::format(
       "'{}: {}'{}", key.key, sketch_of(key.shape, space.value_or(Space::spatial)), remark);
-}
-
-// Most keys that are missing may be: only of the others it is worked out what to add.
-void complain_of_missing(const FormShape& shape,
-                         const FormKey& key,
-                         Fields& fields,
-                         const FileValue& mapping) {
-  const bool is_needed = (key.is_needed && !is_replaced(shape, key.key, mapping)) ||
-                         is_called_for(shape, key.key, mapping);
-  if (!is_needed) {
-    return;
-  }
-  if (!key.absence.code.empty()) {
-    mapping.found.error(key.absence.code,
-                        mapping.where,
-                        std::string(key.absence.message),
-                        std::string(key.missing));
-    return;
-  }
-  (void)fields.require(
-      key.key, key.missing.empty() ? what_to_add(key, mapping.space) : std::string(key.missing));
-}
-
-// "'trace' of 'motion'"; every key has one, and few are told.
-std::string title_of_key(std::string_view key, std::string_view mapping) {
-  std::string title;
-  title.reserve(key.size() + mapping.size() + 6);
-  title.append(1, '\'').append(key).append(1, '\'');
-  if (!mapping.empty()) {
-    title.append(std::string_view(" of ")).append(mapping);
-  }
-  return title;
 }
 
 void check_instead(const FormRule& rule, const FileValue& mapping) {
@@ -143,32 +111,82 @@ std::string_view code_for_key(const FormRule& rule, const FileValue& mapping) {
 
 }  // namespace
 
-std::string_view title_of(const FileValue& mapping) {
-  return mapping.what.empty() ? std::string_view("the mechanism") : mapping.what;
+std::uint64_t beginning_of(std::string_view key) {
+  constexpr unsigned kBits = 63;
+  return std::uint64_t{1} << (key.empty() ? 0U : static_cast<unsigned char>(key.front()) % kBits);
 }
 
-std::optional<FileValue> find_key(const FormShape& shape,
-                                  std::size_t index,
-                                  Fields& fields,
-                                  const FileValue& mapping) {
-  const FormKey& key = shape.keys[index];
-  const YamlNode* node = fields.find(key.key);
+Title title_of(const FileValue& mapping) {
+  return mapping.what.empty() ? Title("the mechanism") : mapping.what;
+}
+
+MappingKeys::MappingKeys(const FormShape& shape,
+                         const FileValue& mapping,
+                         const SharedList<std::string_view>& known)
+    : shape_(shape),
+      mapping_(mapping),
+      known_(known),
+      fields_(mapping.node, mapping.where, title_of(mapping), mapping.found) {
+  for (const YamlEntry& entry : mapping.node.entries) {
+    beginnings_ |= beginning_of(entry.key);
+  }
+}
+
+std::optional<FileValue> MappingKeys::find(std::size_t index) {
+  const FormKey& key = shape_.keys[index];
+  const YamlNode* node = mapping_.node.find(key.key);
   if (node == nullptr) {
-    complain_of_missing(shape, key, fields, mapping);
+    complain_of_missing(key);
     return std::nullopt;
   }
-  if (!mapping.space && depends_on_space(key.shape)) {
+  ++found_;
+  if (!mapping_.space && depends_on_space(key.shape)) {
     return std::nullopt;
   }
-  const bool is_section = mapping.what.empty();
-  return FileValue{.node = *node,
-                   .what = title_of_key(key.key, mapping.what),
-                   .key = &key,
-                   .owner = mapping.what,
-                   .where = node->where,
-                   .place = is_section ? place_of_key(mapping.node, key.key) : node->where,
-                   .space = mapping.space,
-                   .found = mapping.found};
+  const bool is_section = mapping_.what.empty();
+  return FileValue{
+      .node = *node,
+      .what = is_section ? Title("'{0}'", key.key) : Title("'{0}' of {1}", key.key, &mapping_.what),
+      .key = &key,
+      .owner = &mapping_.what,
+      .where = node->where,
+      .place = is_section ? place_of_key(mapping_.node, key.key) : node->where,
+      .space = mapping_.space,
+      .found = mapping_.found};
+}
+
+// Most keys that are missing may be: only of the others it is worked out what to add.
+void MappingKeys::complain_of_missing(const FormKey& key) {
+  const bool is_needed = (key.is_needed && !is_replaced(shape_, key.key, mapping_)) ||
+                         is_called_for(shape_, key.key, mapping_);
+  if (!is_needed) {
+    return;
+  }
+  if (!key.absence.code.empty()) {
+    mapping_.found.error(key.absence.code,
+                         mapping_.where,
+                         std::string(key.absence.message),
+                         std::string(key.missing));
+    return;
+  }
+  fields_.lacks(key.key,
+                key.missing.empty() ? what_to_add(key, mapping_.space) : std::string(key.missing));
+}
+
+void MappingKeys::finish() {
+  if (found_ == mapping_.node.entries.size() && !fields_.lacks_any()) {
+    return;
+  }
+  for (const std::string_view key : known_) {
+    (void)fields_.find(key);
+  }
+  for (const FormKey& key : shape_.keys) {
+    (void)fields_.find(key.key);
+  }
+  for (const FormKey& own : shape_.beginnings) {
+    fields_.ignore_prefix(own.key);
+  }
+  fields_.finish();
 }
 
 void check_rules(const FormShape& shape, const FileValue& mapping, int errors_before) {

@@ -1,4 +1,4 @@
-// The keys of a mapping while they are declared; to be included through format/mapping.hpp.
+// The keys of a mapping while they are declared; to be included through forms/mapping.hpp.
 #pragma once
 
 #include <concepts>
@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "format/mapping.hpp"
-#include "format/member.hpp"
+#include "forms/lazy.hpp"
+#include "forms/mapping.hpp"
 
 namespace kinestat {
 
@@ -21,19 +21,28 @@ class Mapping<T>::Key {
   Key(Mapping& mapping, FormKey key) : mapping_(mapping), key_(std::move(key)) {}
 
   /// The key must be there.
-  template <class Member, class Read>
-  Key& needed(Member T::*member, const Form<Read>& form, std::string_view example = {}) {
+  template <class Member, class Value>
+  Key& needed(Member T::*member, const Form<Value>& form, std::string_view example = {}) {
     key_.is_needed = true;
     return may(member, form, example);
   }
 
   /// It may be left out.
-  template <class Member, class Read>
-  Key& may(Member T::*member, const Form<Read>& form, std::string_view example = {});
+  template <class Member, class Value>
+  Key& may(Member T::*member, const Form<Value>& form, std::string_view example = {}) {
+    mapping_.add_member(with(form.shape, example),
+                        member,
+                        kMemberOps<Member, Value>,
+                        form.read.any(),
+                        form.write.any());
+    return *this;
+  }
 
   /// Likewise, by what is made once a file has the key: a form, or a mapping.
   template <class Member, std::invocable Make>
-  Key& may(Member T::*member, Make make, std::string_view example = {});
+  Key& may(Member T::*member, Make make, std::string_view example = {}) {
+    return may_lazily(member, Lazy([make] { return form_of(make()); }), example);
+  }
 
   /// A list of two, which must be there, by a form of each.
   template <class Member>
@@ -52,8 +61,8 @@ class Mapping<T>::Key {
 
   /// It must be there, but is not written as long as it says what is usual.
   Key& required(Absence absence = {}) {
-    added().is_needed = true;
-    added().absence = absence;
+    mapping_.last_key().is_needed = true;
+    mapping_.last_key().absence = absence;
     return *this;
   }
 
@@ -63,10 +72,10 @@ class Mapping<T>::Key {
   Key& group(Member T::*member, const Mapping<Member>& part);
 
   /// It is checked, but not kept; `written` stands for what was read.
-  template <class Read>
-  Key& passed_over(const Form<Read>& form,
+  template <class Value>
+  Key& passed_over(const Form<Value>& form,
                    std::string_view example,
-                   std::optional<Read> written = {});
+                   std::optional<Value> written = {});
 
   /// In a way of its own; what is written is empty where the key is left out.
   Key& by(Lazy<FormShape> shape,
@@ -75,7 +84,10 @@ class Mapping<T>::Key {
           std::string_view example = {});
 
   /// The member says whether the key is there; then it is written even if there is nothing in it.
-  Key& noted(bool T::*is_there);
+  Key& noted(bool T::*is_there) {
+    mapping_.also_note(is_there);
+    return *this;
+  }
 
   /// The key is there iff the member has this value.
   template <class Member>
@@ -83,59 +95,51 @@ class Mapping<T>::Key {
 
   /// Where the key stands, or its value if it is no section.
   Key& at(SourceRange T::*place) {
-    return placed(place, [](const FileValue& value) { return value.place; });
+    mapping_.also_place(place, false);
+    return *this;
   }
 
   /// Where the value stands.
   Key& at_value(SourceRange T::*place) {
-    return placed(place, [](const FileValue& value) { return value.node.where; });
+    mapping_.also_place(place, true);
+    return *this;
   }
 
   /// What to add where it is missing.
   Key& add_hint(std::string_view hint) {
-    added().missing = hint;
+    mapping_.last_key().missing = hint;
     return *this;
   }
 
   /// What holds if it is left out.
   Key& usual(std::string_view value) {
-    added().usual = value;
+    mapping_.last_key().usual = value;
     return *this;
   }
 
   /// Another example.
-  Key& example(std::string_view text);
+  Key& example(std::string_view text) {
+    mapping_.last_key().examples.push_back(text);
+    return *this;
+  }
 
   /// A value that an editor offers.
   Key& offer(std::string_view value, std::string_view meaning) {
-    added().suggestions.push_back({.value = value, .meaning = meaning});
+    mapping_.last_key().suggestions.push_back({.value = value, .meaning = meaning});
     return *this;
   }
 
  private:
-  template <class Part, class Get>
-  Key& group(const Mapping<Part>& part, Get get);
+  template <class Member, class Value>
+  Key& may_lazily(Member T::*member, const Lazy<Form<Value>>& form, std::string_view example);
 
-  template <class Member, class Read, class Write>
-  Key& kept(
-      Member T::*member, Lazy<FormShape> shape, Read read, Write write, std::string_view example);
-
-  void add(Step step) {
-    mapping_.shape_.keys.push_back(std::move(key_));
-    mapping_.steps_.push_back(std::move(step));
+  FormKey with(Lazy<FormShape> shape, std::string_view example) {
+    key_.shape = std::move(shape);
+    if (!example.empty()) {
+      key_.examples.push_back(example);
+    }
+    return std::move(key_);
   }
-
-  template <class Place>
-  Key& placed(SourceRange T::*member, Place place) {
-    Step& step = mapping_.steps_.back();
-    step.read = [member, place, read = step.read](const FileValue& value, T& object) {
-      object.*member = place(value);
-      read(value, object);
-    };
-    return *this;
-  }
-
-  FormKey& added() { return mapping_.shape_.keys.back(); }
 
   Mapping& mapping_;
   FormKey key_;

@@ -2,10 +2,9 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <string>
 
-#include "format/form.hpp"
+#include "forms/form.hpp"
 
 namespace kinestat {
 
@@ -31,6 +30,6 @@ std::size_t count_whole(const YamlNode& names, const FormShape& element);
 void check_element_name(const Name& name, const FormShape& shape, Diagnostics& found);
 
 /// A name as the key of an element.
-std::string element_key(const std::optional<Name>& name, const FormShape& shape);
+std::string element_key(const Name& name, const FormShape& shape);
 
 }  // namespace kinestat

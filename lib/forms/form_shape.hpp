@@ -11,8 +11,8 @@
 
 #include "description/coupling_description.hpp"
 #include "description/number_range.hpp"
-#include "format/lazy.hpp"
-#include "format/shared_list.hpp"
+#include "forms/lazy.hpp"
+#include "forms/shared_list.hpp"
 
 namespace kinestat {
 

@@ -1,16 +1,16 @@
 // Values that may be written in several ways: as a list, as a mapping, or as a single value.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <functional>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
-
-#include "format/form.hpp"
+#include "forms/form.hpp"
 
 namespace kinestat {
 
@@ -28,45 +28,40 @@ Form<T> converted(const Form<Given>& form, To to, From from) {
           .write = [form, from](const T& value) { return form.write(from(value)); }};
 }
 
+AnyRead any_called(const AnyRead& read, std::string title);
+
 /// The same, called otherwise in messages: {0} is the mapping that has the key, {1} the key.
 template <class T>
 Form<T> called(Form<T> form, std::string title) {
-  form.read = [read = form.read, title = std::move(title)](const FileValue& value) {
-    FileValue renamed = value;
-    renamed.what =
-        fmt::format(fmt::runtime(title), value.owner, value.key != nullptr ? value.key->key : "");
-    return read(renamed);
-  };
+  form.read = any_called(form.read.any(), std::move(title));
   return form;
 }
+
+AnyRead any_only_if(const AnyRead& read,
+                    std::function<bool(const YamlNode&)> fits,
+                    std::string message,
+                    std::string hint);
 
 /// The same, with a complaint of its own of a value that `fits` says is none; {} is the value.
-template <class T, class Fits>
-Form<T> only_if(Form<T> form, Fits fits, std::string message, std::string hint) {
-  form.read = [=, read = form.read](const FileValue& value) -> std::optional<T> {
-    if (fits(value.node)) {
-      return read(value);
-    }
-    value.found.error(
-        "E0304", value.node.where, fmt::format(fmt::runtime(message), value.what), hint);
-    return std::nullopt;
-  };
+template <class T>
+Form<T> only_if(Form<T> form,
+                std::function<bool(const YamlNode&)> fits,
+                std::string message,
+                std::string hint) {
+  form.read = any_only_if(form.read.any(), std::move(fits), std::move(message), std::move(hint));
   return form;
 }
 
+AnyForm any_by_shape(std::vector<AnyForm> forms, AnyChoice choose);
+
 /// One of the forms; `choose` says which of them a value is written in.
-template <class T>
-Form<T> by_shape(std::vector<Form<T>> forms, std::function<std::size_t(const T&)> choose) {
-  FormShape shape{.kind = FormKind::by_shape};
+template <class T, std::invocable<const T&> Choose>
+Form<T> by_shape(std::initializer_list<Form<T>> forms, Choose choose) {
+  std::vector<AnyForm> any;
   for (const Form<T>& form : forms) {
-    shape.items.push_back(form.shape);
+    any.push_back(any_of(form));
   }
-  return {.shape = shape,
-          .read =
-              [forms, shapes = shape.items](const FileValue& value) {
-                return forms[form_for(value.node, shapes)].read(value);
-              },
-          .write = [forms, choose](const T& value) { return forms[choose(value)].write(value); }};
+  return form_of_a<T>(any_by_shape(std::move(any), any_choice<T>(std::move(choose))));
 }
 
 }  // namespace kinestat

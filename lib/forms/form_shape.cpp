@@ -1,4 +1,4 @@
-#include "format/form_shape.hpp"
+#include "forms/form_shape.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "format/value_forms.hpp"
+#include "forms/value_forms.hpp"
 
 #include <algorithm>
 
@@ -7,7 +7,7 @@
 #include "core/contract.hpp"
 #include "core/utf8.hpp"
 #include "expression/functions.hpp"
-#include "format/number_forms.hpp"
+#include "forms/number_forms.hpp"
 #include "io/cut_value.hpp"
 #include "io/value_reader.hpp"
 
@@ -297,6 +297,24 @@ std::optional<std::size_t> read_word_of(const FileValue& value, const SharedList
   }
   complain_of_word(value.node, value.what, texts, value.found);
   return std::nullopt;
+}
+
+AnyForm any_choice_of(SharedList<Word> words,
+                      void (*set)(void* object, std::size_t index),
+                      std::size_t (*index_of)(const void* object)) {
+  return {.shape = {.kind = FormKind::word, .words = words},
+          .read =
+              [words, set](const FileValue& value, void* object) {
+                const auto index = read_word_of(value, words);
+                if (index) {
+                  set(object, *index);
+                }
+                return index.has_value();
+              },
+          .write =
+              [words, index_of](const void* object) {
+                return single_text(std::string(words[index_of(object)].text));
+              }};
 }
 
 }  // namespace kinestat

@@ -1,8 +1,9 @@
-#include "format/worded.hpp"
+#include "forms/worded.hpp"
 
 #include <algorithm>
 
-#include "format/value_forms.hpp"
+#include "forms/value_forms.hpp"
+#include "io/fields.hpp"
 
 namespace kinestat {
 
@@ -45,7 +46,7 @@ std::optional<std::size_t> find_worded(const FileValue& value,
   }
   return read_word_of({.node = *word,
                        .what = title,
-                       .owner = value.what,
+                       .owner = &value.what,
                        .where = word->where,
                        .place = word->where,
                        .space = value.space,
