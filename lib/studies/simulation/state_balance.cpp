@@ -38,7 +38,9 @@ FrictionLaw law_of_teeth(const Rubbing& one, const Twist& hinge, double sense, d
   PressingPart part;
   part.part.row(0) << turns.angular.transpose(), turns.linear.transpose();
   part.part *= gear.is_head ? 1.0 : -1.0;
-  part.weight = gear.share;
+  const std::optional<double> share = share_at(*gear.mesh, gear.radius * speed, 0.0);
+  law.has_value = share.has_value();
+  part.weight = share.value_or(0.0);
   part.is_signed = true;
   law.parts = {part};
   return law;
@@ -159,12 +161,15 @@ FrictionMagnitudes StateBalance::solve_friction(std::span<const double> actions,
                                  .along = along});
 }
 
-StaticSolution StateBalance::solve(std::span<const double> actions,
-                                   std::span<const BodyWrench> loads) {
+std::vector<std::optional<double>> StateBalance::solve(std::span<const double> actions,
+                                                       std::span<const BodyWrench> loads) {
   const std::vector<Primary> primaries = primaries_with(actions, loads);
   const CoordinateBasis basis = action_basis(moved_.geometry, moved_.static_order, loads);
-  return resolve_indeterminacy(
+  const StaticSolution found = resolve_indeterminacy(
       moved_, basis, primaries, loads, solve_action(moved_, basis, primaries, loads));
+  std::vector<std::optional<double>> magnitudes = found.magnitudes;
+  magnitudes.resize(mechanism_.topology.actions.size());
+  return magnitudes;
 }
 
 }  // namespace kinestat
