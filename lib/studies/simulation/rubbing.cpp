@@ -109,8 +109,8 @@ class GearFinder {
 }  // namespace
 
 bool Rubbing::is_dry() const {
-  return gear || friction.mu > 0.0 || friction.tau > 0.0 || friction.tau_of_speed ||
-         friction.mu_static;
+  return gear || !friction.cables.empty() || friction.mu > 0.0 || friction.tau > 0.0 ||
+         friction.tau_of_speed || friction.mu_static;
 }
 
 std::vector<Rubbing> find_rubbing(const Mechanism& mechanism) {

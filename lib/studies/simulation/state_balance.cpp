@@ -95,9 +95,12 @@ FrictionLaw StateBalance::law_of(std::size_t friction,
   if (one.gear) {
     return law_of_teeth(one, unit, sense, size);
   }
+  // Arcs of cables on pulleys change as they move.
+  CouplingFriction now = one.friction;
+  now.cables = moved_.frictions[friction].cables;
   return make_friction_law(SlidingOf<double>{
       .topology = mechanism_.topology,
-      .friction = one.friction,
+      .friction = now,
       .unit = unit,
       .twist = {.angular = sense * size * unit.angular, .linear = sense * size * unit.linear},
       .at = moved_.geometry.points[at(one.coupling.value)],

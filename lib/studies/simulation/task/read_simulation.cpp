@@ -299,8 +299,6 @@ class SimulationReader {
       const CouplingTopology& coupling = topology_.coupling(friction.coupling);
       if (friction.converter) {
         refuse(converter, friction.where, fmt::format("'{}'", coupling.name), found_);
-      } else if (!friction.cables.empty()) {
-        refuse(cable_friction, friction.where, fmt::format("'{}'", coupling.name), found_);
       } else if (coupling.freedom_count != 1) {
         refuse(friction_of_several, friction.where, fmt::format("'{}'", coupling.name), found_);
       }

@@ -13,13 +13,10 @@ struct LimitWords {
   std::string_view hint;
 };
 
-constexpr std::array<LimitWords, 10> kLimits = {{
+constexpr std::array<LimitWords, 9> kLimits = {{
     {.name = "friction of couplings with several freedoms",
      .hint = "model it by couplings of one freedom each; or ask 'kinestat motion' for the forces "
              "along a given motion, which has such friction"},
-    {.name = "friction of cables that slip, 'eta' of pulleys",
-     .hint = "remove it; or ask 'kinestat motion' for the forces along a given motion, which has "
-             "such friction"},
     {.name = "torque converters",
      .hint = "give the couples of pump and turbine as curves over their speeds"},
     {.name = "mesh losses that depend on force",

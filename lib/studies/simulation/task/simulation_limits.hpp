@@ -11,7 +11,6 @@ namespace kinestat {
 /// In the order of the help page.
 enum class SimulationLimit {
   friction_of_several,  ///< of a coupling with several freedoms
-  cable_friction,       ///< of a cable that slips, or that a bearing of its pulley slows down
   converter,
   loss_by_force,
   loss_without_hinges,  ///< of teeth whose gears no hinges join with a carrier
