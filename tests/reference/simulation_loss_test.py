@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Simulations with mesh losses, by closed forms: constant accelerations while one gear drives.
+"""Simulations with mesh losses, by closed forms: accelerations are constant while one gear drives,
+unless losses depend on speed.
 
 Usage: simulation_loss_test.py KINESTAT
 """
@@ -51,7 +52,7 @@ simulation: {action: {motor: TORQUE}, start: {motor: {speed: SPEED}}, time: 1 s,
 """
 
 
-def filled(text: str, torque: float | str, speed: float, loss: float = LOSS,
+def filled(text: str, torque: float | str, speed: float, loss: float | str = LOSS,
            gears: str = "pinion, wheel") -> str:
     for word, value in (("TORQUE", torque), ("SPEED", speed), ("LOSS", loss), ("GEARS", gears)):
         text = text.replace(word, str(value))
@@ -121,6 +122,25 @@ class LossTest(simulations.SimulationCase):
             last = Simulation(filled(PLANETS, torque, speed)).last()
             self.assertGreater(speed + speeds_up, 0.0)
             self.near(last["a.wz/velocity"], speed + speeds_up, 1e-8 * abs(speed + speeds_up))
+
+    def test_a_loss_grows_with_the_speed_of_the_teeth(self) -> None:
+        """(J1 + J2/(1 - c w)) dw = T dt, for a loss c w of the pinion's speed w."""
+        share = 0.02 * 0.05  # of a formula in m/s, on the radius of the pinion
+        found = Simulation(filled(FLYWHEELS, 3.0, 0.0, loss="0.02*speed/(1 m/s)"))
+        for i, time in enumerate(found.columns["time"]):
+            speed = found.columns["a.wz/velocity"][i]
+            impulse = (PINION * speed -
+                       WHEEL * RATIO ** 2 / share * math.log(1.0 - share * speed))
+            self.near(impulse, 3.0 * time, 1e-9)
+        self.assertLess(found.report["energy_drift"], 1e-6 * found.report["energy_scale"])
+
+    def test_a_loss_without_a_value(self) -> None:
+        text = filled(FLYWHEELS, 3.0, 0.0, loss="0.02 - 0.02*speed/(1 m/s)")
+        done = program.call("simulate", "-", text=text)
+        self.assertRegex(done.stderr, r"E0515.*cannot go on after [0-9.]+ s: the loss of mesh 'm'")
+        report = program.report(done)["simulation"]
+        speed = [one["name"] for one in report["columns"]].index("a.wz/velocity")
+        self.near(report["rows"][-1][speed], 20.0, 0.5)  # 1 m/s at 50 mm
 
     def test_a_mesh_without_losses_is_as_before(self) -> None:
         found = Simulation(filled(FLYWHEELS, 3.0, 0.0, loss=0))

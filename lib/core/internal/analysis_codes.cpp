@@ -123,13 +123,9 @@ constexpr auto kStudyCodes = std::to_array<Code>({
     {"E0516",
      wrong_input,
      "simulation does not know this",
-     "'kinestat simulate' supports bodies with inertia, loads, weights, springs, dampers, friction "
-     "of couplings with one freedom, mesh losses that are a constant fraction, actions that follow "
-     "curves, and stops. Losses that depend on speed or force, cables and contacts, which can "
-     "part, "
-     "torque converters, and bodies that turn freely about a point are refused, because an answer "
-     "without them would be wrong. Forces along a given "
-     "motion have all of these: 'kinestat help dynamics'."},
+     "The mechanism has something that 'kinestat simulate' does not follow, and an answer without "
+     "it would be wrong. 'kinestat help simulation' lists all that is refused; 'kinestat motion' "
+     "finds the forces along a given motion with all of it ('kinestat help dynamics')."},
     {"E0517",
      wrong_input,
      "start of a simulation does not fit",

@@ -205,6 +205,14 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "the row that came nearest. If the value is still growing there, give more 'time'; if it was "
      "higher before, or settles, the drive is too weak, or the goal is not the one intended: a "
      "speed is in the unit of the file, a position is measured from the drawn one."},
+    {"W0514",
+     done,
+     "a simulation ends where something parts",
+     "A cable pulls and cannot push, surfaces in contact push and cannot pull, a cable leaves its "
+     "pulley where its arc of contact becomes zero, and friction holds it there up to a ratio of "
+     "tensions. Where equilibrium with inertia asks for more, the mechanism becomes another one: "
+     "the simulation ends there with the event, and its rows are valid up to it. An impact that "
+     "would part something is not carried out."},
     {"W0601",
      done,
      "actions are statically indeterminate",

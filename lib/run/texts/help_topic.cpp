@@ -18,6 +18,7 @@
 #include "run/texts/explain.hpp"
 #include "run/texts/written_reports.hpp"
 #include "studies/compare/compare_values.hpp"
+#include "studies/simulation/task/simulation_limits.hpp"
 
 namespace kinestat {
 
@@ -55,6 +56,9 @@ std::string table_of(std::string_view line, const EmbeddedText& page) {
   }
   if (line == "{{units}}") {
     return list_of_units();
+  }
+  if (line == "{{not simulated}}") {
+    return page_lines("", simulation_limits() + ".", 4);
   }
   if (line == "{{types}}") {
     return coupling_table();

@@ -21,6 +21,7 @@ struct SimulationObstacle {
     curve,       ///< nor of what follows a curve
     friction_without_end,  ///< it grows with what it causes (Painleve)
     friction_in_two_ways,  ///< it balances, or goes on, in several ways
+    no_loss,               ///< the loss of a mesh has no value at its speed
     open_friction,         ///< nothing says what presses, or how stuck couplings share
     stuck_in_circuit,      ///< a freedom would stick that is no joint of the tree
     beyond_stop,           ///< a freedom begins beyond its stop

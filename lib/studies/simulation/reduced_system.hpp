@@ -35,11 +35,10 @@ class ReducedSystem {
 
   std::size_t free_count() const { return free_count_; }
 
-  /// Of each of `find_rubbing`; none act before. `is_open`: nothing says how much of what
-  /// is held couplings that stick have.
-  void set_friction(std::vector<FrictionSense> senses, bool is_open);
-
   std::size_t held_count() const { return network_.driven_rates.size() - free_count_; }
+
+  /// Of each of `find_rubbing`; none act before. `is_open`: shares of what sticks are not known.
+  void set_friction(std::vector<FrictionSense> senses, bool is_open);
 
   /// Of the free coordinates, the held ones being steady. False where there are none: `obstacle`.
   [[nodiscard]] bool accelerate(double time,
@@ -58,17 +57,18 @@ class ReducedSystem {
   VecX direction_of(int freedom) const;
   VecX direction_of(std::span<const SlidingTerm> slides) const;
 
-  /// What an impulse about or along a freedom changes of the speeds of the free coordinates, by
-  /// unit speed that the freedom changes by; and the inertia that it meets [kg·m² or kg].
+  /// What an impulse about or along a freedom does by unit speed that this changes by.
   struct Impulse {
-    VecX speeds;  ///< of the free coordinates
-    VecX held;    ///< impulses that hold the held ones [N·s or N·m·s]
-    double inertia = 0.0;
+    VecX speeds;           ///< of the free coordinates
+    VecX held;             ///< impulses that hold the held ones [N·s or N·m·s]
+    double inertia = 0.0;  ///< that it meets [kg·m² or kg]
   };
 
   std::optional<Impulse> impulse_at(int freedom) const;
 
-  /// How a freedom speeds up.
+  /// Those of all actions where it changes the freedom by so much [N·s or N·m·s].
+  std::vector<std::optional<double>> borne_in(const Impulse& impulse, int freedom, double change);
+
   std::optional<double> acceleration_of(int freedom,
                                         const Configuration& configuration,
                                         std::span<const double> speeds,

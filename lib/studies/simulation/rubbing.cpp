@@ -21,7 +21,8 @@ class GearFinder {
         lines_(find_hinge_lines(topology_, geometry_)) {}
 
   // Of the head, then of the tail; empty where hinges do not join both with the carrier.
-  std::vector<Rubbing> gears_of(CouplingId id, double share) const {
+  std::vector<Rubbing> gears_of(const LossyMesh& lossy) const {
+    const CouplingId id = lossy.coupling;
     const auto mesh = std::ranges::find(meshes_, id, &Mesh::coupling);
     if (mesh == meshes_.end() || !mesh->carrier) {
       return {};
@@ -34,11 +35,15 @@ class GearFinder {
       if (slides.empty()) {
         return {};
       }
+      const CouplingId hinge = topology_.freedoms[at(slides.front().freedom)].coupling;
+      const Twist& axis = geometry_.motions[at(slides.front().freedom)];
+      const Vec3 arm = geometry_.points[at(id.value)] - geometry_.points[at(hinge.value)];
       gears.push_back({.coupling = id,
                        .slides = std::move(slides),
                        .gear = DrivenGear{.between = {.tail = *mesh->carrier, .head = gear},
                                           .is_head = gear == teeth.head,
-                                          .share = share,
+                                          .mesh = &lossy,
+                                          .radius = axis.angular.cross(arm).norm(),
                                           .sense = sense}});
     }
     return gears;
@@ -104,8 +109,8 @@ class GearFinder {
 }  // namespace
 
 bool Rubbing::is_dry() const {
-  return gear || friction.mu > 0.0 || friction.tau > 0.0 || friction.tau_of_speed ||
-         friction.mu_static;
+  return gear || !friction.cables.empty() || friction.mu > 0.0 || friction.tau > 0.0 ||
+         friction.tau_of_speed || friction.mu_static;
 }
 
 std::vector<Rubbing> find_rubbing(const Mechanism& mechanism) {
@@ -119,15 +124,15 @@ std::vector<Rubbing> find_rubbing(const Mechanism& mechanism) {
   }
   const GearFinder finder(mechanism);
   for (const LossyMesh& lossy : mechanism.lossy_meshes) {
-    if (lossy.share > 0.0) {
-      std::ranges::move(finder.gears_of(lossy.coupling, lossy.share), std::back_inserter(all));
+    if (lossy.law || lossy.share > 0.0) {
+      std::ranges::move(finder.gears_of(lossy), std::back_inserter(all));
     }
   }
   return all;
 }
 
-bool turns_on_carrier(const Mechanism& mechanism, CouplingId mesh) {
-  return !GearFinder(mechanism).gears_of(mesh, 0.0).empty();
+bool turns_on_carrier(const Mechanism& mechanism, const LossyMesh& mesh) {
+  return !GearFinder(mechanism).gears_of(mesh).empty();
 }
 
 }  // namespace kinestat

@@ -10,12 +10,13 @@
 namespace kinestat {
 
 /// What a mesh loses while it drives one of its gears: a couple against how that turns in the
-/// carrier, `share` of the power that rolls into it over its speed. Of the other gear it is zero.
+/// carrier, a share of the power that rolls into it over its speed. Of the other gear it is zero.
 struct DrivenGear {
   BodyPair between;  ///< carrier and gear
   bool is_head = true;
-  double share = 0.0;
-  double sense = 1.0;  ///< of the screw of the first hinge along the axis of the gear
+  const LossyMesh* mesh = nullptr;  ///< in the mechanism; its share follows from the speed alone
+  double radius = 0.0;              ///< of its pitch circle [m]
+  double sense = 1.0;               ///< of the screw of the first hinge along the axis of the gear
 };
 
 /// A part of a sliding: the rate of a freedom times a factor.
@@ -43,6 +44,6 @@ struct Rubbing {
 std::vector<Rubbing> find_rubbing(const Mechanism& mechanism);
 
 /// Whether hinges on its axis join each gear of a mesh with the carrier.
-bool turns_on_carrier(const Mechanism& mechanism, CouplingId mesh);
+bool turns_on_carrier(const Mechanism& mechanism, const LossyMesh& mesh);
 
 }  // namespace kinestat

@@ -15,6 +15,7 @@ namespace kinestat {
 enum class SimulationEnd {
   complete,  ///< at the end of its time
   goal,      ///< where the file has it end
+  parted,    ///< where a cable or a contact no longer holds what it holds
   stuck      ///< it cannot go on: SimulationSolution::obstacle
 };
 
@@ -42,20 +43,25 @@ struct SimulationRow {
 
 struct SimulationEvent {
   enum class Kind {
-    goal,     ///< a freedom comes to where the simulation ends
-    impact,   ///< a freedom strikes its stop
-    rest,     ///< it stays there
-    release,  ///< it leaves it again
-    stick,    ///< friction holds a freedom
-    slip      ///< and no longer does
+    goal,           ///< a freedom comes to where the simulation ends
+    impact,         ///< a freedom strikes its stop
+    rest,           ///< it stays there
+    release,        ///< it leaves it again
+    stick,          ///< friction holds a freedom
+    slip,           ///< and no longer does
+    cable_slack,    ///< a cable would push: the simulation ends, as with all that follow
+    contact_pulls,  ///< surfaces that touch would pull
+    cable_slips,    ///< a cable would slip on a pulley that holds it by friction
+    lift_off        ///< the arc of a cable on its pulley becomes zero
   };
 
   Kind kind = Kind::goal;
   double time = 0.0;
-  std::string element;  ///< the freedom as the file names it
+  std::string element;  ///< the freedom as the file names it; of what ends it by parting the
+                        ///< segment, the contact of surfaces, or that of cable and pulley
   bool is_rotation = true;
-  double position = 0.0;                   ///< [rad or m]
-  double speed = 0.0;                      ///< before [rad/s or m/s]
+  std::optional<double> position = {};     ///< [rad or m]; of freedoms
+  std::optional<double> speed = {};        ///< before [rad/s or m/s]; likewise
   std::optional<double> speed_after = {};  ///< of an impact
 };
 
@@ -65,12 +71,13 @@ struct SimulationSolution {
   std::vector<int> coordinates;  ///< freedoms that it begins with
   std::vector<SimulationRow> rows;
   std::vector<SimulationEvent> events;
-  int evaluations = 0;         ///< of the accelerations
-  int integrated = 0;          ///< steps of the integration
-  int changes = 0;             ///< of the coordinates, at dead points of those before
-  double energy_drift = 0.0;   ///< largest of what nothing explains, since the begin [J]
-  double energy_scale = 0.0;   ///< the largest kinetic energy, change of potential, work [J]
-  double closure_error = 0.0;  ///< the largest of a row, as share of the size
+  std::vector<CouplingId> unchecked;  ///< cables and contacts whose force nothing determines
+  int evaluations = 0;                ///< of the accelerations
+  int integrated = 0;                 ///< steps of the integration
+  int changes = 0;                    ///< of the coordinates, at dead points of those before
+  double energy_drift = 0.0;          ///< largest of what nothing explains, since the begin [J]
+  double energy_scale = 0.0;          ///< the largest kinetic energy, change of potential, work [J]
+  double closure_error = 0.0;         ///< the largest of a row, as share of the size
 };
 
 /// From `start`, a closed configuration of the network, with these rates of its joints. Held

@@ -38,7 +38,9 @@ FrictionLaw law_of_teeth(const Rubbing& one, const Twist& hinge, double sense, d
   PressingPart part;
   part.part.row(0) << turns.angular.transpose(), turns.linear.transpose();
   part.part *= gear.is_head ? 1.0 : -1.0;
-  part.weight = gear.share;
+  const std::optional<double> share = share_at(*gear.mesh, gear.radius * speed, 0.0);
+  law.has_value = share.has_value();
+  part.weight = share.value_or(0.0);
   part.is_signed = true;
   law.parts = {part};
   return law;
@@ -93,9 +95,12 @@ FrictionLaw StateBalance::law_of(std::size_t friction,
   if (one.gear) {
     return law_of_teeth(one, unit, sense, size);
   }
+  // Arcs of cables on pulleys change as they move.
+  CouplingFriction now = one.friction;
+  now.cables = moved_.frictions[friction].cables;
   return make_friction_law(SlidingOf<double>{
       .topology = mechanism_.topology,
-      .friction = one.friction,
+      .friction = now,
       .unit = unit,
       .twist = {.angular = sense * size * unit.angular, .linear = sense * size * unit.linear},
       .at = moved_.geometry.points[at(one.coupling.value)],
@@ -159,12 +164,15 @@ FrictionMagnitudes StateBalance::solve_friction(std::span<const double> actions,
                                  .along = along});
 }
 
-StaticSolution StateBalance::solve(std::span<const double> actions,
-                                   std::span<const BodyWrench> loads) {
+std::vector<std::optional<double>> StateBalance::solve(std::span<const double> actions,
+                                                       std::span<const BodyWrench> loads) {
   const std::vector<Primary> primaries = primaries_with(actions, loads);
   const CoordinateBasis basis = action_basis(moved_.geometry, moved_.static_order, loads);
-  return resolve_indeterminacy(
+  const StaticSolution found = resolve_indeterminacy(
       moved_, basis, primaries, loads, solve_action(moved_, basis, primaries, loads));
+  std::vector<std::optional<double>> magnitudes = found.magnitudes;
+  magnitudes.resize(mechanism_.topology.actions.size());
+  return magnitudes;
 }
 
 }  // namespace kinestat

@@ -44,7 +44,9 @@ class StateBalance {
                                     std::span<const FrictionLaw> laws,
                                     std::span<const std::vector<BodyWrench>> along);
 
-  StaticSolution solve(std::span<const double> actions, std::span<const BodyWrench> loads);
+  /// All actions; empty what equilibrium does not determine.
+  std::vector<std::optional<double>> solve(std::span<const double> actions,
+                                           std::span<const BodyWrench> loads);
 
  private:
   std::vector<Primary> primaries_with(std::span<const double> actions,

@@ -1,6 +1,7 @@
 // The joints of a network and its conditions between frames, as its closure needs them.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "couplings/finite_law.hpp"
@@ -37,6 +38,14 @@ struct FramedRow {
   int first = 0;              ///< row of the system
   std::vector<int> rates;     ///< of the joints between the two frames
   std::vector<double> signs;  ///< +1: the joint moves the head
+  std::vector<int> steady;    ///< of the rates: see RatesOfRow
+};
+
+/// The rates of the joints that a row depends on.
+struct RatesOfRow {
+  std::span<const int> all;
+  std::span<const int> steady;  ///< those in which it is linear wherever the joints stand: of teeth
+                                ///< all, of cables the turns of pulleys about their centres
 };
 
 }  // namespace kinestat

@@ -88,6 +88,10 @@ void ClosureSystem<Frames>::add_row(const ClosureRow& closure) {
   row.angle = closure.angle;
   row.first = row_count_;
   add_path(closure.tail_frame, closure.head_frame, row);
+  if (one.kind == ClosureKind::cable) {
+    add_steady(closure.tail_frame, one.tail_point, row);
+    add_steady(closure.head_frame, one.head_point, row);
+  }
   const int count = one.kind == ClosureKind::meet ? Frames::kDirections : 1;
   row_count_ += count;
   row_couplings_.insert(row_couplings_.end(), at(count), closure.coupling.value);
@@ -114,6 +118,19 @@ void ClosureSystem<Frames>::add_path(int from, int to, Row& row) const {
     } else {
       to = note(to, 1.0);
     }
+  }
+}
+
+// A pulley that turns about its own centre takes up cable as it turns, and moves nothing else.
+template <class Frames>
+void ClosureSystem<Frames>::add_steady(int frame, const Vec3& centre, Row& row) const {
+  if (frame == 0) {
+    return;
+  }
+  const ClosureJoint& last = joints_[at(frame - 1)];
+  const bool is_on_path = std::ranges::count(row.rates, last.rate) > 0;
+  if (is_on_path && last.kind == ElementaryKind::turn && last.point == Vec3(centre / length_)) {
+    row.steady.push_back(last.rate);
   }
 }
 
@@ -296,14 +313,14 @@ void ClosureSystem<Frames>::evaluate(std::span<const double> coordinates,
 }
 
 template <class Frames>
-std::vector<std::span<const int>> ClosureSystem<Frames>::rates_of_rows() const {
-  std::vector<std::span<const int>> result;
+std::vector<RatesOfRow> ClosureSystem<Frames>::rates_of_rows() const {
+  std::vector<RatesOfRow> result;
   for (const Row& row : rows_) {
     const int count = row.kind == ClosureKind::meet ? Frames::kDirections : 1;
-    result.insert(result.end(), at(count), row.rates);
+    result.insert(result.end(), at(count), {.all = row.rates, .steady = row.steady});
   }
   for (const RollingRow& rolling : rollings_) {
-    result.emplace_back(rolling.rates);
+    result.push_back({.all = rolling.rates, .steady = rolling.rates});
   }
   return result;
 }

@@ -41,8 +41,7 @@ class ClosureSystem {
   /// The coupling of each row.
   const std::vector<int>& row_couplings() const { return row_couplings_; }
 
-  /// The rates of the joints that a row depends on.
-  std::vector<std::span<const int>> rates_of_rows() const;
+  std::vector<RatesOfRow> rates_of_rows() const;
 
   /// In sizes: no joint is farther from the origin, in the last evaluation; at least 1.
   double reach() const;
@@ -110,6 +109,7 @@ class ClosureSystem {
 
   void add_row(const ClosureRow& closure);
   void add_path(int from, int to, Row& row) const;
+  void add_steady(int frame, const Vec3& centre, Row& row) const;
   void place_rolling(const MotionNetwork& network);
   template <class S>
   Span<S> span_of(const Row& row, const std::vector<Frame<S>>& frames) const;

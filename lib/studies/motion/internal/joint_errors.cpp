@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <numeric>
 
 #include "core/index.hpp"
@@ -91,9 +92,11 @@ void JointErrors::find_places(std::span<const double> coordinates, bool is_singu
   }
   std::vector<double> rounding(at(rows_), 0.0);
   for (int r = 0; r < rows_; ++r) {
-    for (const int rate : closure_.rates_of_rows[at(r)]) {
-      const double factor =
-          is_rolling(r) ? std::abs(closure_.jacobian[at(rate * rows_ + r)]) : closure_.spread;
+    const RatesOfRow& rates = closure_.rates_of_rows[at(r)];
+    for (const int rate : rates.all) {
+      const double factor = std::ranges::count(rates.steady, rate) > 0
+                                ? std::abs(closure_.jacobian[at(rate * rows_ + r)])
+                                : closure_.spread;
       const double frame = is_rolling(r) ? 0.0 : closure_.reach * kRoundingOfFrame;
       rounding[at(r)] += factor * 2.0 * kEpsilon * coordinates_[at(rate)] + frame;
     }
@@ -115,9 +118,13 @@ void JointErrors::find_places(std::span<const double> coordinates, bool is_singu
   }
 }
 
-JointErrors::Sums JointErrors::sums_of(std::span<const int> rates) const {
+// Of the joints that change the levers of a row.
+JointErrors::Sums JointErrors::sums_of(const RatesOfRow& rates) const {
   Sums sums;
-  for (const int rate : rates) {
+  for (const int rate : rates.all) {
+    if (std::ranges::count(rates.steady, rate) > 0) {
+      continue;
+    }
     sums.joints += places_[at(rate)];
     sums.frames += kRoundingOfFrame;
     sums.rate += rates_[at(rate)];
@@ -126,6 +133,16 @@ JointErrors::Sums JointErrors::sums_of(std::span<const int> rates) const {
     sums.bend_error += bend_errors_[at(rate)];
   }
   return sums;
+}
+
+// What rounds where the levers are constant: of teeth they are given, of pulleys found in frames.
+double JointErrors::steady_part(int row, const std::vector<double>& values) const {
+  const double frame = is_rolling(row) ? 0.0 : closure_.reach;
+  double sum = 0.0;
+  for (const int rate : closure_.rates_of_rows[at(row)].steady) {
+    sum += (std::abs(closure_.jacobian[at(rate * rows_ + row)]) + frame) * values[at(rate)];
+  }
+  return kRoundingOfFrame * sum;
 }
 
 // How far the levers of a row are off.
@@ -148,7 +165,7 @@ double JointErrors::mixed(const std::vector<double>& sizes) const {
 }
 
 // J φ = 0 and J ψ = -dJ/dt φ, whose coefficients are off as far as the joints between the sides of
-// a row are. Teeth have constant ones.
+// a row are; those of steady rates are constant.
 void JointErrors::follow(std::span<const double> rates,
                          std::span<const double> bends,
                          std::span<const double> driven_errors,
@@ -166,19 +183,12 @@ void JointErrors::follow(std::span<const double> rates,
     }
     return sum;
   };
-  const auto rolling_part = [&](int r, const std::vector<double>& values) {
-    double sum = 0.0;
-    for (const int rate : closure_.rates_of_rows[at(r)]) {
-      sum += std::abs(closure_.jacobian[at(rate * rows_ + r)]) * values[at(rate)];
-    }
-    return kRoundingOfFrame * sum;
-  };
   std::vector<double> of_rows(at(rows_));
   const double mixed_rates = mixed(rates_);
   for (int r = 0; r < rows_; ++r) {
     const Sums sums = sums_of(closure_.rates_of_rows[at(r)]);
-    of_rows[at(r)] = mixed_rates + driven_part(r, driven_errors) +
-                     (is_rolling(r) ? rolling_part(r, rates_) : misplaced(sums) * sums.rate);
+    of_rows[at(r)] = mixed_rates + driven_part(r, driven_errors) + steady_part(r, rates_) +
+                     misplaced(sums) * sums.rate;
   }
   rate_errors_ = carried(of_rows);
   add_open(rate_errors_, rates_);
@@ -186,12 +196,14 @@ void JointErrors::follow(std::span<const double> rates,
     rate_errors_[at(closure_.network.driven_rates[d])] = driven_errors[d];
   }
   const double mixed_bends = mixed(bends_);
+  std::vector<double> squares;
+  std::ranges::transform(rates_, std::back_inserter(squares), [](double x) { return x * x; });
   for (int r = 0; r < rows_; ++r) {
     const Sums sums = sums_of(closure_.rates_of_rows[at(r)]);
-    of_rows[at(r)] = mixed_bends + driven_part(r, driven_bend_errors) +
-                     (is_rolling(r) ? rolling_part(r, bends_)
-                                    : misplaced(sums) * (sums.bend + sums.rate * sums.rate) +
-                                          closure_.spread * 2.0 * sums.rate * sums.rate_error);
+    of_rows[at(r)] = mixed_bends + driven_part(r, driven_bend_errors) + steady_part(r, bends_) +
+                     (is_rolling(r) ? 0.0 : steady_part(r, squares)) +
+                     misplaced(sums) * (sums.bend + sums.rate * sums.rate) +
+                     closure_.spread * 2.0 * sums.rate * sums.rate_error;
   }
   bend_errors_ = carried(of_rows);
   add_open(bend_errors_, bends_);

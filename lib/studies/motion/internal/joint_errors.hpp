@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "studies/motion/internal/closure_rows.hpp"
 #include "studies/motion/internal/pivoted_qr.hpp"
 #include "studies/motion/motion_network.hpp"
 #include "studies/motion/state_bounds.hpp"
@@ -13,7 +14,7 @@ namespace kinestat {
 /// The equations of a position, factored.
 struct FactoredClosure {
   const MotionNetwork& network;
-  std::vector<std::span<const int>> rates_of_rows;  ///< of the joints between the two sides
+  std::vector<RatesOfRow> rates_of_rows;
   std::span<const double> residuals;
   std::span<const double> jacobian;  ///< rows x rates, one column after the other
   std::span<const int> unknown;      ///< rates that the driven ones determine
@@ -54,7 +55,8 @@ class JointErrors {
   void add_open(std::vector<double>& errors, const std::vector<double>& sizes) const;
   double mixed(const std::vector<double>& sizes) const;
   double misplaced(const Sums& sums) const;
-  Sums sums_of(std::span<const int> rates) const;
+  Sums sums_of(const RatesOfRow& rates) const;
+  double steady_part(int row, const std::vector<double>& values) const;
   std::vector<Sums> sums_of_frames() const;
   BodyBounds bounds_of(const Sums& sums) const;
   void fill_joints(StateBounds& result) const;

@@ -74,9 +74,9 @@ void PathTracker<Frames>::find_blocks() {
     column_of[at(unknown_[i])] = static_cast<int>(i);
   }
   std::vector<std::vector<int>> row_columns;
-  for (const std::span<const int> rates : system_.rates_of_rows()) {
+  for (const RatesOfRow& rates : system_.rates_of_rows()) {
     std::vector<int>& columns = row_columns.emplace_back();
-    for (const int rate : rates) {
+    for (const int rate : rates.all) {
       if (column_of[at(rate)] >= 0) {
         columns.push_back(column_of[at(rate)]);
       }

@@ -66,7 +66,9 @@ std::optional<ReducedSystem::ActingFriction> ReducedSystem::acting_friction(std:
                      .rate = sense * rate,
                      .work = -sense * direction_of(frictions_[i].slides)};
   if (!one.law.has_value) {
-    obstacle_ = {.kind = SimulationObstacle::Kind::open_friction, .coupling = id};
+    obstacle_ = {.kind = frictions_[i].gear ? SimulationObstacle::Kind::no_loss
+                                            : SimulationObstacle::Kind::open_friction,
+                 .coupling = id};
     return std::nullopt;
   }
   if (free > 0) {
@@ -150,8 +152,7 @@ bool ReducedSystem::add_friction(VecX& accelerations) {
 
 // Forces of inertia as of a row of a motion, by the accelerations with their bounds.
 void ReducedSystem::find_borne(const MotionState& state, ReducedState& told) {
-  const std::size_t count = mechanism_.topology.actions.size();
-  told.borne.assign(count, std::nullopt);
+  told.borne.assign(mechanism_.topology.actions.size(), std::nullopt);
   if (is_open_ || state.twist_rates.empty()) {
     return;
   }
@@ -168,10 +169,22 @@ void ReducedSystem::find_borne(const MotionState& state, ReducedState& told) {
                    .zeroed()});
     }
   }
-  StaticSolution found = balance_->solve(actions_, loads);
-  if (found.magnitudes.size() == count) {
-    told.borne = std::move(found.magnitudes);
+  told.borne = balance_->solve(actions_, loads);
+}
+
+std::vector<std::optional<double>> ReducedSystem::borne_in(const Impulse& impulse,
+                                                           int freedom,
+                                                           double change) {
+  std::vector<BodyWrench> loads = inertial(change * impulse.speeds);
+  std::vector<double> held;
+  for (const double one : impulse.held) {
+    held.push_back(change * one);
   }
+  add_held(held, loads);
+  if (!balance_->drives(freedom)) {
+    balance_->add_pair(freedom, change * impulse.inertia, loads);
+  }
+  return balance_->solve(std::vector<double>(actions_.size(), 0.0), loads);
 }
 
 }  // namespace kinestat

@@ -95,7 +95,7 @@ SimulationSolution Simulator::run(const Configuration& start,
     if (!makes_progress(before, told)) {
       return stuck();
     }
-    if (result_.end == SimulationEnd::goal) {
+    if (result_.end != SimulationEnd::complete) {
       break;
     }
   }
@@ -128,8 +128,8 @@ bool Simulator::makes_progress(double before, std::size_t told) {
 // What begins or ends at a time is seen by the steps before and behind it; where something might
 // happen unseen there are no long ones.
 double Simulator::next_end() const {
-  const bool is_watched =
-      !plan_.stops.empty() || !plan_.goals.empty() || !mechanism_.curves.empty() || has_dry();
+  const bool is_watched = !plan_.stops.empty() || !plan_.goals.empty() ||
+                          !mechanism_.curves.empty() || has_dry() || !one_sided_.empty();
   const auto turn = std::ranges::upper_bound(turns_, time_ + least_step());
   double end = turn == turns_.end() ? plan_.duration : std::min(plan_.duration, *turn);
   end = std::min(end, turn_.value_or(end));
@@ -138,6 +138,13 @@ double Simulator::next_end() const {
 }
 
 bool Simulator::advance() {
+  if (begins_anew_ && !look_at_once()) {
+    return false;
+  }
+  if (result_.end != SimulationEnd::complete) {
+    return true;
+  }
+  borne_at_.reset();
   obstacle_ = {.kind = SimulationObstacle::Kind::no_step};
   if (!integration_->step(next_end())) {
     return false;

@@ -41,7 +41,8 @@ class Simulator : private StateInTime {
   // end, couplings that stick and give way.
   struct Happening {
     SimulationEvent::Kind kind = SimulationEvent::Kind::goal;
-    std::size_t index = 0;  // of stick the friction, of slip the group
+    std::size_t index = 0;  // of stick the friction, of slip the group; of what parts into
+                            // one_sided_, contacts of cables, or arcs
     double time = 0.0;
     int sense = 0;  // in which a group would give way
   };
@@ -56,11 +57,8 @@ class Simulator : private StateInTime {
   // What moves a friction, by unit speeds of the free coordinates in radians and sizes.
   VecX direction_in_sizes(std::size_t friction) const;
 
-  // Of the tree, so that it can be held.
-  bool is_joint(std::size_t friction) const;
-
-  // What counts as none.
-  double no_sliding(std::size_t friction) const;
+  bool is_joint(std::size_t friction) const;      // of the tree, so that it can be held
+  double no_sliding(std::size_t friction) const;  // what counts as none
 
   // Which frictions slide, by the speeds there are; the others do not.
   void read_senses();
@@ -91,6 +89,21 @@ class Simulator : private StateInTime {
   std::size_t held_place(std::size_t stop) const;
   std::vector<Happening> possible() const;
 
+  // What ends the simulation because a cable or a contact does not hold, and how far it is from
+  // that, in a state or by the actions that are borne.
+  std::vector<Happening> possible_partings() const;
+  std::optional<double> distance_to_parting(const Happening& what,
+                                            double time,
+                                            std::span<const double> y);
+  std::optional<double> margin(const Happening& what,
+                               const std::vector<std::optional<double>>& borne) const;
+  const std::vector<std::optional<double>>& borne_at(double time, std::span<const double> y);
+
+  // Where the state, or what acts, has just changed. False where it cannot be told.
+  bool look_at_once();
+  bool parts_by(std::size_t stop, const ReducedSystem::Impulse& impulse, double change);
+  void end_by(const Happening& what);
+
   std::optional<Happening> find_first();  // in the last step
 
   // The first time in it at which a curve over a position or a speed is at a point.
@@ -120,10 +133,13 @@ class Simulator : private StateInTime {
   SimulationSolution stuck();
   SimulationSolution finish();
 
-  std::vector<double> signs_;             // of each goal
-  std::vector<StuckGroup> stuck_before_;  // the impact that let them go
-  std::vector<double> turns_;             // of curves over time
-  std::optional<double> turn_;            // the next one of another curve, once it is seen
+  std::vector<double> signs_;                 // of each goal
+  std::vector<StuckGroup> stuck_before_;      // the impact that let them go
+  std::vector<double> turns_;                 // of curves over time
+  std::optional<double> turn_;                // the next one of another curve, once it is seen
+  std::vector<std::optional<double>> borne_;  // all actions
+  std::optional<double> borne_at_;            // then
+  std::vector<double> arcs_;                  // of cables on pulleys, there
   int next_row_ = 0;
   int standstill_ = 0;           // events at one time
   std::size_t told_before_ = 0;  // events before these

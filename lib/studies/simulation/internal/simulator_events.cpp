@@ -82,6 +82,9 @@ std::optional<double> Simulator::distance(const Happening& what,
         place(time, y, there) ? breakaway(what.index, what.sense, time, there, y) : std::nullopt;
     return gives ? std::optional(-*gives) : std::nullopt;
   }
+  if (what.kind >= SimulationEvent::Kind::cable_slack) {
+    return distance_to_parting(what, time, y);
+  }
   const SimulationStop& stop = plan_.stops[what.index];
   if (what.kind == SimulationEvent::Kind::impact) {
     const std::optional<double> now = position_at(stop.of.freedom, time, y);
@@ -104,7 +107,7 @@ std::size_t Simulator::held_place(std::size_t stop) const {
 }
 
 std::vector<Simulator::Happening> Simulator::possible() const {
-  std::vector<Happening> all;
+  std::vector<Happening> all = possible_partings();
   for (std::size_t g = 0; g < plan_.goals.size(); ++g) {
     all.push_back({.kind = SimulationEvent::Kind::goal, .index = g});
   }
@@ -229,6 +232,10 @@ bool Simulator::meet(const Happening& what) {
     result_.end = SimulationEnd::goal;
     return true;
   }
+  if (what.kind >= SimulationEvent::Kind::cable_slack) {
+    end_by(what);
+    return true;
+  }
   note_signs();
   if (what.kind == SimulationEvent::Kind::stick) {
     return decide_friction(std::nullopt);
@@ -259,8 +266,8 @@ SimulationEvent& Simulator::note(SimulationEvent::Kind kind, const NamedFreedom&
                             .time = time_,
                             .element = of.name,
                             .is_rotation = topology_.freedoms[at(of.freedom)].is_rotation,
-                            .position = position_at(of.freedom, time_, state_).value_or(0.0),
-                            .speed = speed_at(of.freedom, time_, state_).value_or(0.0)});
+                            .position = position_at(of.freedom, time_, state_),
+                            .speed = speed_at(of.freedom, time_, state_)});
   return result_.events.back();
 }
 
@@ -301,6 +308,9 @@ bool Simulator::strike(std::size_t index) {
       is_new = is_new && s != index;
       is_quiet = false;
       const double by = -(1.0 + stop.restitution) * stop.side * into;
+      if (parts_by(s, *impulse, by)) {
+        return true;
+      }
       lost_ += 0.5 * impulse->inertia * into * into * (1.0 - stop.restitution * stop.restitution);
       for (std::size_t j = 0; j < free; ++j) {
         state_[free + j] += by * impulse->speeds[static_cast<Eigen::Index>(j)];

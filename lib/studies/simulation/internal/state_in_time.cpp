@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
 #include "core/index.hpp"
 #include "core/simulation_tolerance.hpp"
+#include "mechanism/couplings/one_sided_actions.hpp"
 #include "studies/motion/configuration.hpp"
 
 namespace kinestat {
@@ -27,7 +29,9 @@ StateInTime::StateInTime(const Mechanism& mechanism,
       dry_.push_back(i);
     }
   }
-  needs_balance_ = has_dry() || plan.asks_actions;
+  one_sided_ = find_tensions(topology_);
+  std::ranges::copy(find_contact_forces(topology_), std::back_inserter(one_sided_));
+  needs_balance_ = has_dry() || !one_sided_.empty() || plan.asks_actions;
   for (const HeldFreedom& one : plan.held) {
     held_.push_back(rate_of_freedom(network, one.of.freedom));
   }
@@ -123,6 +127,7 @@ void StateInTime::begin_at(double time, const VecX& rates) {
 }
 
 void StateInTime::restart() {
+  begins_anew_ = true;
   integration_ = std::make_unique<InitialValueProblem>(
       [this](double time, std::span<const double> y, std::span<double> f) {
         return slope(time, y, f);

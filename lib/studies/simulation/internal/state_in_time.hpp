@@ -92,6 +92,7 @@ class StateInTime {
   bool needs_balance_ = false;
   std::vector<Rubbing> frictions_;
   std::vector<std::size_t> dry_;       // of these
+  std::vector<int> one_sided_;         // actions that bodies bear in one direction only
   std::vector<FrictionSense> senses_;  // of all frictions
   std::vector<StuckGroup> groups_;
   std::vector<std::unique_ptr<ReducedSystem>> trials_;  // each with one group that is free
@@ -110,6 +111,7 @@ class StateInTime {
   double lost_ = 0.0;
   double fastest_ = 0.0;  // [rad/s or sizes/s]
   std::optional<double> step_;
+  bool begins_anew_ = true;  // another state, or something else acts
   int evaluations_ = 0;
   SimulationObstacle obstacle_;
 };

@@ -12,9 +12,17 @@ namespace kinestat {
 
 namespace {
 
-constexpr std::array<std::string_view, 3> kEndWords = {"complete", "goal", "stuck"};
-constexpr std::array<std::string_view, 6> kEventWords = {
-    "goal", "impact", "rest", "release", "stick", "slip"};
+constexpr std::array<std::string_view, 4> kEndWords = {"complete", "goal", "parted", "stuck"};
+constexpr std::array<std::string_view, 10> kEventWords = {"goal",
+                                                          "impact",
+                                                          "rest",
+                                                          "release",
+                                                          "stick",
+                                                          "slip",
+                                                          "cable_slack",
+                                                          "contact_pulls",
+                                                          "cable_slips",
+                                                          "lift_off"};
 
 // A column or an event with the units of the file.
 template <class Item>
@@ -210,21 +218,29 @@ const Record<ShownItem<SimulationEvent>>& event_record() {
         {kEventWords.begin(), kEventWords.end()},
         "goal: a freedom reaches the end condition; impact: it strikes a stop; rest: it stays "
         "there; release: it leaves the stop again; stick: its friction holds it; slip: it no "
-        "longer does.",
+        "longer does; cable_slack: a cable would have to push; contact_pulls: surfaces in contact "
+        "would have to pull; cable_slips: a cable would slip on a pulley that holds it by "
+        "friction; lift_off: the arc of a cable on its pulley becomes zero. The last four end the "
+        "simulation.",
         [](const View& v) { return word_of(v.item.kind); });
-    keys.text("element", "The freedom, as the file names it.", [](const View& v) {
-      return v.item.element;
-    });
+    keys.text("element",
+              "The freedom, as the file names it; of the last four the segment of a cable, the "
+              "contact, or cable and pulley.",
+              [](const View& v) { return v.item.element; });
     keys.quantity("time",
                   QuantityKind::time,
                   "When; of a rest: after the impacts that would follow each other ever faster.",
                   [](const View& v) { return v.item.time; });
-    keys.converted(
-        "position", ByContext::drive, "Where, from the drawn position.", [](const View& v) {
-          const QuantityKind kind = position_kind(v.item.is_rotation);
-          return std::pair(std::optional(v.units().from_si(kind, v.item.position)),
-                           v.units().text(kind));
-        });
+    keys.converted("position",
+                   ByContext::drive,
+                   "Where, from the drawn position; null for what is no freedom, as is the speed.",
+                   [](const View& v) {
+                     const QuantityKind kind = position_kind(v.item.is_rotation);
+                     return std::pair(v.item.position
+                                          ? std::optional(v.units().from_si(kind, *v.item.position))
+                                          : std::nullopt,
+                                      v.units().text(kind));
+                   });
     const auto speed = [](const View& v, const std::optional<double>& value) {
       const QuantityKind kind = rate_kind(v.item.is_rotation);
       return std::pair(value ? std::optional(v.units().from_si(kind, *value)) : std::nullopt,
@@ -250,8 +266,9 @@ const Record<SimulationReportView>& simulation_record() {
         keys.word(
             "status",
             {kEndWords.begin(), kEndWords.end()},
-            "complete: to the end of its time; goal: to an earlier end given in the file; stuck: "
-            "it could not continue, and the rows go as far as it did.",
+            "complete: to the end of its time; goal: to an earlier end given in the file; parted: "
+            "to where a cable or a contact no longer holds; stuck: it could not continue, and the "
+            "rows go as far as it did.",
             [](const View& v) { return word_of(v.solution.end); });
         keys.quantity("time", QuantityKind::time, "When it ended.", [](const View& v) {
           return v.solution.rows.empty() ? std::nullopt

@@ -58,13 +58,17 @@ class SimulationText {
         return "complete to";
       case SimulationEnd::stuck:
         return "stuck after";
+      case SimulationEnd::parted:
+        return fmt::format("{} at {} after",
+                           word_of(v_.solution.events.back().kind),
+                           v_.solution.events.back().element);
       case SimulationEnd::goal:
         break;
     }
     const SimulationEvent& event =
         *std::ranges::find(v_.solution.events, SimulationEvent::Kind::goal, &SimulationEvent::kind);
     const auto distance = [&](const SimulationGoal& goal) {
-      return std::abs((goal.is_speed ? event.speed : event.position) - goal.value);
+      return std::abs((goal.is_speed ? event.speed : event.position).value_or(0.0) - goal.value);
     };
     const SimulationGoal* met = nullptr;
     for (const SimulationGoal& goal : v_.plan.goals) {
@@ -106,13 +110,16 @@ class SimulationText {
                  "speed",
                  "after"});
     for (const SimulationEvent& one : v_.solution.events) {
+      const auto cell = [&](QuantityKind kind, const std::optional<double>& si) {
+        return si ? with_unit(kind, *si) : "-";
+      };
       const QuantityKind rate = rate_kind(one.is_rotation);
       table.add({std::string(word_of(one.kind)),
                  one.element,
                  number(QuantityKind::time, one.time),
-                 with_unit(position_kind(one.is_rotation), one.position),
-                 with_unit(rate, one.speed),
-                 one.speed_after ? with_unit(rate, *one.speed_after) : "-"});
+                 cell(position_kind(one.is_rotation), one.position),
+                 cell(rate, one.speed),
+                 cell(rate, one.speed_after)});
     }
     return table;
   }
@@ -227,11 +234,14 @@ std::string simulation_csv(const SimulationReportView& v) {
     const QuantityKind rate = rate_kind(one.is_rotation);
     const std::string event = fmt::format("event/{}/", e + 1);
     line(one.element, event + "time", QuantityKind::time, one.time, kind, "");
-    line(one.element, event + "position", position_kind(one.is_rotation), one.position, kind, "");
-    line(one.element, event + "speed", rate, one.speed, kind, "");
-    if (one.speed_after) {
-      line(one.element, event + "speed_after", rate, one.speed_after, kind, "");
-    }
+    const auto known = [&](const char* key, QuantityKind of, const std::optional<double>& value) {
+      if (value) {
+        line(one.element, event + key, of, value, kind, "");
+      }
+    };
+    known("position", position_kind(one.is_rotation), one.position);
+    known("speed", rate, one.speed);
+    known("speed_after", rate, one.speed_after);
   }
   return text;
 }

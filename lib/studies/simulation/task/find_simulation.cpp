@@ -12,10 +12,11 @@
 #include "mechanism/bind/bind.hpp"
 #include "mechanism/couplings/drawn_coupling_binder.hpp"
 #include "mechanism/label_kind.hpp"
-#include "report/number_format.hpp"
 #include "studies/motion/configuration.hpp"
 #include "studies/motion/motion.hpp"
 #include "studies/simulation/task/read_simulation.hpp"
+#include "studies/simulation/task/simulation_findings.hpp"
+#include "studies/simulation/task/simulation_limits.hpp"
 
 namespace kinestat {
 
@@ -150,11 +151,7 @@ class StartFinder {
     }
     std::vector<int> chosen = independent_rates(network, motions, preferred);
     if (static_cast<Eigen::Index>(chosen.size()) < motions.cols()) {
-      found_.error("E0516",
-                   plan_.where,
-                   "a simulation does not know bodies that turn freely about a point",
-                   "model the ball as couplings with one axis each, such as a universal and a "
-                   "revolute");
+      refuse_unnamed(network);
       return std::nullopt;
     }
     if (chosen.size() == plan_.held.size()) {
@@ -166,6 +163,28 @@ class StartFinder {
       return std::nullopt;
     }
     return chosen;
+  }
+
+  // Motions that no freedom with a position tells apart.
+  void refuse_unnamed(const MotionNetwork& network) {
+    for (int b = 1; b < topology_.body_count(); ++b) {
+      const int frame = network.frame_of_body[at(b)];
+      const MotionJoint& last = network.joints[at(frame - 1)];
+      if (frame > 0 && last.coordinate >= 0 && last.freedom < 0) {
+        return refuse(SimulationLimit::unguided_body,
+                      topology_.body({b}).where,
+                      fmt::format("body '{}'", topology_.body({b}).name),
+                      found_);
+      }
+    }
+    for (const BallFreedoms& ball : network.balls) {
+      const CouplingId id = topology_.freedoms[at(ball.first_freedom)].coupling;
+      return refuse(SimulationLimit::ball,
+                    topology_.coupling(id).where,
+                    fmt::format("'{}'", topology_.coupling(id).name),
+                    found_);
+    }
+    refuse(SimulationLimit::ball, plan_.where, "some turn in the drawn position", found_);
   }
 
   bool is_held(int freedom) const {
@@ -238,7 +257,8 @@ class StartFinder {
       found_.error("E0517",
                    plan_.where,
                    way.status == MotionStatus::not_assembled ? "the drawn position does not close"
-                   : way.status == MotionStatus::lost_branch || way.status == MotionStatus::limit
+                   : way.status == MotionStatus::lost_branch || way.status == MotionStatus::limit ||
+                           way.status == MotionStatus::lift_off
                        ? "the mechanism cannot come from the drawn position to the start"
                        : "the drawn position is singular: what is given does not determine it",
                    "'kinestat motion' with the same drives says more; draw the mechanism nearer to "
@@ -256,12 +276,10 @@ class StartFinder {
       return false;
     }
     if (const std::optional<BodyId> body = spinning_body(begin, speeds.size())) {
-      found_.error("E0516",
-                   topology_.body(*body).where,
-                   fmt::format("body '{}' turns or slides by itself, and its inertia counts there",
-                               topology_.body(*body).name),
-                   "a simulation does not know how fast: take the freedom away that no other body "
-                   "feels, for example by a universal joint instead of a ball");
+      refuse(SimulationLimit::idle_inertia,
+             topology_.body(*body).where,
+             fmt::format("body '{}'", topology_.body(*body).name),
+             found_);
       return false;
     }
     begin.rates =
@@ -284,144 +302,6 @@ class StartFinder {
   const SimulationPlan& plan_;
   Diagnostics& found_;
 };
-
-std::string name_of(const SimulationObstacle& obstacle, const Mechanism& mechanism) {
-  using enum SimulationObstacle::Kind;
-  const std::string rubbing =
-      obstacle.coupling ? fmt::format("'{}'", mechanism.topology.coupling(*obstacle.coupling).name)
-                        : "couplings that stick";
-  switch (obstacle.kind) {
-    case no_branch:
-    case singular:
-      return "the mechanism stands in a singular position there, from which nothing says how it "
-             "goes on";
-    case no_inertia:
-      return "something moves there that has neither mass nor inertia";
-    case rotor:
-      return fmt::format(
-          "body '{}', of which only the inertia about one axis is known, turns about "
-          "another",
-          mechanism.topology.body(*obstacle.body).name);
-    case spring:
-      return fmt::format("spring '{}' has no force there",
-                         mechanism.springs[obstacle.of_spring->spring].name);
-    case curve:
-      return obstacle.of_curve->kind == CurveObstacle::Kind::no_value
-                 ? fmt::format("'{}' has no value there", obstacle.of_curve->number)
-                 : fmt::format("curve '{}' has no value there",
-                               mechanism.curves[obstacle.of_curve->curve].name);
-    case friction_without_end:
-      return fmt::format("friction of {} grows without end with what it causes", rubbing);
-    case friction_in_two_ways:
-      return fmt::format("friction of {} is in balance in two ways", rubbing);
-    case open_friction:
-      return fmt::format("nothing says how large the friction of {} is", rubbing);
-    case stuck_in_circuit:
-      return fmt::format("{} would stick alone while its circuit moves on", rubbing);
-    case beyond_stop:
-      return "a freedom begins beyond its stop";
-    case no_progress:
-      return "stops are struck again and again there, and nothing moves on";
-    case no_step:
-      return "the steps of the integration vanish there";
-    case too_many_steps:
-      return "its steps are too many; so fast is something against 'time'";
-  }
-  return "";
-}
-
-std::string_view hint_of(const SimulationObstacle& obstacle) {
-  using enum SimulationObstacle::Kind;
-  switch (obstacle.kind) {
-    case no_branch:
-    case singular:
-      return "'stops' keep a freedom from going so far; end it before with 'until'";
-    case no_inertia:
-      return "give the bodies that move 'mass', 'centre_of_mass' and 'inertia'";
-    case rotor:
-      return "give three moments of inertia instead of {polar: …}";
-    case spring:
-      return "'kinestat explain E0324' says when; 'stops' keep a freedom from going so far";
-    case curve:
-      return "give the curve points as far, or a 'period'; 'kinestat explain E0326' says more";
-    case friction_without_end:
-    case friction_in_two_ways:
-      return "rigid bodies with so much friction have no answer there (Painleve): make it less, or "
-             "what presses longer";
-    case open_friction:
-      return "equilibrium leaves open what presses there, or how couplings that stick together "
-             "share: leave to each what it takes, or the friction to one of them";
-    case stuck_in_circuit:
-      return "name it in 'start', so that it is a coordinate; or leave the friction to another "
-             "coupling of its circuit";
-    case beyond_stop:
-      return "give it a place within, or a stop further out: both are from the drawn position";
-    case no_progress:
-      return "stops that press on each other through what they stop are not told apart: leave one "
-             "of them";
-    case no_step:
-      return "something becomes infinitely fast there; end it before with 'until'";
-    case too_many_steps:
-      return "make the time shorter, what is stiff softer or what moves there heavier, or raise "
-             "'tolerance'";
-  }
-  return "";
-}
-
-// How near a simulation came to a goal that lies beyond all of its rows.
-struct NearestRow {
-  bool is_greatest = true;
-  double value = 0.0;
-  double time = 0.0;
-};
-
-std::optional<NearestRow> nearest_row(const SimulationGoal& goal, const SimulationSolution& of) {
-  std::optional<NearestRow> nearest;
-  for (const SimulationRow& row : of.rows) {
-    const std::optional<double>& value =
-        goal.is_speed ? row.rates[at(goal.of.freedom)] : row.positions[at(goal.of.freedom)];
-    if (!value) {
-      continue;
-    }
-    if (*value == goal.value) {
-      return std::nullopt;  // it began there
-    }
-    const bool is_below = *value < goal.value;
-    if (nearest && nearest->is_greatest != is_below) {
-      return std::nullopt;  // rows on both sides of it
-    }
-    if (!nearest || std::abs(*value - goal.value) < std::abs(nearest->value - goal.value)) {
-      nearest = {.is_greatest = is_below, .value = *value, .time = row.time};
-    }
-  }
-  return nearest;
-}
-
-void warn_of_missed_goals(const FoundSimulation& simulation,
-                          const FileUnits& units,
-                          Diagnostics& found) {
-  const auto with_unit = [&](QuantityKind kind, double si) {
-    return fmt::format("{} {}", format_short(units.from_si(kind, si)), units.text(kind));
-  };
-  for (const SimulationGoal& goal : simulation.plan.goals) {
-    const bool turns = simulation.mechanism.topology.freedoms[at(goal.of.freedom)].is_rotation;
-    const QuantityKind kind = goal.is_speed ? rate_kind(turns) : position_kind(turns);
-    const std::optional<NearestRow> nearest = nearest_row(goal, simulation.solution);
-    found.warning(
-        "W0513",
-        goal.of.where,
-        fmt::format("'{}' did not reach {} in {}{}",
-                    goal.of.name,
-                    with_unit(kind, goal.value),
-                    with_unit(QuantityKind::time, simulation.plan.duration),
-                    nearest ? fmt::format(": {} of the rows {} at {}",
-                                          nearest->is_greatest ? "greatest" : "least",
-                                          with_unit(kind, nearest->value),
-                                          with_unit(QuantityKind::time, nearest->time))
-                            : ""),
-        "raise 'time' if it is still on its way; else change the value, or what drives it");
-  }
-}
 
 }  // namespace
 
@@ -470,23 +350,7 @@ std::optional<FoundSimulation> find_simulation(const MechanismDescription& descr
                                      begin->configuration,
                                      begin->coordinates,
                                      begin->rates);
-  if (result.solution.end == SimulationEnd::complete) {
-    warn_of_missed_goals(result, description.units, found);
-  }
-  if (result.solution.end == SimulationEnd::stuck) {
-    const double time = result.solution.rows.empty() ? 0.0 : result.solution.rows.back().time;
-    const FileUnits& units = description.units;
-    const SimulationObstacle::Kind why = result.solution.obstacle.kind;
-    const bool is_painleve = why == SimulationObstacle::Kind::friction_without_end ||
-                             why == SimulationObstacle::Kind::friction_in_two_ways;
-    found.error(is_painleve ? "E0519" : "E0515",
-                result.plan.where,
-                fmt::format("the simulation cannot go on after {} {}: {}",
-                            format_short(units.from_si(QuantityKind::time, time)),
-                            units.text(QuantityKind::time),
-                            name_of(result.solution.obstacle, result.mechanism)),
-                std::string(hint_of(result.solution.obstacle)));
-  }
+  add_simulation_findings(result, description.units, found);
   return result;
 }
 

@@ -10,10 +10,12 @@
 #include "core/index.hpp"
 #include "core/simulation_tolerance.hpp"
 #include "core/text.hpp"
+#include "couplings/kinds.hpp"
 #include "description/simulation_report_words.hpp"
 #include "mechanism/bind/evaluator.hpp"
-#include "mechanism/couplings/one_sided_actions.hpp"
 #include "mechanism/label_kind.hpp"
+#include "studies/simulation/rubbing.hpp"
+#include "studies/simulation/task/simulation_limits.hpp"
 
 namespace kinestat {
 
@@ -291,67 +293,35 @@ class SimulationReader {
     }
   }
 
-  void refuse(SourceRange where, const std::string& what, const std::string& hint) {
-    found_.error("E0516", where, what, hint);
-  }
-
-  // What acts otherwise than a simulation knows.
   void check_known() {
+    using enum SimulationLimit;
     for (const CouplingFriction& friction : mechanism_.frictions) {
-      const bool is_of_one_freedom = !friction.converter && friction.cables.empty() &&
-                                     topology_.coupling(friction.coupling).freedom_count == 1;
-      if (!is_of_one_freedom) {
-        refuse(friction.where,
-               fmt::format("a simulation does not know how '{}' rubs: it slides in several "
-                           "directions, or by a cable or a fluid",
-                           topology_.coupling(friction.coupling).name),
-               "model it by couplings of one freedom each; or ask 'kinestat motion' for the forces "
-               "along a given motion, which has such friction");
+      const CouplingTopology& coupling = topology_.coupling(friction.coupling);
+      if (friction.converter) {
+        refuse(converter, friction.where, fmt::format("'{}'", coupling.name), found_);
+      } else if (coupling.freedom_count != 1) {
+        refuse(friction_of_several, friction.where, fmt::format("'{}'", coupling.name), found_);
       }
     }
     for (const LossyMesh& mesh : mechanism_.lossy_meshes) {
       const CouplingTopology& coupling = topology_.coupling(mesh.coupling);
-      if (mesh.law) {
-        refuse(
-            coupling.where,
-            fmt::format("a simulation does not know what mesh '{}' loses: that hangs on speed or "
-                        "force",
-                        coupling.name),
-            "give its 'losses' a number");
-      } else if (mesh.share > 0.0 && !turns_on_carrier(mechanism_, mesh.coupling)) {
-        refuse(coupling.where,
-               fmt::format("a simulation does not know what mesh '{}' loses: hinges on their axes "
-                           "do not join both gears with one body",
-                           coupling.name),
-               "remove 'losses' for it: its teeth lose nothing then");
+      const std::string name = fmt::format("mesh '{}'", coupling.name);
+      if (mesh.law && std::ranges::count(mesh.law->names(), kForceOfTeeth) > 0) {
+        refuse(loss_by_force, coupling.where, name, found_);
+      } else if ((mesh.law || mesh.share > 0.0) && !turns_on_carrier(mechanism_, mesh)) {
+        refuse(loss_without_hinges, coupling.where, name, found_);
       }
     }
     for (const CouplingDescription& coupling : couplings_) {
       if (coupling.one_way) {
-        refuse(
-            coupling.name.where,
-            fmt::format("a simulation does not know when freewheel '{}' holds", coupling.name.text),
-            "remove 'one_way' and give the action of the clutch, 0 while it is open");
+        refuse(freewheel, coupling.name.where, fmt::format("'{}'", coupling.name.text), found_);
       }
     }
-    const std::vector<int> tensions = find_tensions(topology_);
-    const std::vector<int> contacts = find_contact_forces(topology_);
-    for (const int action : tensions.empty() ? contacts : tensions) {
-      const CouplingTopology& coupling = topology_.coupling(topology_.actions[at(action)].coupling);
-      refuse(
-          coupling.where,
-          fmt::format("a simulation does not know whether '{}' keeps its {}",
-                      coupling.name,
-                      tensions.empty() ? "contact" : "tension"),
-          "ask 'kinestat motion' for the forces along a given motion; a spring with 'acts: pull' "
-          "or 'acts: push' acts in one direction alone, and 'stops' of 'simulation' are contacts");
-      break;
-    }
     for (const ActuatorTopology& actuator : topology_.actuators) {
-      if (std::ranges::count(contacts, actuator.action) > 0) {
-        refuse(actuator.where,
-               fmt::format("a simulation does not know actuator '{}'", actuator.name),
-               "put it on a coupling whose freedom has a position");
+      const CouplingId id = topology_.freedoms[at(actuator.freedom)].coupling;
+      const CouplingTopology& coupling = topology_.coupling(id);
+      if (kind_of(coupling.type).only_pushes || coupling.bears_tension()) {
+        refuse(contact_actuator, actuator.where, fmt::format("'{}'", actuator.name), found_);
       }
     }
   }

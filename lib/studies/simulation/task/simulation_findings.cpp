@@ -1,0 +1,248 @@
+#include "studies/simulation/task/simulation_findings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/index.hpp"
+#include "core/text.hpp"
+#include "mechanism/label_kind.hpp"
+#include "report/number_format.hpp"
+
+namespace kinestat {
+
+namespace {
+
+std::string name_of(const SimulationObstacle& obstacle, const Mechanism& mechanism) {
+  using enum SimulationObstacle::Kind;
+  const std::string rubbing =
+      obstacle.coupling ? fmt::format("'{}'", mechanism.topology.coupling(*obstacle.coupling).name)
+                        : "couplings that stick";
+  switch (obstacle.kind) {
+    case no_branch:
+    case singular:
+      return "the mechanism stands in a singular position there, from which nothing says how it "
+             "goes on";
+    case no_inertia:
+      return "something moves there that has neither mass nor inertia";
+    case rotor:
+      return fmt::format(
+          "body '{}', of which only the inertia about one axis is known, turns about "
+          "another",
+          mechanism.topology.body(*obstacle.body).name);
+    case spring:
+      return fmt::format("spring '{}' has no force there",
+                         mechanism.springs[obstacle.of_spring->spring].name);
+    case curve:
+      return obstacle.of_curve->kind == CurveObstacle::Kind::no_value
+                 ? fmt::format("'{}' has no value there", obstacle.of_curve->number)
+                 : fmt::format("curve '{}' has no value there",
+                               mechanism.curves[obstacle.of_curve->curve].name);
+    case friction_without_end:
+      return fmt::format("friction of {} grows without end with what it causes", rubbing);
+    case friction_in_two_ways:
+      return fmt::format("friction of {} is in balance in two ways", rubbing);
+    case no_loss:
+      return fmt::format("the loss of mesh {} has no value there from 0 to below 1", rubbing);
+    case open_friction:
+      return fmt::format("nothing says how large the friction of {} is", rubbing);
+    case stuck_in_circuit:
+      return fmt::format("{} would stick alone while its circuit moves on", rubbing);
+    case beyond_stop:
+      return "a freedom begins beyond its stop";
+    case no_progress:
+      return "stops are struck again and again there, and nothing moves on";
+    case no_step:
+      return "the steps of the integration vanish there";
+    case too_many_steps:
+      return "its steps are too many; so fast is something against 'time'";
+  }
+  return "";
+}
+
+std::string_view hint_of(const SimulationObstacle& obstacle) {
+  using enum SimulationObstacle::Kind;
+  switch (obstacle.kind) {
+    case no_branch:
+    case singular:
+      return "'stops' keep a freedom from going so far; end it before with 'until'";
+    case no_inertia:
+      return "give the bodies that move 'mass', 'centre_of_mass' and 'inertia'";
+    case rotor:
+      return "give three moments of inertia instead of {polar: …}";
+    case spring:
+      return "'kinestat explain E0324' says when; 'stops' keep a freedom from going so far";
+    case curve:
+      return "give the curve points as far, or a 'period'; 'kinestat explain E0326' says more";
+    case friction_without_end:
+    case friction_in_two_ways:
+      return "rigid bodies with so much friction have no answer there (Painleve): make it less, or "
+             "what presses longer";
+    case no_loss:
+      return "write an expression of 'speed' that has one at any speed, for example by min(0.5, …)";
+    case open_friction:
+      return "equilibrium leaves open what presses there, or how couplings that stick together "
+             "share: leave to each what it takes, or the friction to one of them";
+    case stuck_in_circuit:
+      return "name it in 'start', so that it is a coordinate; or leave the friction to another "
+             "coupling of its circuit";
+    case beyond_stop:
+      return "give it a place within, or a stop further out: both are from the drawn position";
+    case no_progress:
+      return "stops that press on each other through what they stop are not told apart: leave one "
+             "of them";
+    case no_step:
+      return "something becomes infinitely fast there; end it before with 'until'";
+    case too_many_steps:
+      return "make the time shorter, what is stiff softer or what moves there heavier, or raise "
+             "'tolerance'";
+  }
+  return "";
+}
+
+// How near a simulation came to a goal that lies beyond all of its rows.
+struct NearestRow {
+  bool is_greatest = true;
+  double value = 0.0;
+  double time = 0.0;
+};
+
+std::optional<NearestRow> nearest_row(const SimulationGoal& goal, const SimulationSolution& of) {
+  std::optional<NearestRow> nearest;
+  for (const SimulationRow& row : of.rows) {
+    const std::optional<double>& value =
+        goal.is_speed ? row.rates[at(goal.of.freedom)] : row.positions[at(goal.of.freedom)];
+    if (!value) {
+      continue;
+    }
+    if (*value == goal.value) {
+      return std::nullopt;  // it began there
+    }
+    const bool is_below = *value < goal.value;
+    if (nearest && nearest->is_greatest != is_below) {
+      return std::nullopt;  // rows on both sides of it
+    }
+    if (!nearest || std::abs(*value - goal.value) < std::abs(nearest->value - goal.value)) {
+      nearest = {.is_greatest = is_below, .value = *value, .time = row.time};
+    }
+  }
+  return nearest;
+}
+
+void warn_of_missed_goals(const FoundSimulation& simulation,
+                          const FileUnits& units,
+                          Diagnostics& found) {
+  const auto with_unit = [&](QuantityKind kind, double si) {
+    return fmt::format("{} {}", format_short(units.from_si(kind, si)), units.text(kind));
+  };
+  for (const SimulationGoal& goal : simulation.plan.goals) {
+    const bool turns = simulation.mechanism.topology.freedoms[at(goal.of.freedom)].is_rotation;
+    const QuantityKind kind = goal.is_speed ? rate_kind(turns) : position_kind(turns);
+    const std::optional<NearestRow> nearest = nearest_row(goal, simulation.solution);
+    found.warning(
+        "W0513",
+        goal.of.where,
+        fmt::format("'{}' did not reach {} in {}{}",
+                    goal.of.name,
+                    with_unit(kind, goal.value),
+                    with_unit(QuantityKind::time, simulation.plan.duration),
+                    nearest ? fmt::format(": {} of the rows {} at {}",
+                                          nearest->is_greatest ? "greatest" : "least",
+                                          with_unit(kind, nearest->value),
+                                          with_unit(QuantityKind::time, nearest->time))
+                            : ""),
+        "raise 'time' if it is still on its way; else change the value, or what drives it");
+  }
+}
+
+// Cables and contacts whose force equilibrium leaves open.
+void warn_of_unchecked(const FoundSimulation& simulation, Diagnostics& found) {
+  std::vector<std::string> names;
+  for (const CouplingId id : simulation.solution.unchecked) {
+    names.push_back(fmt::format("'{}'", simulation.mechanism.topology.coupling(id).name));
+  }
+  if (!names.empty()) {
+    found.warning("W0601",
+                  simulation.plan.where,
+                  fmt::format("equilibrium leaves open what {} bear{}, and the simulation assumes "
+                              "that {} hold{}",
+                              plain_list(names),
+                              names.size() == 1 ? "s" : "",
+                              names.size() == 1 ? "it" : "they",
+                              names.size() == 1 ? "s" : ""),
+                  "enough pretension keeps cables taut; 'kinestat motion' finds the forces for a "
+                  "given one");
+  }
+}
+
+void warn_of_parting(const FoundSimulation& simulation,
+                     const FileUnits& units,
+                     Diagnostics& found) {
+  const Mechanism& mechanism = simulation.mechanism;
+  const SimulationEvent& event = simulation.solution.events.back();
+  const auto warn = [&](SourceRange where, const std::string& what) {
+    found.warning("W0514",
+                  where,
+                  fmt::format("the simulation ends after {} {}: {}",
+                              format_short(units.from_si(QuantityKind::time, event.time)),
+                              units.text(QuantityKind::time),
+                              what),
+                  "how it continues is another mechanism, in a file of its own; 'until' ends it "
+                  "before, or change what drives, presses or pulls there");
+  };
+  const auto is_it = [&](const auto& one) { return one.name == event.element; };
+  using enum SimulationEvent::Kind;
+  if (event.kind == cable_slack || event.kind == contact_pulls) {
+    const auto coupling = std::ranges::find_if(mechanism.topology.couplings, is_it);
+    warn(coupling->where,
+         event.kind == cable_slack
+             ? fmt::format("segment '{}' would have to push", event.element)
+             : fmt::format("the surfaces of '{}' would have to pull", event.element));
+    return;
+  }
+  const auto contact = std::ranges::find_if(mechanism.contacts, is_it);
+  warn(contact->where,
+       event.kind == lift_off
+           ? fmt::format("the arc of contact of '{}' becomes zero", event.element)
+           : fmt::format("the cable would slip in '{}'", event.element));
+}
+
+void add_obstacle(const FoundSimulation& simulation, const FileUnits& units, Diagnostics& found) {
+  const SimulationSolution& solution = simulation.solution;
+  const double time = solution.rows.empty() ? 0.0 : solution.rows.back().time;
+  const SimulationObstacle::Kind why = solution.obstacle.kind;
+  const bool is_painleve = why == SimulationObstacle::Kind::friction_without_end ||
+                           why == SimulationObstacle::Kind::friction_in_two_ways;
+  found.error(is_painleve ? "E0519" : "E0515",
+              simulation.plan.where,
+              fmt::format("the simulation cannot go on after {} {}: {}",
+                          format_short(units.from_si(QuantityKind::time, time)),
+                          units.text(QuantityKind::time),
+                          name_of(solution.obstacle, simulation.mechanism)),
+              std::string(hint_of(solution.obstacle)));
+}
+
+}  // namespace
+
+void add_simulation_findings(const FoundSimulation& simulation,
+                             const FileUnits& units,
+                             Diagnostics& found) {
+  warn_of_unchecked(simulation, found);
+  switch (simulation.solution.end) {
+    case SimulationEnd::complete:
+      return warn_of_missed_goals(simulation, units, found);
+    case SimulationEnd::goal:
+      return;
+    case SimulationEnd::parted:
+      return warn_of_parting(simulation, units, found);
+    case SimulationEnd::stuck:
+      return add_obstacle(simulation, units, found);
+  }
+}
+
+}  // namespace kinestat
