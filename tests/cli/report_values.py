@@ -22,7 +22,8 @@ SECTIONS = {
 # Tables have the ratio of a case in the pass of its magnitudes.
 RATIOS = {"kinematics": "ratio", "statics": "torque_ratio", "power": None, "dynamics": None}
 
-LOSSES = {"loss": "meshes", "lossy_friction": "friction", "lossy_action": "actuators"}
+LOSSES = {"loss": "meshes", "lossy_friction": "friction", "lossy_action": "actuators",
+          "lossy_power": "powers"}
 
 
 def facts(value: Any) -> Iterator[Any]:

@@ -100,7 +100,8 @@ class ToleranceJob {
     }
     const std::optional<ReadTolerances> tolerances = read({&held, 1});
     MotionPlan plan = *plan_;
-    plan.which = -1;
+    plan.which = -1;  // positions alone
+    plan.report = {};
     std::optional<FoundMotion> motion =
         tolerances ? follow_motion(analysis_.description, mechanism_, std::move(plan), found_)
                    : std::nullopt;
