@@ -175,6 +175,14 @@ std::optional<TransmissionAnalysis> find_transmissions(const std::string& path,
   if (!check(description, found)) {
     return std::nullopt;
   }
+  if (!description.synthesis || !description.synthesis->transmission) {
+    found.error("E0303",
+                description.synthesis ? description.synthesis->where : SourceRange{},
+                description.synthesis ? "the section 'synthesis' has no 'transmission'"
+                                      : "the file has no section 'synthesis'",
+                "'kinestat new transmission' writes an example");
+    return std::nullopt;
+  }
   std::optional<TransmissionTask> task = read_transmission_task(description, found);
   if (!task) {
     return std::nullopt;
