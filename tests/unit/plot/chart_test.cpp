@@ -141,6 +141,21 @@ TEST(Chart, GivesAStraightPathAFrame) {
   EXPECT_GT(picture.view.height(), 60.0);
 }
 
+// A body that stays where it is, and a force that is always zero.
+TEST(Chart, GivesAPathOfOnePointAFrame) {
+  for (const double place : {0.0, 3.0, -1e-4}) {
+    Chart chart = line_chart();
+    chart.has_equal_scales = true;
+    chart.series.front() = {.name = "p", .x = {place, place}, .y = {place, place}};
+
+    const Picture picture = draw_figure(figure_of(chart));
+
+    EXPECT_GT(picture.view.height(), 60.0);
+    EXPECT_LT(picture.view.height(), 800.0);
+    EXPECT_FALSE(has(picture, ">no data<"));
+  }
+}
+
 TEST(Chart, WantsAsManyXAsY) {
   Chart chart = line_chart();
   chart.series.front().x.pop_back();
