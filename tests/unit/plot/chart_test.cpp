@@ -111,6 +111,22 @@ TEST(Chart, LaysPaperBetweenALabelAndTheGuideOfAnother) {
   EXPECT_EQ(papers({{.x = 45.0, .label = "one"}, {.x = 46.0, .label = "two"}}), none + 2);
 }
 
+// A motion of many turns has thousands of dead points: all have a line, and as many a label as can
+// be read.
+TEST(Chart, LabelsTheFirstGuidesAlone) {
+  Chart chart = line_chart();
+  for (int i = 0; i < 3000; ++i) {
+    chart.guides.push_back({.x = 0.06 * i, .label = "dead point"});
+  }
+
+  const Picture picture = draw_figure(figure_of(chart));
+
+  EXPECT_LT(picture.view.height(), 2000.0);
+  EXPECT_GE(count_of(picture, ">dead point<"), 1U);
+  EXPECT_LE(count_of(picture, ">dead point<"), 100U);
+  EXPECT_GE(count_of(picture, "M"), 3000U);  // where a line begins
+}
+
 TEST(Chart, LeavesOutGuidesBesideTheAxis) {
   Chart chart = line_chart();
   chart.guides = {{.x = 500.0, .label = "far off"}};
