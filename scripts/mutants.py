@@ -2,12 +2,13 @@
 """Changes one token of the library at a time and sees whether a test notices.
 
 Usage: mutants.py [--seed S] [--first N] [--count N] [--minutes M] [--only MODULES]
-                  [--labels LABELS]   (default: 1, 0, 50, no end, all, golden|reference|cli)
+                  [--labels LABELS] [--below SECONDS]
+                  (default: 1, 0, 50, no end, all, golden|reference|cli, however long)
        mutants.py --report | --write
 
 Mutants are numbered: seed and number always make the same one of the same sources. Each is compiled
 alone, put among the objects of its module and linked into the unit tests of the module and into the
-program; tests run the fastest first until one fails. What came of it is a line of
+program; tests run the fastest first, those --below so many seconds alone, until one fails. What came of it is a line of
 build/mutants/log.jsonl, and what stands there is not done again, but for what survived with other
 labels. --report tells the score of each module and the survivors, --write puts the score into
 RELIABILITY.md. Needs build/release, with its tests built.
@@ -246,14 +247,15 @@ def program_tests(labels: str) -> list[Test]:
 class Suite:
     """The tests of the program, the fastest first as far as ctest has run them."""
 
-    def __init__(self, labels: str) -> None:
+    def __init__(self, labels: str, below: float) -> None:
         costs = {}
         file = RELEASE / "Testing/Temporary/CTestCostData.txt"
         if file.exists():
             for line in file.read_text(encoding="utf-8").splitlines():
                 if found := re.fullmatch(r"(\S+) \d+ (\S+)", line):
                     costs[found[1]] = float(found[2])
-        self.programs = sorted(program_tests(labels), key=lambda test: costs.get(test.name, 1.0))
+        cost = lambda test: costs.get(test.name, 1.0)  # noqa: E731
+        self.programs = sorted((test for test in program_tests(labels) if cost(test) < below), key=cost)
         self.broken: set[str] = set()
 
     def notices(self, test: Test, program: Path) -> str:
@@ -315,12 +317,13 @@ def sample(known: argparse.Namespace) -> None:
         if not need.exists():
             sys.exit("mutants.py: build/release is not there; first: scripts/test.sh")
     WORK.mkdir(parents=True, exist_ok=True)
-    suite = Suite(known.labels)
+    suite = Suite(known.labels, known.below)
+    tests = known.labels + (f" below {known.below:g} s" if known.below < LONGEST else "")
     modules: dict[str, Module] = {}
     begin = time.monotonic()
     # What survived other tests has to survive these too.
     done = {key(row) for row in logged()
-            if row["outcome"] != "survived" or row["labels"] == known.labels}
+            if row["outcome"] != "survived" or row["labels"] == tests}
     for mutant in mutants(known.seed):
         if mutant.number < known.first or not re.fullmatch(known.only, mutant.module):
             continue
@@ -336,7 +339,7 @@ def sample(known: argparse.Namespace) -> None:
         started = time.monotonic()
         outcome, test = suite.judged(mutant, modules[mutant.module])
         told |= {"outcome": outcome, "by": test, "seconds": round(time.monotonic() - started, 1),
-                 "date": datetime.date.today().isoformat(), "labels": known.labels}
+                 "date": datetime.date.today().isoformat(), "labels": tests}
         with LOG.open("a", encoding="utf-8") as log:
             log.write(json.dumps(told, ensure_ascii=False) + "\n")
         print(f"{mutant.number}: {mutant.file}:{told['line']}: {told['before']} -> "
@@ -354,11 +357,15 @@ def table(rows: list[dict]) -> str:
         share = f" ({100 * len(killed) / len(its):.0f} %)" if its else ""
         lines.append(f"| {f'`{module}`' if module else 'all'} | {len(its)} | {len(killed)}{share} | "
                      f"{len(units)} | {len(its) - len(killed)} |")
-    runs = sorted({(row["date"], row["seed"]) for row in rows})
+    def run_of(row: dict) -> tuple[str, int, str]:
+        return row["date"], row["seed"], row["labels"]
+
     parts = []
-    for date, seed in runs:
-        numbers = sorted(row["number"] for row in rows if (row["date"], row["seed"]) == (date, seed))
-        parts.append(f"{date}, seed {seed}, {len(numbers)} numbers of {numbers[0]} to {numbers[-1]}")
+    for run in sorted(set(map(run_of, rows))):
+        numbers = sorted(row["number"] for row in rows if run_of(row) == run)
+        date, seed, labels = run
+        parts.append(f"{date}, seed {seed}, {len(numbers)} numbers of {numbers[0]} to {numbers[-1]} "
+                     f"with the unit tests and {labels.replace('|', ', ')}")
     unbuilt = len(rows) - len(whole)
     return "\n".join([f"Run on {'; '.join(parts)}; {unbuilt} did not compile.", "", *lines])
 
@@ -371,6 +378,7 @@ def main() -> int:
     parser.add_argument("--minutes", type=float)
     parser.add_argument("--only", default=".*")
     parser.add_argument("--labels", default=LABELS)
+    parser.add_argument("--below", type=float, default=LONGEST)
     parser.add_argument("--report", action="store_true")
     parser.add_argument("--write", action="store_true")
     known = parser.parse_args()
