@@ -130,8 +130,8 @@ void collect_numbers(const Json& json, std::set<double>& numbers) {
 std::optional<double> as_number(std::string_view text) {
   double number = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc() && end == text.data() + text.size() ? std::optional(number)
-                                                                  : std::nullopt;
+  const bool is_whole = error == std::errc() && end == text.data() + text.size();
+  return is_whole && std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
 // The cells of a line by RFC 4180; names hold no line breaks.
