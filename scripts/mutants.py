@@ -357,17 +357,18 @@ def table(rows: list[dict]) -> str:
         share = f" ({100 * len(killed) / len(its):.0f} %)" if its else ""
         lines.append(f"| {f'`{module}`' if module else 'all'} | {len(its)} | {len(killed)}{share} | "
                      f"{len(units)} | {len(its) - len(killed)} |")
-    def run_of(row: dict) -> tuple[str, int, str]:
-        return row["date"], row["seed"], row["labels"]
-
+    runs = sorted({(row["date"], row["seed"]) for row in rows})
     parts = []
-    for run in sorted(set(map(run_of, rows))):
-        numbers = sorted(row["number"] for row in rows if run_of(row) == run)
-        date, seed, labels = run
-        parts.append(f"{date}, seed {seed}, {len(numbers)} numbers of {numbers[0]} to {numbers[-1]} "
-                     f"with the unit tests and {labels.replace('|', ', ')}")
+    for date, seed in runs:
+        numbers = sorted(row["number"] for row in rows if (row["date"], row["seed"]) == (date, seed))
+        parts.append(f"{date}, seed {seed}, {len(numbers)} numbers of {numbers[0]} to {numbers[-1]}")
+    tests: dict[str, int] = {}
+    for row in whole:
+        tests[row["labels"]] = tests.get(row["labels"], 0) + 1
+    judged = "; ".join(f"{count} by {labels.replace('|', ', ')}" for labels, count in tests.items())
     unbuilt = len(rows) - len(whole)
-    return "\n".join([f"Run on {'; '.join(parts)}; {unbuilt} did not compile.", "", *lines])
+    return "\n".join([f"Run on {'; '.join(parts)}; {unbuilt} did not compile. After the unit tests of "
+                      f"their module they were judged: {judged}.", "", *lines])
 
 
 def main() -> int:
