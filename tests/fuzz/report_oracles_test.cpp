@@ -66,6 +66,9 @@ TEST(ReportOracles, FindTheReportInTheText) {
 TEST(ReportOracles, HoldTheFirstRowOfAMotionToTheAnalysis) {
   check_first_row(report_of(1.5), motion_of(1.5));
   check_first_row(report_of(1.5), motion_of(1.6, 0.1));  // it begins elsewhere
+  Json warned = report_of(1.5);
+  warned["diagnostics"].push_back({{"code", "W0309"}});
+  check_first_row(warned, motion_of(0.0));  // places are lost in rounding, and the file is told so
   EXPECT_DEATH(check_first_row(report_of(1.5), motion_of(1.5001)), "a.wz");
 }
 
