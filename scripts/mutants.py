@@ -2,14 +2,16 @@
 """Mutation testing: changes one token of the library at a time and checks whether a test fails.
 
 Usage: mutants.py [--seed S] [--first N] [--count N] [--minutes M] [--only MODULES]
-                  [--labels LABELS]   (default: 1, 0, 50, no end, all, golden|reference|cli)
+                  [--labels LABELS] [--below SECONDS]
+                  (default: 1, 0, 50, no end, all, golden|reference|cli, however long)
        mutants.py --report | --write
 
 Mutants are numbered: the same seed, number and sources give the same mutant. Each is compiled alone and
 linked with the other objects of its module into the unit tests of the module and into the program; tests
-run, the fastest first, until one fails. Results are lines of build/mutants/log.jsonl; mutants listed there
-are not run again, except survivors of other labels. --report prints the score of each module and the
-survivors, --write puts the score into RELIABILITY.md. Needs build/release, with its tests built.
+run, the fastest first, those --below so many seconds alone, until one fails. Results are lines of
+build/mutants/log.jsonl; mutants listed there are not run again, except survivors of other labels.
+--report prints the score of each module and the survivors, --write puts the score into RELIABILITY.md.
+Needs build/release, with its tests built.
 """
 
 from __future__ import annotations
@@ -245,14 +247,15 @@ def program_tests(labels: str) -> list[Test]:
 class Suite:
     """The tests of the program, the fastest first as far as ctest has run them."""
 
-    def __init__(self, labels: str) -> None:
+    def __init__(self, labels: str, below: float) -> None:
         costs = {}
         file = RELEASE / "Testing/Temporary/CTestCostData.txt"
         if file.exists():
             for line in file.read_text(encoding="utf-8").splitlines():
                 if found := re.fullmatch(r"(\S+) \d+ (\S+)", line):
                     costs[found[1]] = float(found[2])
-        self.programs = sorted(program_tests(labels), key=lambda test: costs.get(test.name, 1.0))
+        cost = lambda test: costs.get(test.name, 1.0)  # noqa: E731
+        self.programs = sorted((test for test in program_tests(labels) if cost(test) < below), key=cost)
         self.broken: set[str] = set()
 
     def notices(self, test: Test, program: Path) -> str:
@@ -314,12 +317,13 @@ def sample(known: argparse.Namespace) -> None:
         if not need.exists():
             sys.exit("mutants.py: build/release is not there; first: scripts/test.sh")
     WORK.mkdir(parents=True, exist_ok=True)
-    suite = Suite(known.labels)
+    suite = Suite(known.labels, known.below)
+    tests = known.labels + (f" below {known.below:g} s" if known.below < LONGEST else "")
     modules: dict[str, Module] = {}
     begin = time.monotonic()
     # What survived other tests has to survive these too.
     done = {key(row) for row in logged()
-            if row["outcome"] != "survived" or row["labels"] == known.labels}
+            if row["outcome"] != "survived" or row["labels"] == tests}
     for mutant in mutants(known.seed):
         if mutant.number < known.first or not re.fullmatch(known.only, mutant.module):
             continue
@@ -335,7 +339,7 @@ def sample(known: argparse.Namespace) -> None:
         started = time.monotonic()
         outcome, test = suite.judged(mutant, modules[mutant.module])
         told |= {"outcome": outcome, "by": test, "seconds": round(time.monotonic() - started, 1),
-                 "date": datetime.date.today().isoformat(), "labels": known.labels}
+                 "date": datetime.date.today().isoformat(), "labels": tests}
         with LOG.open("a", encoding="utf-8") as log:
             log.write(json.dumps(told, ensure_ascii=False) + "\n")
         print(f"{mutant.number}: {mutant.file}:{told['line']}: {told['before']} -> "
@@ -358,8 +362,13 @@ def table(rows: list[dict]) -> str:
     for date, seed in runs:
         numbers = sorted(row["number"] for row in rows if (row["date"], row["seed"]) == (date, seed))
         parts.append(f"{date}, seed {seed}, {len(numbers)} numbers of {numbers[0]} to {numbers[-1]}")
+    tests: dict[str, int] = {}
+    for row in whole:
+        tests[row["labels"]] = tests.get(row["labels"], 0) + 1
+    judged = "; ".join(f"{count} by {labels.replace('|', ', ')}" for labels, count in tests.items())
     unbuilt = len(rows) - len(whole)
-    return "\n".join([f"Run on {'; '.join(parts)}; {unbuilt} did not compile.", "", *lines])
+    return "\n".join([f"Run on {'; '.join(parts)}; {unbuilt} did not compile. After the unit tests of "
+                      f"their module they were judged: {judged}.", "", *lines])
 
 
 def main() -> int:
@@ -370,6 +379,7 @@ def main() -> int:
     parser.add_argument("--minutes", type=float)
     parser.add_argument("--only", default=".*")
     parser.add_argument("--labels", default=LABELS)
+    parser.add_argument("--below", type=float, default=LONGEST)
     parser.add_argument("--report", action="store_true")
     parser.add_argument("--write", action="store_true")
     known = parser.parse_args()

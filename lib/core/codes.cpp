@@ -256,8 +256,10 @@ constexpr auto kErrorCodes = std::to_array<Code>({
      wrong_input,
      "number beyond what can be computed with",
      "Distances, forces and speeds are multiplied with each other and squared. A number above 1e60 "
-     "in SI units would soon exceed the range of floating-point numbers and leave no result. A "
-     "point at infinity is a direction: use a prismatic coupling instead of a revolute."},
+     "in SI units would soon exceed the range of floating-point numbers and leave no result, and "
+     "so "
+     "would the reciprocal size of a mechanism smaller than 1e-60 m. A point at infinity is a "
+     "direction: use a prismatic coupling instead of a revolute."},
     {"E0321",
      wrong_input,
      "range without extent",

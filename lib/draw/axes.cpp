@@ -48,12 +48,11 @@ AxisDemand widened(AxisDemand demand) {
   if (demand.high < demand.low) {
     std::swap(demand.low, demand.high);
   }
-  const double size = std::max(std::abs(demand.low), std::abs(demand.high));
-  const double told_apart = size * std::pow(10.0, -kTellsApart);
-  if (demand.high - demand.low <= told_apart || size == 0.0) {
-    const double room = size == 0.0 ? 1.0 : size / 2;
-    demand.low -= room;
-    demand.high += room;
+  const double span = demand.high - demand.low;
+  const double shown = shown_span(span, std::max(std::abs(demand.low), std::abs(demand.high)));
+  if (shown != span) {
+    demand.low -= shown / 2;
+    demand.high += shown / 2;
   }
   return demand;
 }
@@ -101,6 +100,13 @@ double AxisRange::share(double value) const {
     return std::numeric_limits<double>::quiet_NaN();
   }
   return std::log(value / low) / std::log(high / low);
+}
+
+double shown_span(double span, double size) {
+  if (size == 0.0) {
+    return 2.0;
+  }
+  return span <= size * std::pow(10.0, -kTellsApart) ? size : span;
 }
 
 AxisRange linear_axis(const AxisDemand& demand) {

@@ -36,6 +36,10 @@ struct AxisDemand {
   double least_step = 0.0;  ///< no ticks nearer to each other
 };
 
+/// How much an axis shows of values of that size and span: the span, or where they agree in all
+/// digits that a picture tells apart, as much as they are large; 2 of zeros.
+double shown_span(double span, double size);
+
 /// An axis from tick to tick around the demand, with steps of 1, 2 or 5 times a power of ten; in
 /// degrees of 15, 30, 45, 90, 180 or 360 where these are the size. A single value is widened.
 AxisRange linear_axis(const AxisDemand& demand);

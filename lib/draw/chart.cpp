@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -149,11 +150,12 @@ std::vector<ChartGuide> guides_within(const Chart& chart, const ChartFrame& fram
   return guides;
 }
 
-// Labels stand over their guides, turned inwards at the ends.
+// Labels stand over their guides, turned inwards at the ends; the first kMostLabelled have one.
 GuideLayout lay_out_guides(const std::vector<ChartGuide>& guides, const ChartFrame& frame) {
   GuideLayout layout;
   std::vector<PixelBox> boxes;
-  for (const ChartGuide& guide : guides) {
+  for (const ChartGuide& guide :
+       std::span(guides).first(std::min<std::size_t>(guides.size(), kMostLabelled))) {
     TextStyle style = {.size = kTickText, .has_halo = true};
     const double x = frame.place(guide.x, frame.y.low).x;
     const double half = text_width(guide.label, kTickText) / 2;
@@ -177,8 +179,8 @@ void draw_guides(const std::vector<ChartGuide>& guides,
                  const GuideLayout& layout,
                  Svg& svg) {
   const auto place = [&](std::size_t i) {
-    return PixelPoint{.x = frame.place(guides[i].x, frame.y.low).x,
-                      .y = frame.box.top - 6.0 - kLineHeight * layout.rows[i]};
+    const double above = i < layout.rows.size() ? 6.0 + kLineHeight * layout.rows[i] : 2.0;
+    return PixelPoint{.x = frame.place(guides[i].x, frame.y.low).x, .y = frame.box.top - above};
   };
   for (std::size_t i = 0; i < guides.size(); ++i) {
     const PixelPoint top = place(i);
@@ -186,7 +188,7 @@ void draw_guides(const std::vector<ChartGuide>& guides,
              {.x = top.x, .y = frame.box.bottom},
              {.stroke = Ink::ink, .width = 1.0, .dash = "4 3"});
   }
-  for (std::size_t i = 0; i < guides.size(); ++i) {
+  for (std::size_t i = 0; i < layout.rows.size(); ++i) {
     if (layout.row_count > 1) {
       svg.rectangle(text_box(place(i), guides[i].label, layout.styles[i]),
                     {.stroke = Ink::none, .fill = Ink::paper});

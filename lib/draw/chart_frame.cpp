@@ -65,8 +65,9 @@ AxisRange axis_range(const ChartAxis& axis, Range range, double pixels, double t
 ChartFrame equal_frame(const Chart& chart, double top) {
   const Range x = range_of(chart, chart.x, &Series::x, &ChartMark::x);
   const Range y = range_of(chart, chart.y, &Series::y, &ChartMark::y);
-  const double largest =
-      std::max({x.high - x.low, y.high - y.low, std::numeric_limits<double>::min()});
+  const double size =
+      std::max({std::abs(x.low), std::abs(x.high), std::abs(y.low), std::abs(y.high)});
+  const double largest = shown_span(std::max(x.high - x.low, y.high - y.low), size);
   const double step_count = 6.0;
   const AxisDemand both = {.low = 0.0, .high = largest, .tick_count = static_cast<int>(step_count)};
   const double step = linear_axis(both).ticks[1].value;

@@ -230,18 +230,6 @@ bool PictureFinder::find_maps(Diagnostics& found) {
   return maps_.has_value();
 }
 
-std::string PictureFinder::why_other_task(PictureNeed need) const {
-  if (!description_->synthesis) {
-    return "";
-  }
-  const bool is_of_transmissions = description_->synthesis->transmission != nullptr;
-  if (need == PictureNeed::synthesis && is_of_transmissions) {
-    return "the task is one of transmissions";
-  }
-  return need == PictureNeed::transmissions && !is_of_transmissions ? "the task is one of linkages"
-                                                                    : "";
-}
-
 std::string PictureFinder::why_no_maps() const {
   if (description_->duty) {
     return "";

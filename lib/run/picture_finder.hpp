@@ -34,9 +34,6 @@ class PictureFinder {
   /// Of what was found.
   PictureSource source() const;
 
-  /// Why the task of the file, if it has one, is not of what the picture shows; empty if it is.
-  std::string why_other_task(PictureNeed need) const;
-
   /// Why the file has no maps of efficiency; empty if it may have some.
   std::string why_no_maps() const;
 

@@ -65,14 +65,8 @@ class PictureJob {
       return list_text();
     }
     const PictureKind* const kind = find_picture_kind(choice_.picture);
-    if (kind == nullptr) {
-      return std::nullopt;
-    }
-    if (const std::string why_not = finder_.why_other_task(kind->need); !why_not.empty()) {
-      refuse(why_not);
-      return std::nullopt;
-    }
-    if (!finder_.find(choice_.at.empty() ? kind->need : PictureNeed::placed, found_)) {
+    if (kind == nullptr ||
+        !finder_.find(choice_.at.empty() ? kind->need : PictureNeed::placed, found_)) {
       return std::nullopt;
     }
     PictureSource source = finder_.source();
@@ -145,13 +139,16 @@ class PictureJob {
   }
 
   std::string why_not_of(const PictureKind& kind) {
-    const bool is_of_synthesis =
-        kind.need == PictureNeed::transmissions || kind.need == PictureNeed::synthesis;
+    const bool is_of_transmissions = kind.need == PictureNeed::transmissions;
+    const bool is_of_synthesis = is_of_transmissions || kind.need == PictureNeed::synthesis;
     if (is_of_synthesis && !description().synthesis) {
       return "the file has no section 'synthesis'";
     }
-    if (std::string why_not = finder_.why_other_task(kind.need); !why_not.empty()) {
-      return why_not;
+    if (is_of_synthesis && !is_of_transmissions && description().synthesis->transmission) {
+      return "the task is one of transmissions";
+    }
+    if (is_of_transmissions && !description().synthesis->transmission) {
+      return "the task is one of linkages";
     }
     if (!is_of_synthesis && !description().has_mechanism()) {
       return "the file holds no mechanism";

@@ -6,6 +6,7 @@
 
 #include "core/contract.hpp"
 #include "core/motion_tolerance.hpp"
+#include "core/rounding.hpp"
 #include "core/tolerance.hpp"
 #include "math/dense/readable_basis.hpp"
 #include "math/dense/span.hpp"

@@ -67,8 +67,9 @@ void check_diagnostics(const Diagnostics& found, const LineLengths& lines) {
 }
 
 void check_error(const ExpressionError& error, std::string_view text) {
-  const std::string evidence =
-      fmt::format("{}+{} {} {}", error.offset, error.length, error.code, error.message);
+  const auto evidence = [&] {
+    return fmt::format("{}+{} {} {}", error.offset, error.length, error.code, error.message);
+  };
   const int size = static_cast<int>(text.size());
   require(find_code(error.code) != nullptr, "the code is known", evidence);
   require(error.offset >= 0 && error.offset <= size, "the offset lies in the text", evidence);

@@ -1,8 +1,11 @@
 // What a fuzz target asserts: in every build, and with the words that say what broke.
 #pragma once
 
+#include <concepts>
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
+#include <numeric>
 #include <string_view>
 
 namespace kinestat::fuzz {
@@ -19,6 +22,21 @@ inline void require(bool holds, std::string_view invariant, std::string_view evi
                static_cast<int>(evidence.size()),
                evidence.data());
   std::abort();
+}
+
+/// The same of evidence that is costly to put together.
+template <std::invocable Evidence>
+void require(bool holds, std::string_view invariant, const Evidence& evidence) {
+  if (!holds) {
+    require(holds, invariant, std::string_view(evidence()));
+  }
+}
+
+/// A number that a text has every time, to choose by.
+inline std::size_t sum_of(std::string_view text) {
+  return std::accumulate(text.begin(), text.end(), text.size(), [](std::size_t sum, char one) {
+    return sum + static_cast<unsigned char>(one);
+  });
 }
 
 }  // namespace kinestat::fuzz

@@ -53,7 +53,7 @@ class Mutants(unittest.TestCase):
 
 class Score(unittest.TestCase):
     def test_counts_what_compiles(self) -> None:
-        row = {"seed": 1, "module": "math", "date": "2026-01-02"}
+        row = {"seed": 1, "module": "math", "date": "2026-01-02", "labels": "golden|cli"}
         rows = [row | {"number": 0, "outcome": "killed", "by": "unit_math"},
                 row | {"number": 6, "outcome": "killed", "by": "golden.x"},
                 row | {"number": 12, "outcome": "survived", "by": ""},
@@ -63,6 +63,7 @@ class Score(unittest.TestCase):
         self.assertIn("| `network` | 0 | 0 | 0 | 0 |", text)
         self.assertIn("| all | 3 | 2 (67 %) | 1 | 1 |", text)
         self.assertIn("2026-01-02, seed 1, 4 numbers of 0 to 18; 1 did not compile", text)
+        self.assertIn("they were judged: 3 by golden, cli.", text)
 
 
 if __name__ == "__main__":

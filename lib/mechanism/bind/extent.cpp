@@ -108,9 +108,10 @@ Extent find_extent(const std::vector<Vec3>& points) {
     high = high.cwiseMax(point);
   }
   const Vec3 centre = low + 0.5 * (high - low);
-  const double diagonal = (high - low).norm();
+  // The square of what is very small would be zero.
+  const double widest = (high - low).maxCoeff();
   Extent extent;
-  extent.length = diagonal > 0.0 ? diagonal : 1.0;
+  extent.length = widest > 0.0 ? std::max(widest, (high - low).norm()) : 1.0;
   if (centre.norm() > kFarOrigin * extent.length) {
     extent.origin = on_grid(centre, std::ldexp(1.0, std::ilogb(extent.length)));
   }

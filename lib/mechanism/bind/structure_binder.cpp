@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/text.hpp"
+#include "core/tolerance.hpp"
 #include "core/utf8.hpp"
 #include "mechanism/bind/extent.hpp"
 #include "mechanism/bind/reference_points.hpp"
@@ -172,6 +173,13 @@ class StructureBinder {
     }
     const Extent extent = find_extent(points);
     geometry_.length = extent.length;
+    if (extent.length < 1.0 / kLargestNumber) {
+      found_.error("E0320",
+                   joints.front().description->name.where,
+                   "the mechanism is smaller than what can be computed with",
+                   fmt::format("its couplings are less than {:g} m apart; look at the units",
+                               1.0 / kLargestNumber));
+    }
     geometry_.origin = LocalOrigin(extent.origin);
     evaluator_.measure_from(geometry_.origin);
     for (std::size_t i = 0; i < joints.size() && !geometry_.origin.is_world(); ++i) {

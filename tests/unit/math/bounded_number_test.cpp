@@ -60,6 +60,12 @@ TEST(BoundedNumber, IsNotFarFromTheWorstThatCanHappen) {
   EXPECT_NEAR((a / b).bound, (1e-6 + 3.0 / 7.0 * 1e-8) / 7.0, 1e-14);
 }
 
+TEST(BoundedNumber, IsOffByAShareOfItself) {
+  EXPECT_EQ((BoundedNumber{.value = -8.0, .bound = 0.25}.relative_bound()), 0.03125);
+  EXPECT_EQ((BoundedNumber{.value = 8.0, .bound = 8.0}.relative_bound()), 1.0);
+  EXPECT_EQ((BoundedNumber{.value = 0.0, .bound = 0.0}.relative_bound()), 0.0);
+}
+
 TEST(BoundedNumber, OfExactNumbersHasTheRoundingOfTheResult) {
   const BoundedNumber third = BoundedNumber{.value = 1.0} / BoundedNumber{.value = 3.0};
 

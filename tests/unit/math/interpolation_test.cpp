@@ -75,6 +75,16 @@ TEST(MonotoneCubic, NeverPassesTheValuesOfItsNeighbours) {
   }
 }
 
+TEST(Interpolation, GoesOnBeyondItsEnds) {
+  const std::vector<double> at = {1.0, 2.0, 4.0, 5.0};
+
+  EXPECT_EQ(interval_of(at, 0.5), 0U);
+  EXPECT_EQ(interval_of(at, 1.0), 0U);
+  EXPECT_EQ(interval_of(at, 2.0), 1U);
+  EXPECT_EQ(interval_of(at, 5.0), 2U);
+  EXPECT_EQ(interval_of(at, 6.0), 2U);
+}
+
 TEST(Interpolation, OfStraightLinesHasTheSlopeBehindAPoint) {
   const std::vector<double> at = {0.0, 1.0, 3.0};
   const std::vector<double> values = {0.0, 2.0, 0.0};

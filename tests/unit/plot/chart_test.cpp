@@ -111,6 +111,22 @@ TEST(Chart, LaysPaperBetweenALabelAndTheGuideOfAnother) {
   EXPECT_EQ(papers({{.x = 45.0, .label = "one"}, {.x = 46.0, .label = "two"}}), none + 2);
 }
 
+// A motion of many turns has thousands of dead points: all have a line, and as many a label as can
+// be read.
+TEST(Chart, LabelsTheFirstGuidesAlone) {
+  Chart chart = line_chart();
+  for (int i = 0; i < 3000; ++i) {
+    chart.guides.push_back({.x = 0.06 * i, .label = "dead point"});
+  }
+
+  const Picture picture = draw_figure(figure_of(chart));
+
+  EXPECT_LT(picture.view.height(), 2000.0);
+  EXPECT_GE(count_of(picture, ">dead point<"), 1U);
+  EXPECT_LE(count_of(picture, ">dead point<"), 100U);
+  EXPECT_GE(count_of(picture, "M"), 3000U);  // where a line begins
+}
+
 TEST(Chart, LeavesOutGuidesBesideTheAxis) {
   Chart chart = line_chart();
   chart.guides = {{.x = 500.0, .label = "far off"}};
@@ -139,6 +155,21 @@ TEST(Chart, GivesAStraightPathAFrame) {
   const Picture picture = draw_figure(figure_of(chart));
 
   EXPECT_GT(picture.view.height(), 60.0);
+}
+
+// A body that stays where it is, and a force that is always zero.
+TEST(Chart, GivesAPathOfOnePointAFrame) {
+  for (const double place : {0.0, 3.0, -1e-4}) {
+    Chart chart = line_chart();
+    chart.has_equal_scales = true;
+    chart.series.front() = {.name = "p", .x = {place, place}, .y = {place, place}};
+
+    const Picture picture = draw_figure(figure_of(chart));
+
+    EXPECT_GT(picture.view.height(), 60.0);
+    EXPECT_LT(picture.view.height(), 800.0);
+    EXPECT_FALSE(has(picture, ">no data<"));
+  }
 }
 
 TEST(Chart, WantsAsManyXAsY) {

@@ -70,6 +70,17 @@ TEST(ToothRatio, IsNoneOfTwoSpeedsOrOfAnotherAnswer) {
   EXPECT_EQ(fraction_of(train, 0, 3.0), "");
 }
 
+// Beside the train a pair of gears that is drawn by its line of action, without teeth.
+TEST(ToothRatio, IsNoneWithAMeshThatHasNoTeeth) {
+  std::string text = kTrain;
+  text.replace(text.find("carrier, planet]"), 16, "carrier, planet, idler]");
+  text.replace(text.find("gears:\n"),
+               0,
+               "  I: {type: revolute, bodies: [housing, idler], at: [0, 200 mm]}\n"
+               "  ri: {type: gear, bodies: [ring, idler], at: [0, 100 mm], line_of_action: x}\n");
+  EXPECT_EQ(fraction_of(bound(text), 0, -88.0 / 27.0), "");
+}
+
 TEST(ToothRatio, IsNoneOfAMechanismWithoutTeeth) {
   const Bound crank =
       bound(kSliderCrank + "cases: {turns: {motion: {Tin: 1 rad/s}, input: Tin, output: Fout}}\n");

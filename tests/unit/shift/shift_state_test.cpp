@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "studies/shift/solved_gear.hpp"
 #include "unit/shift/two_speed_train.hpp"
 
 namespace kinestat {
@@ -54,6 +55,39 @@ TEST_F(TwoSpeedTrain, TurnsAsABlockWithTheClutch) {
   EXPECT_EQ(one.kind, ShiftClass::gear);
   EXPECT_NEAR(one.outputs.front().value(), 10.0, kRounding);
   EXPECT_NEAR(one.torques[0], 3.0 * 0.7, kRounding);  // the ring's share: Nr/(Ns + Nr)
+}
+
+// A gear that leaves freedoms beside it has a case without velocities, or none at all.
+TEST_F(TwoSpeedTrain, KnowsSlipsThatItsCaseDoesNot) {
+  const ShiftState one = state({1});
+  const Case which;
+  SolvedGear gear{.mechanism = mechanism_, .plan = plan_, .state = one, .which = which};
+  EXPECT_NEAR(slip_of(gear, 0).value(), -10.0, kRounding);
+
+  KinematicSolution open;
+  open.status = SolveStatus::underdetermined;
+  gear.motion = &open;
+  EXPECT_NEAR(slip_of(gear, 0).value(), -10.0, kRounding);
+}
+
+// A second machine on the ring, and one between carrier and planets, which reacts: by Willis the
+// planets turn beside the carrier by -3/2 (w_s - w_c), where w_c = 0.3 w_s + 0.7 w_r.
+TEST(ShiftState, SharesTheSpeedOfWhatReactsAmongTheInputs) {
+  std::string text = two_speed_text();
+  text.replace(text.find("out: {"), 0, "ring: {coupling: r}, rolls: {coupling: p}, ");
+  const Mechanism mechanism = mechanism_of(text);
+  ShiftPlan plan = plan_of(mechanism, {});
+  plan.inputs.push_back(shift_input(mechanism, "ring", 4.0, std::nullopt));
+  plan.others = {actuator_index(mechanism, "rolls")};
+  plan.reacting = {0};
+
+  const ShiftState one = solve_shift_state(network_of(mechanism, plan), plan, {});
+
+  ASSERT_EQ(one.reactions.size(), 1U);
+  EXPECT_NEAR(one.reactions.front().rate.value(), -1.05 * (10.0 - 4.0), kRounding);
+  ASSERT_EQ(one.reactions.front().speed_shares.size(), 2U);
+  EXPECT_NEAR(one.reactions.front().speed_shares[0], -1.05, kRounding);
+  EXPECT_NEAR(one.reactions.front().speed_shares[1], 1.05, kRounding);
 }
 
 TEST_F(TwoSpeedTrain, IdlesWithoutAnElement) {

@@ -188,6 +188,13 @@ std::optional<SynthesisAnalysis> find_synthesis(const std::string& path,
                 "'kinestat new synthesis' writes an example");
     return std::nullopt;
   }
+  if (description.synthesis->transmission) {
+    found.error("E0303",
+                description.synthesis->where,
+                "the section 'synthesis' asks for transmissions, not for linkages",
+                "'kinestat new synthesis' writes an example");
+    return std::nullopt;
+  }
   SynthesisAnalysis analysis;
   analysis.file = path;
   analysis.description = std::move(description);

@@ -177,8 +177,9 @@ std::optional<TransmissionAnalysis> find_transmissions(const std::string& path,
   }
   if (!description.synthesis || !description.synthesis->transmission) {
     found.error("E0303",
-                {},
-                "the file has no task 'synthesis: {transmission: …}'",
+                description.synthesis ? description.synthesis->where : SourceRange{},
+                description.synthesis ? "the section 'synthesis' has no 'transmission'"
+                                      : "the file has no section 'synthesis'",
                 "'kinestat new transmission' writes an example");
     return std::nullopt;
   }

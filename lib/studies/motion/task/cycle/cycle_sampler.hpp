@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -58,10 +59,13 @@ class CycleSampler {
   struct Run;
 
   Run& run_of(CyclePace pace);
+  std::optional<Configuration> configuration_at(double share);
 
   const Mechanism& mechanism_;
   const FoundMotion& motion_;
   WayBetween way_;
+  double far_;                             // a share that takes several steps to follow
+  std::map<double, Configuration> known_;  // by the share of the motion; first those of its rows
   std::array<std::unique_ptr<Run>, 3> runs_;
 };
 
