@@ -235,7 +235,8 @@ bool bind_whole_structure(const SectionContext& context, ScrewSpaces spaces, Mec
 
 std::optional<Mechanism> bind_for(Purpose purpose,
                                   const MechanismDescription& description,
-                                  Diagnostics& found) {
+                                  Diagnostics& found,
+                                  std::vector<CheckedNumber>* checked = nullptr) {
   const int errors_before = found.error_count();
   const std::vector<Unanalysed> unanalysed = find_unanalysed(description);
   const bool is_undecided = std::ranges::any_of(unanalysed, [purpose](const Unanalysed& one) {
@@ -243,8 +244,11 @@ std::optional<Mechanism> bind_for(Purpose purpose,
   });
   Evaluator evaluator = make_evaluator(description, found);
   const DeclaredNames names = declare_names(description, found);
-  const SectionContext context = {
-      .description = description, .names = names, .evaluator = evaluator, .found = found};
+  const SectionContext context = {.description = description,
+                                  .names = names,
+                                  .evaluator = evaluator,
+                                  .found = found,
+                                  .checked = checked};
   Mechanism result;
   bool has_structure = false;
   const ScrewSpaces spaces = {.motions = description.space,
@@ -306,6 +310,13 @@ bool check(const MechanismDescription& description, Diagnostics& found) {
   const int errors_before = found.error_count();
   (void)bind_for(Purpose::check, description, found);
   return found.error_count() == errors_before;
+}
+
+std::vector<CheckedNumber> find_checked_numbers(const MechanismDescription& description) {
+  std::vector<CheckedNumber> checked;
+  Diagnostics found;
+  (void)bind_for(Purpose::check, description, found, &checked);
+  return checked;
 }
 
 std::optional<Mechanism> bind_in_space(const MechanismDescription& description,

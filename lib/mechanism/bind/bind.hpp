@@ -2,8 +2,10 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "core/diagnostic.hpp"
+#include "mechanism/check/section_context.hpp"
 #include "mechanism/mechanism.hpp"
 
 namespace kinestat {
@@ -22,6 +24,10 @@ std::optional<Mechanism> bind_unassembled(const MechanismDescription& descriptio
 /// The same without the mechanism: whether the description is right. What has no analysis yet is
 /// no error, only W0302.
 bool check(const MechanismDescription& description, Diagnostics& found);
+
+/// The numbers that a description is checked for, by what they may be, in whatever parameters it
+/// has.
+std::vector<CheckedNumber> find_checked_numbers(const MechanismDescription& description);
 
 /// The same bodies and couplings with the freedoms and constraints that they have in space, without
 /// cases: for counting a planar mechanism as the spatial one that it is.

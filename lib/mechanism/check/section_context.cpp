@@ -33,6 +33,9 @@ std::string shown(const Value& value, double number, QuantityKind kind, const Fi
 std::optional<double> SectionContext::number(const std::optional<Value>& value,
                                              const NumberRule& rule,
                                              std::string_view what) const {
+  if (value && checked != nullptr) {
+    checked->push_back({.value = *value, .rule = rule});
+  }
   const std::optional<double> result = value ? evaluator.number(*value, rule.kind) : std::nullopt;
   if (!result || rule.range.holds(*result)) {
     return result;

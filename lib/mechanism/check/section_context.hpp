@@ -30,12 +30,19 @@ inline constexpr NumberRule kAnyAngle = {
 inline constexpr NumberRule kAboveZeroLength = {
     .kind = QuantityKind::length, .range = kAboveZero, .allowed = "a length above zero"};
 
+/// A number of a description, and what it may be.
+struct CheckedNumber {
+  Value value;
+  NumberRule rule;
+};
+
 /// One description on its way through the checks.
 struct SectionContext {
   const MechanismDescription& description;
   const DeclaredNames& names;
   Evaluator& evaluator;
   Diagnostics& found;
+  std::vector<CheckedNumber>* checked = nullptr;  ///< where not null, `number` notes here
 
   /// The value in SI; empty if it is absent or an error was added. `what` begins the message:
   /// "'teeth' of gear member 'sun'".

@@ -211,6 +211,7 @@ std::optional<SweepTapes> record_tapes(const SweepTask& task) {
   using enum SweepInput::From;
   SweepTapes tapes{.rebinder = std::move(rebinder),
                    .bound = std::move(bound),
+                   .rules = StateRules(task.plan, task.description),
                    .tape = notes.recorder.make_tape(notes.outputs),
                    .inputs = notes.inputs,
                    .needs_geometry = has_input(notes, {motion, action, flank}),

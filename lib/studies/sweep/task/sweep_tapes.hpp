@@ -6,6 +6,7 @@
 
 #include "math/tapes/lane_tape.hpp"
 #include "mechanism/bind/rebind.hpp"
+#include "studies/sweep/state_rules.hpp"
 #include "studies/sweep/task/bound_numbers.hpp"
 #include "studies/sweep/task/case_tape.hpp"
 #include "studies/sweep/task/sweep_notes.hpp"
@@ -18,6 +19,7 @@ struct SweepTask;
 struct SweepTapes {
   std::optional<Rebinder> rebinder;   ///< empty: every state is bound as a whole,
   std::optional<BoundNumbers> bound;  ///< and gives these
+  StateRules rules;                   ///< beside what is bound anew
   LaneTape tape;
   std::vector<SweepInput> inputs;  ///< of the tape, parallel to its own
   bool needs_geometry = false;     ///< some of them are coordinates of screws

@@ -116,7 +116,7 @@ void TapeSolver::load_axes(const StateWalk& walk, std::size_t lane, std::size_t 
 
 void TapeSolver::load(const StateWalk& walk, std::size_t lane, std::size_t count) {
   load_axes(walk, lane, count);
-  bool is_loaded = !binds_states_ || rebind(walk);
+  bool is_loaded = tapes_.rules.hold(walk.slots(), scratch_) && (!binds_states_ || rebind(walk));
   is_loaded = is_loaded && (!has_combinations_ || decide_gears(lane));
   for (std::size_t i = 0; is_loaded && i < others_.size(); ++i) {
     is_loaded = load_other(tapes_.inputs[others_[i].input], others_[i].cell, walk, lane);

@@ -37,7 +37,9 @@ class TapeSolver {
 
   /// How many states it may take at once: those that are alike, or one where screws or primaries
   /// are bound for each.
-  std::uint64_t takes(const StateWalk& walk) const { return binds_states_ ? 1 : walk.alike() + 1; }
+  std::uint64_t takes(const StateWalk& walk) const {
+    return binds_states_ || !tapes_.rules.are_empty() ? 1 : walk.alike() + 1;
+  }
 
   /// Takes the state at which the walk stands, and as many that are alike as `count` says with it,
   /// into lanes from this one on.
@@ -119,9 +121,10 @@ class TapeSolver {
   bool asks_steps_ = false;
   std::vector<std::string_view> statuses_;     ///< of each lane and case: of such a combination
   std::vector<std::optional<double>> ratios_;  ///< of each case that is a gear [SI]
-  std::vector<double> rates_;                  ///< what was read last
-  std::vector<double> powers_;                 ///< of all actuators, likewise
-  std::vector<bool> slips_;                    ///< what they take is lost
+  std::vector<Quantity> scratch_;
+  std::vector<double> rates_;   ///< what was read last
+  std::vector<double> powers_;  ///< of all actuators, likewise
+  std::vector<bool> slips_;     ///< what they take is lost
   std::vector<double> no_loads_;
 };
 
