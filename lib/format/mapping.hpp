@@ -50,7 +50,7 @@ class Mapping {
     shape_.rules.push_back({.kind = FormRule::Kind::instead,
                             .key = key,
                             .others = std::move(others),
-                            .message = "{} cannot have '{}' beside '{}'",
+                            .message = "{} cannot have '{}' together with '{}'",
                             .hint = hint});
   }
 

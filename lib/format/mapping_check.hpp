@@ -13,6 +13,9 @@ namespace kinestat {
 /// The mapping in messages: the file itself is "the mechanism".
 std::string_view title_of(const FileValue& mapping);
 
+/// The key that the mapping cannot do without, if it is the only one and has a name as its value.
+std::string_view only_name_of(const FormShape& shape);
+
 /// The value behind the key of that index; a needed one that is missing becomes an error of
 /// `fields`, unless another key stands instead of it.
 std::optional<FileValue> find_key(const FormShape& shape,

@@ -19,7 +19,7 @@ bool Mapping<T>::read_into(T& object,
   if (shape_.may_be_empty && value.node.kind == YamlKind::null) {
     return true;
   }
-  Fields fields(value.node, value.where, title_of(value), value.found);
+  Fields fields(value.node, value.where, title_of(value), value.found, only_name_of(shape_));
   for (const std::string_view key : known) {
     (void)fields.find(key);
   }

@@ -152,7 +152,7 @@ class StartFinder {
     if (static_cast<Eigen::Index>(chosen.size()) < motions.cols()) {
       found_.error("E0516",
                    plan_.where,
-                   "a simulation does not know bodies that turn freely about a point",
+                   "a simulation does not cover bodies that turn freely about a point",
                    "model the ball as couplings with one axis each, such as a universal and a "
                    "revolute");
       return std::nullopt;
@@ -252,16 +252,16 @@ class StartFinder {
       found_.error("E0517",
                    plan_.where,
                    "the start is a singular position: speeds there are not determined",
-                   "begin beside it");
+                   "begin near it");
       return false;
     }
     if (const std::optional<BodyId> body = spinning_body(begin, speeds.size())) {
       found_.error("E0516",
                    topology_.body(*body).where,
-                   fmt::format("body '{}' turns or slides by itself, and its inertia counts there",
+                   fmt::format("body '{}' has an idle freedom, in which its inertia counts",
                                topology_.body(*body).name),
-                   "a simulation does not know how fast: take the freedom away that no other body "
-                   "feels, for example by a universal joint instead of a ball");
+                   "a simulation does not cover that: remove this idle freedom, for example by a "
+                   "universal joint instead of a ball");
       return false;
     }
     begin.rates =
@@ -293,8 +293,8 @@ std::string name_of(const SimulationObstacle& obstacle, const Mechanism& mechani
   switch (obstacle.kind) {
     case no_branch:
     case singular:
-      return "the mechanism stands in a singular position there, from which nothing says how it "
-             "goes on";
+      return "the mechanism is in a singular position there, from which nothing says how it goes "
+             "on";
     case no_inertia:
       return "something moves there that has neither mass nor inertia";
     case rotor:
@@ -335,7 +335,7 @@ std::string_view hint_of(const SimulationObstacle& obstacle) {
   switch (obstacle.kind) {
     case no_branch:
     case singular:
-      return "'stops' keep a freedom from going so far; end it before with 'until'";
+      return "'stops' keep a freedom from going so far; end it earlier with 'until'";
     case no_inertia:
       return "give the bodies that move 'mass', 'centre_of_mass' and 'inertia'";
     case rotor:
@@ -349,8 +349,8 @@ std::string_view hint_of(const SimulationObstacle& obstacle) {
       return "rigid bodies with so much friction have no answer there (Painleve): make it less, or "
              "what presses longer";
     case open_friction:
-      return "equilibrium leaves open what presses there, or how couplings that stick together "
-             "share: leave to each what it takes, or the friction to one of them";
+      return "equilibrium does not determine the normal forces there, or how couplings that stick "
+             "together share the load: leave to each what it takes, or the friction to one of them";
     case stuck_in_circuit:
       return "name it in 'start', so that it is a coordinate; or leave the friction to another "
              "coupling of its circuit";
@@ -360,7 +360,7 @@ std::string_view hint_of(const SimulationObstacle& obstacle) {
       return "stops that press on each other through what they stop are not told apart: leave one "
              "of them";
     case no_step:
-      return "something becomes infinitely fast there; end it before with 'until'";
+      return "something becomes infinitely fast there; end it earlier with 'until'";
     case too_many_steps:
       return "make the time shorter, what is stiff softer or what moves there heavier, or raise "
              "'tolerance'";

@@ -302,8 +302,8 @@ class SimulationReader {
                                      topology_.coupling(friction.coupling).freedom_count == 1;
       if (!is_of_one_freedom) {
         refuse(friction.where,
-               fmt::format("a simulation does not know how '{}' rubs: it slides in several "
-                           "directions, or by a cable or a fluid",
+               fmt::format("a simulation does not cover the friction of '{}': it slides in several "
+                           "directions, or rubs by a cable or a fluid",
                            topology_.coupling(friction.coupling).name),
                "model it by couplings of one freedom each; or ask 'kinestat motion' for the forces "
                "along a given motion, which has such friction");
@@ -312,16 +312,15 @@ class SimulationReader {
     for (const LossyMesh& mesh : mechanism_.lossy_meshes) {
       const CouplingTopology& coupling = topology_.coupling(mesh.coupling);
       if (mesh.law) {
-        refuse(
-            coupling.where,
-            fmt::format("a simulation does not know what mesh '{}' loses: that hangs on speed or "
-                        "force",
-                        coupling.name),
-            "give its 'losses' a number");
+        refuse(coupling.where,
+               fmt::format("a simulation does not cover the loss of mesh '{}', which depends on "
+                           "speed or force",
+                           coupling.name),
+               "give its 'losses' a number");
       } else if (mesh.share > 0.0 && !turns_on_carrier(mechanism_, mesh.coupling)) {
         refuse(coupling.where,
-               fmt::format("a simulation does not know what mesh '{}' loses: hinges on their axes "
-                           "do not join both gears with one body",
+               fmt::format("a simulation does not cover the loss of mesh '{}': no one body is "
+                           "joined to both gears by hinges on their axes",
                            coupling.name),
                "remove 'losses' for it: its teeth lose nothing then");
       }
@@ -330,7 +329,7 @@ class SimulationReader {
       if (coupling.one_way) {
         refuse(
             coupling.name.where,
-            fmt::format("a simulation does not know when freewheel '{}' holds", coupling.name.text),
+            fmt::format("a simulation cannot tell when freewheel '{}' holds", coupling.name.text),
             "remove 'one_way' and give the action of the clutch, 0 while it is open");
       }
     }
@@ -340,7 +339,7 @@ class SimulationReader {
       const CouplingTopology& coupling = topology_.coupling(topology_.actions[at(action)].coupling);
       refuse(
           coupling.where,
-          fmt::format("a simulation does not know whether '{}' keeps its {}",
+          fmt::format("a simulation cannot tell whether '{}' keeps its {}",
                       coupling.name,
                       tensions.empty() ? "contact" : "tension"),
           "ask 'kinestat motion' for the forces along a given motion; a spring with 'acts: pull' "
@@ -350,7 +349,7 @@ class SimulationReader {
     for (const ActuatorTopology& actuator : topology_.actuators) {
       if (std::ranges::count(contacts, actuator.action) > 0) {
         refuse(actuator.where,
-               fmt::format("a simulation does not know actuator '{}'", actuator.name),
+               fmt::format("a simulation does not cover actuator '{}'", actuator.name),
                "put it on a coupling whose freedom has a position");
       }
     }
