@@ -124,7 +124,7 @@ void check_together(CLI::App& command, SweepCommand& sweep) {
     throw LonelyOption("--format npy",
                        "--out",
                        "an array begins with the number of its rows, and the words for its numbers "
-                       "stand beside it: name the folder for both, as in --out results");
+                       "are in a file beside it: name the folder for both, as in --out results");
   }
   if (is_given("--top") && is_given("--pareto")) {
     throw ForeignOption(

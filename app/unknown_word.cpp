@@ -74,7 +74,7 @@ UsageMessage unknown_option(const CLI::App& app, const CLI::App& command, const 
   const std::string guess = did_you_mean(name, option_names(command));
   const CLI::App* other = &command == &app ? command_with(app, name) : nullptr;
   if (other != nullptr && guess.empty()) {
-    return {"option '" + name + "' stands before the command",
+    return {"option '" + name + "' is before the command",
             "write it after the command, as in 'kinestat" + name_of(*other) + " " + name + "'"};
   }
   if (is_file_name(word)) {

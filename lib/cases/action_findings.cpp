@@ -73,7 +73,7 @@ void add_unbalanced_loads(const JudgedFile& file, const CaseAnalysis& one, CaseF
                           one.which.label,
                           is_named ? loads_text(loads, unconstrained->loads) : nameless,
                           unconstrained ? ": " + unconstrained_text(file, *unconstrained) : ""),
-              "add an actuator or a coupling that holds this motion, or remove the load");
+              "add an actuator or a coupling that resists this motion, or remove the load");
 }
 
 void add_contradiction(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
@@ -95,7 +95,8 @@ void add_contradiction(const JudgedFile& file, const CaseAnalysis& one, CaseFind
                   : one.which.loads.empty() ? "; nothing resists the motion: "
                                             : "; nothing balances the load: ",
                   action.unconstrained ? unconstrained_text(file, *action.unconstrained) : ""),
-      removal_text(action.check, side) + " so that it is solved, or add what holds this motion");
+      removal_text(action.check, side) +
+          " so that it is solved, or add a support or actuator that resists this motion");
 }
 
 // "work = -3305.72 N": what an equilibrium demands of the actuators that the case does not know, or
@@ -139,8 +140,8 @@ void add_held_by_friction(const JudgedFile& file, const CaseAnalysis& one, CaseF
   found.error(
       "E0605",
       place_of_surplus(one.which.actions, action.check, one.which.where),
-      fmt::format("case '{}': nothing but friction holds the known actions, which leaves "
-                  "open how it is pressed: {}",
+      fmt::format("case '{}': friction alone holds the known actions and does not determine the "
+                  "contact side: {}",
                   one.which.label,
                   equilibria),
       removal_text(action.check, action_side(file, one.which)) + " and give one of these instead");
@@ -155,8 +156,8 @@ void add_other_equilibrium(const JudgedFile& file, const CaseAnalysis& one, Case
                 fmt::format("case '{}' has another equilibrium with this friction: {}",
                             one.which.label,
                             demands_text(file, one, one.action->other_actions.front())),
-                "the answer is the one that grows out of that without friction; to have the other, "
-                "give one of its actions instead of a known one");
+                "the answer is the one that follows from that without friction as friction grows; "
+                "for the other, give one of its actions instead of a known one");
 }
 
 std::string names_of(const std::vector<CouplingId>& couplings, const Topology& topology) {
@@ -203,7 +204,7 @@ void add_converter_without_value(const JudgedFile& file,
   found.error("E0604",
               friction.where,
               fmt::format("case '{}': the characteristic of torque converter '{}' has no value, or "
-                          "gives power, where {}",
+                          "generates power, where {}",
                           one.which.label,
                           topology.coupling(friction.coupling).name,
                           speeds),
@@ -220,6 +221,21 @@ const CouplingFriction* find_drag_without_value(const JudgedFile& file, const Ca
                !tau_at(friction, std::abs(bounded_rate(*one.motion, freedom).zeroed()));
       });
   return found == file.mechanism.frictions.end() ? nullptr : &*found;
+}
+
+// Of a case that holds everything still: how it begins to move.
+std::string start_hint(const KnownSide& side, const Case& which) {
+  const bool rests =
+      std::ranges::all_of(which.motions, [](const Primary& one) { return one.value == 0.0; });
+  if (which.motions.empty() || !rests) {
+    return {};
+  }
+  const int first = which.motions.front().index;
+  return fmt::format(
+      "; for a start from rest give a very small speed in the direction of the coming motion, "
+      "motion: {{{}: 1e-3 {}}}",
+      side.name(first),
+      side.units.text(side.kind(first)));
 }
 
 void add_friction_at_rest(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
@@ -249,25 +265,24 @@ void add_friction_at_rest(const JudgedFile& file, const CaseAnalysis& one, CaseF
   if (!has_motion) {
     found.error("E0604",
                 one.which.where,
-                fmt::format("case '{}': the friction of {} has no direction, because the case "
-                            "gives no motion",
+                fmt::format("case '{}': friction of {} has no direction: the case gives no motion",
                             one.which.label,
                             names),
-                "add 'motion:' to the case; its direction decides, and its size where there is "
+                "add 'motion:' to the case; its direction counts, and its magnitude where there is "
                 "viscous friction");
     return;
   }
   found.error("E0606",
               one.which.where,
-              fmt::format("case '{}': the friction of {} has no direction, because nothing moves "
-                          "there",
+              fmt::format("case '{}': friction of {} has no direction: nothing moves there",
                           one.which.label,
                           names),
               is_of_cable(*one.action, file.mechanism)
-                  ? "friction at rest may have any size up to its limit: declare an actuator on "
-                    "this coupling, which then holds the cable, or let the cable slip"
-                  : "friction at rest may have any size up to its limit: draw a position, or "
-                    "give a motion, in which this coupling moves, or remove its friction");
+                  ? "friction at rest may have any magnitude up to its limit: declare an actuator "
+                    "on this coupling, which then holds the cable, or let the cable slip"
+                  : "friction at rest may have any magnitude up to its limit: draw a position, or "
+                    "give a motion, in which this coupling moves, or remove its friction" +
+                        start_hint(motion_side(file, one.which), one.which));
 }
 
 void add_held_cables(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
@@ -322,7 +337,7 @@ void add_indeterminacy(const JudgedFile& file, const CaseAnalysis& one, CaseFind
   found.warning(
       "W0601",
       one.which.where,
-      fmt::format("case '{}' knows {} of the {} actions needed; {} {}{}",
+      fmt::format("case '{}' gives {} of the {} actions needed; {} {}{}",
                   one.which.label,
                   one.which.actions.size(),
                   action.counts.net_constraint,
@@ -346,11 +361,12 @@ struct ReactionWords {
 ReactionWords words_of(Reaction reaction) {
   switch (reaction) {
     case Reaction::axial:
-      return {"force along its axis", "'thrust_radius', the mean radius of what bears it"};
+      return {"axial force", "'thrust_radius', the mean radius of the collar that bears it"};
     case Reaction::tilting:
-      return {"couple across its axis", "'length', over which its two ends bear it"};
+      return {"tilting moment", "'length', the bearing length of the journal or guide"};
     case Reaction::torsion:
-      return {"couple about its axis", "'radius', at which it is kept from turning"};
+      return {"torque about its axis",
+              "'radius', that of the spline or key that keeps it from turning"};
   }
   return {};
 }
@@ -362,16 +378,16 @@ void add_ignored_reactions(const JudgedFile& file, const CaseAnalysis& one, Case
         ignored.reaction == Reaction::axial ? QuantityKind::force : QuantityKind::moment;
     const CouplingTopology& coupling = file.mechanism.topology.coupling(ignored.coupling);
     const ReactionWords words = words_of(ignored.reaction);
-    CaseFinding& added = found.warning(
-        "W0604",
-        coupling.where,
-        fmt::format("case '{}': the friction of '{}' does not count its {} of {:.6g} {}",
-                    one.which.label,
-                    coupling.name,
-                    words.what,
-                    ignored.size / units.factor(kind),
-                    units.text(kind)),
-        fmt::format("add to its friction {}", words.key));
+    CaseFinding& added =
+        found.warning("W0604",
+                      coupling.where,
+                      fmt::format("case '{}': friction of '{}' ignores its {} of {:.6g} {}",
+                                  one.which.label,
+                                  coupling.name,
+                                  words.what,
+                                  ignored.size / units.factor(kind),
+                                  units.text(kind)),
+                      fmt::format("give its friction {}", words.key));
     added.element = words.what;
     added.size = ignored.size;
   }
@@ -394,8 +410,8 @@ void add_pulling_contacts(const JudgedFile& file, const CaseAnalysis& one, CaseF
                     coupling.name,
                     pull / units.factor(QuantityKind::force),
                     units.text(QuantityKind::force)),
-        "they part; or turn the normal round: it points from the first of the bodies "
-        "to the second");
+        "they separate; or reverse the normal: it points from the first of the bodies to the "
+        "second");
     added.element = coupling.name;
     added.size = pull;
   }
@@ -421,23 +437,22 @@ void add_action_status_findings(const JudgedFile& file,
                             cutsets_text(file, action, side)),
                 removal_text(action.check, side));
   } else if (action.status == SolveStatus::overflow) {
-    found.error(
-        "E0603",
-        one.which.where,
-        fmt::format("case '{}': actions are too large to be computed with", one.which.label),
-        one.which.loads.empty()
-            ? "give smaller actions; the answer is proportional to them"
-            : "give smaller actions and loads; the answer is proportional to them");
+    found.error("E0603",
+                one.which.where,
+                fmt::format("case '{}': actions are too large to compute with", one.which.label),
+                one.which.loads.empty()
+                    ? "give smaller actions; the answer is proportional to them"
+                    : "give smaller actions and loads; the answer is proportional to them");
   } else if (action.status == SolveStatus::at_rest) {
     add_friction_at_rest(file, one, found);
   } else if (action.status == SolveStatus::locked_by_friction) {
-    found.warning("W0603",
-                  one.which.where,
-                  fmt::format("case '{}' locks: the friction that the actions cause grows with "
-                              "them beyond all bounds",
-                              one.which.label),
-                  "nothing moves so, however strong the drive; known actions of another member, a "
-                  "smaller coefficient of friction or another direction of motion have an answer");
+    found.warning(
+        "W0603",
+        one.which.where,
+        fmt::format("case '{}' jams: friction grows faster than the actions that cause it",
+                    one.which.label),
+        "no drive force, however large, moves it in this direction; a smaller coefficient of "
+        "friction, another direction of motion or known actions of another member have an answer");
   } else if (action.status == SolveStatus::underdetermined) {
     add_indeterminacy(file, one, found);
   }

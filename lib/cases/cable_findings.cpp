@@ -39,9 +39,8 @@ void add_pushed_segments(const JudgedFile& file,
       one.pretension
           ? fmt::format("a pretension keeps the cables in tension: add at least {}",
                         pretension_text(file, *one.pretension))
-          : "a cable only pulls, and no self-stress beside the known actions pulls at this one: "
-            "raise a known action, turn round the load or the motion, or hold the cable by another "
-            "actuator";
+          : "a cable only pulls, and no pretension can tighten this one: raise a known action, "
+            "reverse the load or the motion, or hold the cable by another actuator";
   for (const CouplingId id : pushed) {
     const CouplingTopology& segment = topology.coupling(id);
     const double force =

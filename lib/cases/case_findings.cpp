@@ -55,8 +55,8 @@ void add_idle_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFind
     found.warning(
         "W0506",
         one.which.where,
-        fmt::format("case '{}' does not tell how fast {} turns or shifts by itself, which "
-                    "no other body feels",
+        fmt::format("case '{}' gives no rate for an idle freedom of {}: a turn or slide that moves "
+                    "no other body",
                     one.which.label,
                     plain_list(names)),
         "'kinestat mobility' lists these freedoms; give the case the rate of one, or hold "
@@ -84,7 +84,7 @@ std::string converter_text(const JudgedFile& file, const CaseAnalysis& one) {
                        search.ratios.back());
   }
   return fmt::format(
-      "; torque converter '{}' takes '{}' at no speed ratio, as it may be from {} to {} there",
+      "; torque converter '{}' takes '{}' at no speed ratio: it ranges from {} to {} there",
       converter,
       side.name(search.action),
       in_unit(search.least),
@@ -102,8 +102,8 @@ void add_inertia_obstacle(const JudgedFile& file, const CaseAnalysis& one, CaseF
       found.error(
           "E0511",
           file.mechanism.topology.coupling(obstacle.coupling->coupling).where,
-          fmt::format("case '{}' has no forces of inertia, since how fast coupling '{}' speeds up "
-                      "is not known: {}",
+          fmt::format("case '{}' has no inertia forces, since the acceleration of coupling '{}' is "
+                      "not known: {}",
                       one.which.label,
                       file.mechanism.topology.coupling(obstacle.coupling->coupling).name,
                       reason_of(obstacle.coupling->why)),
@@ -113,21 +113,21 @@ void add_inertia_obstacle(const JudgedFile& file, const CaseAnalysis& one, CaseF
     case InertiaObstacle::Kind::idle_spin:
       found.error("E0511",
                   one.which.where,
-                  fmt::format("case '{}' has no forces of inertia: it does not tell how fast body "
-                              "'{}' turns by itself, and they hang on that",
+                  fmt::format("case '{}' has no inertia forces: they depend on how fast body '{}' "
+                              "turns by itself, an idle freedom, and the case gives no rate for it",
                               one.which.label,
                               file.mechanism.topology.body(*obstacle.body).name),
                   "join one of its ends by a universal coupling instead of a ball; or give it no "
                   "inertia about the axis of that turn, as a slender rod has none");
       return;
     case InertiaObstacle::Kind::singular:
-      found.error("E0511",
-                  one.which.where,
-                  fmt::format("case '{}' has no forces of inertia, since its position is singular: "
-                              "speeds of its drives determine no accelerations there",
-                              one.which.label),
-                  "draw the mechanism a little beside that position, or drive it by another "
-                  "coupling");
+      found.error(
+          "E0511",
+          one.which.where,
+          fmt::format("case '{}' has no inertia forces, since its position is singular: there the "
+                      "speeds of its drives do not determine accelerations",
+                      one.which.label),
+          "draw the mechanism a little away from that position, or drive it by another coupling");
       return;
   }
 }
@@ -181,7 +181,7 @@ void add_spring_obstacle(const JudgedFile& file, const CaseAnalysis& one, CaseFi
                   spring.where,
                   fmt::format("gas spring '{}' is past its stroke", spring.name),
                   "'length' is that of the extended spring, from which 'stroke' is pushed in; "
-                  "correct these or its points, or let the motion end before");
+                  "correct these or its points, or end the motion earlier");
       return;
     case SpringObstacle::Kind::no_position:
       found.error("E0324",
@@ -241,7 +241,7 @@ void add_curve_obstacle(const JudgedFile& file, const CaseAnalysis& one, CaseFin
     case CurveObstacle::Kind::no_speed:
       found.error("E0326",
                   curve.where,
-                  fmt::format("curve '{}' is over the speed of '{}', which case '{}' does not tell",
+                  fmt::format("curve '{}' is over the speed of '{}', which case '{}' does not give",
                               curve.name,
                               curve.actuator,
                               one.which.label),
@@ -293,16 +293,15 @@ void add_motion_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFi
                          ? fmt::format(", and {}", completions_text(motion.check, side))
                          : ""));
   } else if (motion.status == SolveStatus::overflow) {
-    found.error(
-        "E0503",
-        one.which.where,
-        fmt::format("case '{}': velocities are too large to be computed with", one.which.label),
-        "give smaller motions; the answer is proportional to them");
+    found.error("E0503",
+                one.which.where,
+                fmt::format("case '{}': velocities are too large to compute with", one.which.label),
+                "give smaller motions; the answer is proportional to them");
   } else if (motion.status == SolveStatus::underdetermined && !is_idle_gear(file, one)) {
     found.error("E0501",
                 one.which.where,
-                fmt::format("case '{}' knows {} of the {} motions needed (net degree of freedom "
-                            "{}); undetermined are {}{}",
+                fmt::format("case '{}' gives {} of the {} motions needed (net degree of freedom "
+                            "{}); not determined: {}{}",
                             one.which.label,
                             one.which.motions.size(),
                             motion.counts.net_freedom,
@@ -371,8 +370,8 @@ void add_power_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFin
   if (is_locked_anyway) {
     found.warning("W0602",
                   one.which.where,
-                  fmt::format("case '{}' is self-locking: friction takes more than the input "
-                              "gives, so the output must drive too",
+                  fmt::format("case '{}' is self-locking: friction absorbs more power than the "
+                              "input supplies, so the output must drive too",
                               one.which.label),
                   "in this direction nothing moves by itself; that may be what is wanted");
   }

@@ -90,8 +90,8 @@ void add_missing_digits(int digits,
   }
   found.warning("W0502",
                 one.which.where,
-                fmt::format("case '{}': the worst of its {} may be wrong by {:.2g} of its size, "
-                            "where {} digits were asked for",
+                fmt::format("case '{}': the worst of its {} may be wrong by {:.2g} of its "
+                            "magnitude, where {} digits were requested",
                             one.which.label,
                             what,
                             *answer.error_bound,

@@ -137,7 +137,7 @@ std::string circuits_text(const JudgedFile& file,
       names.push_back(file.mechanism.topology.couplings[static_cast<std::size_t>(e)].name);
     }
     parts.push_back(fmt::format(
-        "the circuit {} demands {}", plain_list(names), relation_text(dependence, side)));
+        "closure of circuit {} requires {}", plain_list(names), relation_text(dependence, side)));
   }
   return fmt::format("{}", fmt::join(parts, " and "));
 }
@@ -162,7 +162,7 @@ std::string cutsets_text(const JudgedFile& file,
         cut.push_back(coupling.name);
       }
     }
-    parts.push_back(fmt::format("equilibrium of {} (cut-set {}) demands {}",
+    parts.push_back(fmt::format("equilibrium of {} (cut-set {}) requires {}",
                                 plain_list(bodies),
                                 plain_list(cut),
                                 relation_text(dependence, side)));

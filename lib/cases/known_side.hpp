@@ -32,12 +32,12 @@ std::vector<std::string> names_of(const std::vector<int>& indices, const KnownSi
 /// of actuators first, which are what an engineer would give. Empty if the check proposes none.
 std::string completions_text(const PrimaryCheck& check, const KnownSide& side);
 
-/// "the circuit a, b, c, d demands drive = 2.5 load", a part for each relation.
+/// "closure of circuit a, b, c, d requires drive = 2.5 load", a part for each relation.
 std::string circuits_text(const JudgedFile& file,
                           const KinematicSolution& motion,
                           const KnownSide& side);
 
-/// "equilibrium of crank, rod (cut-set a, d) demands a.Rx = 2.5 b.Rx + 12 N".
+/// "equilibrium of crank, rod (cut-set a, d) requires a.Rx = 2.5 b.Rx + 12 N".
 std::string cutsets_text(const JudgedFile& file,
                          const StaticSolution& action,
                          const KnownSide& side);

@@ -247,14 +247,14 @@ constexpr auto kErrorCodes = std::to_array<Code>({
      "teeth."},
     {"E0319",
      wrong_input,
-     "idler is no planet",
+     "idler is not a planet",
      "A gear that turns on a shaft, meshes once and is clutched to that shaft is an idler, as on "
      "the lay shaft of a manual gearbox. With the shaft as the carrier of its mesh it would be a "
      "planet that orbits with the shaft, and every ratio would be that of another machine. Its "
      "mesh has no carrier: the centres of both gears are fixed to the ground."},
     {"E0320",
      wrong_input,
-     "number beyond what can be computed with",
+     "number is too large to compute with",
      "Distances, forces and speeds are multiplied with each other and squared. A number above 1e60 "
      "in SI units would soon exceed the range of floating-point numbers and leave no result, and "
      "so "
@@ -267,7 +267,7 @@ constexpr auto kErrorCodes = std::to_array<Code>({
      "corners are the same point, so there is nothing to choose from."},
     {"E0322",
      wrong_input,
-     "inertia that no body has",
+     "impossible inertia",
      "The principal moments of inertia of a body are not negative, and none exceeds the sum of the "
      "other two, because each is an integral over the same mass; a tensor is symmetric. The "
      "message gives the three moments. Usually a decimal point is wrong, the six numbers are in "
@@ -289,7 +289,7 @@ constexpr auto kErrorCodes = std::to_array<Code>({
      "are unknown there. The message names the spring."},
     {"E0325",
      wrong_input,
-     "curve whose points make none",
+     "points do not make a curve",
      "A curve has at least two points in increasing order. A repeating curve ends one 'period' "
      "after its start with the value with which it began, or omits that point and continues to the "
      "first by itself; no point lies beyond the period. 'kinestat help curves' shows each kind."},

@@ -125,7 +125,7 @@ class CurveTableReader {
     }
     refuse(row.line,
            fmt::format("'{}' is not a number", printable(number)),
-           "write plain numbers with a decimal point; their unit stands in the first line");
+           "write plain numbers with a decimal point; their unit is in the first line");
     return std::nullopt;
   }
 

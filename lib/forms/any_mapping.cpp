@@ -78,7 +78,7 @@ void AnyMapping::instead(std::string_view key,
   rule({.kind = FormRule::Kind::instead,
         .key = key,
         .others = std::move(others),
-        .message = "{} cannot have '{}' beside '{}'",
+        .message = "{} cannot have '{}' together with '{}'",
         .hint = hint});
 }
 

@@ -14,6 +14,25 @@ bool has(const FileValue& mapping, std::string_view key) {
   return mapping.node.find(key) != nullptr;
 }
 
+// The hint with the two bodies that the mapping names in place of TAIL and HEAD, and the form of a
+// point in place of […].
+std::string hint_with_names(std::string_view hint, const FileValue& mapping) {
+  std::string text(hint);
+  const auto replace = [&](std::string_view word, std::string_view by) {
+    for (std::size_t at = text.find(word); at != std::string::npos;
+         at = text.find(word, at + by.size())) {
+      text.replace(at, word.size(), by);
+    }
+  };
+  const YamlNode* bodies = mapping.node.find("bodies");
+  if (bodies != nullptr && bodies->items.size() == 2 && text.find("TAIL") != std::string::npos) {
+    replace("TAIL", bodies->items[0].text);
+    replace("HEAD", bodies->items[1].text);
+    replace("[…]", mapping.space == Space::planar ? "[x, y]" : "[x, y, z]");
+  }
+  return text;
+}
+
 bool is_in_place_of(const FormRule& rule) {
   return rule.kind == FormRule::Kind::instead || rule.kind == FormRule::Kind::spares;
 }
@@ -109,6 +128,18 @@ std::string_view code_for_key(const FormRule& rule, const FileValue& mapping) {
   }
 }
 
+// The key that the mapping cannot do without, if it is the only one and has a name as its value.
+std::string_view only_name_of(const FormShape& shape) {
+  std::string_view only;
+  for (const FormKey& key : shape.keys) {
+    if (key.is_needed && (!only.empty() || key.shape->kind != FormKind::name)) {
+      return {};
+    }
+    only = key.is_needed ? key.key : only;
+  }
+  return only;
+}
+
 }  // namespace
 
 std::uint64_t beginning_of(std::string_view key) {
@@ -126,7 +157,7 @@ MappingKeys::MappingKeys(const FormShape& shape,
     : shape_(shape),
       mapping_(mapping),
       known_(known),
-      fields_(mapping.node, mapping.where, title_of(mapping), mapping.found) {
+      fields_(mapping.node, mapping.where, title_of(mapping), mapping.found, only_name_of(shape)) {
   for (const YamlEntry& entry : mapping.node.entries) {
     beginnings_ |= beginning_of(entry.key);
   }
@@ -203,7 +234,7 @@ void check_rules(const FormShape& shape, const FileValue& mapping, int errors_be
       mapping.found.error(code,
                           place_of_key(mapping.node, rule.key),
                           fmt::format(fmt::runtime(rule.message), mapping.what),
-                          std::string(rule.hint));
+                          hint_with_names(rule.hint, mapping));
     } else if (rule.kind == FormRule::Kind::instead) {
       check_instead(rule, mapping);
     } else if (rule.kind == FormRule::Kind::unless_true) {

@@ -54,8 +54,9 @@ std::optional<Present> find_present(const OutputFile& file,
     return Present::nothing;
   }
   if (!S_ISREG(status.st_mode) && !S_ISLNK(status.st_mode)) {
-    refuse_writing(
-        file.path, S_ISDIR(status.st_mode) ? "it is a folder" : "it is no ordinary file", found);
+    refuse_writing(file.path,
+                   S_ISDIR(status.st_mode) ? "it is a folder" : "it is not an ordinary file",
+                   found);
     return {};
   }
   if (overwrite == Overwrite::own_only && !is_own(file)) {

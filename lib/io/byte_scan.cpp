@@ -44,7 +44,7 @@ std::string message(const BadCharacter& bad, std::size_t offset) {
                  ? fmt::format("carriage return without line feed at offset {}", offset)
                  : fmt::format("control character U+{:04X} at offset {}", number, offset);
     case CharacterFault::forbidden:
-      return fmt::format("character U+{:04X} at offset {} may not stand in YAML", number, offset);
+      return fmt::format("character U+{:04X} at offset {} is not allowed in YAML", number, offset);
   }
   return {};
 }

@@ -18,7 +18,11 @@ constexpr std::size_t kMostKeys = 40;  // that a mapping of the format has
 
 }  // namespace
 
-Fields::Fields(const YamlNode& node, SourceRange where, const Title& what, Diagnostics& found)
+Fields::Fields(const YamlNode& node,
+               SourceRange where,
+               const Title& what,
+               Diagnostics& found,
+               std::string_view only)
     : where_(where), what_(what), found_(found) {
   if (node.kind == YamlKind::mapping) {
     node_ = &node;
@@ -26,7 +30,9 @@ Fields::Fields(const YamlNode& node, SourceRange where, const Title& what, Diagn
     found_.error("E0304",
                  node.where,
                  fmt::format("{} must be a mapping of keys to values", what_),
-                 "write {key: value, …} or indented lines 'key: value'");
+                 only.empty() || node.kind != YamlKind::scalar
+                     ? "write {key: value, …} or indented lines 'key: value'"
+                     : fmt::format("write {{{}: {}}}", only, node.text));
   }
 }
 
@@ -125,7 +131,7 @@ void Fields::refuse(std::size_t index) {
                            foreign.empty() ? "" : ": it holds ",
                            foreign),
                !whole.empty()    ? fmt::format("put the value in quotes: {}", whole)
-               : !listed.empty() ? fmt::format("components stand in brackets: {}", listed)
+               : !listed.empty() ? fmt::format("write components in brackets: {}", listed)
                : guess.empty()   ? others
                                  : fmt::format("did you mean '{}'? {}", guess, others));
 }

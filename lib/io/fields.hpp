@@ -19,7 +19,13 @@ class Fields {
  public:
   /// `what` names the mapping in messages: "coupling 'a'". `where` is where a missing key is
   /// reported. A node that is no mapping is an error; the fields are then empty.
-  Fields(const YamlNode& node, SourceRange where, const Title& what, Diagnostics& found);
+  /// `only` is the one key that it cannot do without, if that has a name as its value: what a name
+  /// in place of the mapping is meant for.
+  Fields(const YamlNode& node,
+         SourceRange where,
+         const Title& what,
+         Diagnostics& found,
+         std::string_view only = {});
 
   /// The value of the key, or null if it is absent.
   const YamlNode* find(std::string_view key);

@@ -76,6 +76,8 @@ constexpr auto kSynonyms = std::to_array<Synonym>({
     {"drag", "friction"},
     {"center_of_mass", "centre_of_mass"},
     {"cog", "centre_of_mass"},
+    {"weight", "mass"},
+    {"preload", "drawn"},
     {"center", "centre"},
     {"center_distance", "centre_distance"},
     {"2d", "planar"},

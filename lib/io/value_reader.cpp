@@ -98,6 +98,10 @@ std::string tight_decimal(const YamlNode& node) {
   return has_wide ? tight : "";
 }
 
+bool is_number_like(std::string_view text) {
+  return text.find_first_of("0123456789") <= text.find_first_not_of("+-.");
+}
+
 // What to type where a point has the wrong number of components.
 std::string components_hint(const YamlNode& node, std::size_t count) {
   const std::string form = count == 2 ? "write [x, y]" : "write [x, y, z]";
@@ -107,6 +111,9 @@ std::string components_hint(const YamlNode& node, std::size_t count) {
   }
   if (node.items.size() > count && !decimal.empty()) {
     return fmt::format("{}; a decimal has a point: {}", form, decimal);
+  }
+  if (node.kind == YamlKind::scalar && is_number_like(node.text)) {
+    return fmt::format("{}, for example [{}, {}]", form, count == 2 ? "0" : "0, 0", node.text);
   }
   if (count == 2 && node.items.size() == 3) {
     return form + "; points in the plane have no z";

@@ -66,9 +66,9 @@ void add_coupling(const CouplingDescription& coupling,
   if (coupling.at && !coupling.at->of_bodies.empty()) {
     add(coupling.at->where,
         fmt::format("closure error of {}", word(coupling)),
-        "'kinestat motion' closes it and says how far each body moves and, where points alone "
-        "were wrong, which to draw for the other passes; or write one point after 'at:', where "
-        "both bodies are drawn to meet",
+        "'kinestat motion' closes it and says how far each body moves and, where points alone were "
+        "wrong, which to draw for the other analyses; or write one point after 'at:', where both "
+        "bodies are drawn to meet",
         true);
     list.back().is_closure_error = true;
   }

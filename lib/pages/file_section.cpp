@@ -104,7 +104,7 @@ class FileSection {
     const std::vector<std::string> remarks = mobility_remarks(*page_.mobility);
     if (!remarks.empty()) {
       html_.open("details");
-      html_.element("summary", "What the counts say of each other");
+      html_.element("summary", "How the counts are related");
       for (const std::string& remark : remarks) {
         html_.element("p", remark);
       }
@@ -112,9 +112,8 @@ class FileSection {
     }
     add_folded_blocks(
         "Reshetov's tables: what closes each circuit without force", "Reshetov", blocks.reshetov);
-    add_folded_blocks("Motions, redundant constraints, and what would mend these",
-                      "Motions and constraints",
-                      blocks.motions);
+    add_folded_blocks(
+        "Motions, redundant constraints, and remedies", "Motions and constraints", blocks.motions);
     html_.close();
   }
 

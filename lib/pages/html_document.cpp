@@ -48,7 +48,7 @@ void add_theme_choice(Html& html) {
   html.element("label", "Colours ", {{"for", "theme"}});
   html.open("select", {{"id", "theme"}});
   html.open("option", {{"value", "auto"}});
-  html.text("as the system");
+  html.text("system");
   html.close();
   html.element("option", "light", {{"value", "light"}});
   html.element("option", "dark", {{"value", "dark"}});

@@ -165,10 +165,9 @@ std::string end_text(const MotionTable& motion, const DriveTravel& drive) {
       return "";
     case MotionEnd::limited:
     case MotionEnd::lost:
-      return drive.reached ? fmt::format(", but comes no further than {} {}",
-                                         format_short(*drive.reached),
-                                         drive.unit)
-                           : "";
+      return drive.reached
+                 ? fmt::format(", but reaches only {} {}", format_short(*drive.reached), drive.unit)
+                 : "";
     case MotionEnd::drives_locked:
       return motion.drives.size() > 1 ? ", but cannot run with the others" : ", but cannot run";
     case MotionEnd::not_assembled:

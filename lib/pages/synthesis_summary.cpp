@@ -54,7 +54,7 @@ void add_best(const SynthesisAnalysis& synthesis,
                                  is_usable ? "best" : "nearest",
                                  with_article(hyphenated(word_of(best.linkage.type()))));
   text += best.grashof ? fmt::format(", class {}", hyphenated(word_of(best.grashof->kind))) : "";
-  text += is_usable ? fmt::format(", whose transmission angle keeps {} {} from the dead points",
+  text += is_usable ? fmt::format(", whose transmission angle stays {} {} from the dead points",
                                   format_short(units.from_si(QuantityKind::angle, best.margin())),
                                   units.text(QuantityKind::angle))
                     : fmt::format(", with this against it: {}", phrase_of(best.defect));

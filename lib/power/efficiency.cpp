@@ -10,6 +10,7 @@
 #include "core/rounding.hpp"
 #include "couplings/kinds.hpp"
 #include "math/numbers/bounded_number.hpp"
+#include "mechanism/cases/load.hpp"
 #include "power/internal/no_efficiency.hpp"
 
 namespace kinestat {
@@ -71,11 +72,14 @@ std::string exchange_beside(const Case& which, const CasePowers& powers) {
   if (beside <= kPowerBalance * largest) {
     return {};
   }
-  return load == nullptr
-             ? "other actuators exchange power too"
+  if (load == nullptr) {
+    return "other actuators also supply or absorb power; list them under 'input' or 'output'";
+  }
+  return load->name.starts_with(kInertiaPrefix)
+             ? "the kinetic energy of the bodies also supplies or absorbs power"
              : fmt::format(
-                   "load '{}' exchanges power too; it may be named beside the others in "
-                   "'input' or 'output'",
+                   "load '{}' also supplies or absorbs power; list it under 'input' or "
+                   "'output'",
                    load->name);
 }
 
@@ -109,25 +113,25 @@ Efficiency find_efficiency(const Case& which, const CasePowers& powers) {
   const double in = sum_of(inputs);
   const double out = sum_of(outputs);
   if (in == 0.0) {
-    return no_efficiency("the inputs give no power");
+    return no_efficiency("the inputs supply no power");
   }
   if (in < 0.0) {
-    return no_efficiency(out > 0.0 ? "the inputs take power, the outputs drive"
-                                   : "the inputs take power");
+    return no_efficiency(out > 0.0 ? "the inputs absorb power: the outputs drive"
+                                   : "the inputs absorb power");
   }
   if (has_power(inputs, -1.0, powers)) {
-    return no_efficiency("one of the inputs takes power");
+    return no_efficiency("one of the inputs absorbs power");
   }
   if (out > kPowerBalance * in) {
     return {.value = std::nullopt,
-            .reason = "friction takes more than the inputs give",
+            .reason = "friction absorbs more power than the inputs supply",
             .is_self_locking = true};
   }
   if (has_power(outputs, 1.0, powers)) {
-    return no_efficiency("one of the outputs gives power");
+    return no_efficiency("one of the outputs supplies power");
   }
   if (out >= 0.0) {
-    return {.value = 0.0, .reason = "friction takes all that the inputs give"};
+    return {.value = 0.0, .reason = "friction absorbs all power of the inputs"};
   }
   if (-out > (1.0 + kPowerBalance) * in) {
     return no_efficiency("the powers do not balance");

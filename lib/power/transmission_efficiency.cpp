@@ -97,10 +97,10 @@ class LossyCase {
           "a loss of teeth that depends on speed or force has no value there from 0 to below 1");
     }
     if (direction.action.magnitudes.empty()) {
-      return self_locking("losses take more than the inputs give");
+      return self_locking("losses exceed the power of the inputs");
     }
     if (!direction.flow) {
-      return no_efficiency("equilibrium leaves open what presses where power is lost");
+      return no_efficiency("equilibrium does not determine the normal forces where power is lost");
     }
     const PowerFlow& flow = *direction.flow;
     if (!flow.is_balanced) {
@@ -108,11 +108,11 @@ class LossyCase {
     }
     Efficiency result = between_ends(which, flow);
     if (result.is_self_locking) {
-      return self_locking("losses take more than the inputs give");
+      return self_locking("losses exceed the power of the inputs");
     }
     if (result.value && *result.value == 0.0) {
       return {
-          .value = 0.0, .reason = "losses take all that the inputs give", .is_self_locking = true};
+          .value = 0.0, .reason = "losses absorb all power of the inputs", .is_self_locking = true};
     }
     if (result.value && direction.other) {
       result.other = direction.other;
@@ -234,15 +234,15 @@ Efficiency absolute_of(const Mechanism& mechanism, const SolvedCase& solved) {
   }
   if (std::ranges::any_of(mechanism.lossy_meshes,
                           [](const LossyMesh& mesh) { return mesh.law.has_value(); })) {
-    return no_efficiency("losses that depend on speed or force are those of the carrier model");
+    return no_efficiency("the absolute model does not cover losses that depend on speed or force");
   }
   if (!solved.which.input_loads.empty() || !solved.which.output_loads.empty()) {
-    return no_efficiency("of loads as input or output the carrier model has it");
+    return no_efficiency("the absolute model does not cover a load as input or output");
   }
   const std::optional<double> value =
       find_absolute_efficiency(mechanism, solved.which, power, solved.graph);
   return value ? Efficiency{.value = value, .reason = ""}
-               : no_efficiency("the powers of some bodies are open");
+               : no_efficiency("the powers of some bodies are not determined");
 }
 
 std::string plain_names(const Mechanism& mechanism, const std::vector<CouplingId>& couplings) {

@@ -252,7 +252,7 @@ class InputsJob {
       verdict.reason = relations;
       verdict.hint = removal_text(check, side);
     } else if (check.missing > 0) {
-      verdict.reason = fmt::format("{} more needed; it leaves open {}",
+      verdict.reason = fmt::format("{} more needed; it does not determine {}",
                                    check.missing,
                                    plain_list(names_of(check.undetermined, side)));
     }

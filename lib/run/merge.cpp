@@ -47,7 +47,7 @@ class ShardCheck {
     const std::optional<std::string> line = file.read_line();
     const std::optional<ShardHeader> header = line ? read_shard_header(*line) : std::nullopt;
     if (!header) {
-      refuse("is no shard of a sweep, or its first line is damaged",
+      refuse("is not a shard of a sweep, or its first line is damaged",
              "give the files that 'kinestat sweep --shard' has written");
       return std::nullopt;
     }
@@ -167,8 +167,8 @@ bool check_target(const std::vector<WholeShard>& shards,
     found.error("E0101",
                 {},
                 "the shards hold an array (--format npy), and that needs --out",
-                "the words for its numbers stand beside it: name the folder for both, as in "
-                "--out results");
+                "the words for its numbers are in a file beside it: name the folder for both, as "
+                "in --out results");
     return false;
   }
   return true;

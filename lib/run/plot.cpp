@@ -248,8 +248,8 @@ bool check_options(const PlotChoice& choice, const PictureKind& kind, Outcome& o
   }
   if (choice.drive && choice.at.empty()) {
     add_message("E0101",
-                "--drive stands without --at",
-                "write where it stands: --drive NAME --at '30 deg'",
+                "--drive is given without --at",
+                "give its position: --drive NAME --at '30 deg'",
                 outcome);
     return false;
   }

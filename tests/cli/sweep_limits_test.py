@@ -126,8 +126,8 @@ sweep:
 
     def test_questions_that_cannot_be_answered(self) -> None:
         for condition, message in (
-                ("assembles(s)", "'assembles(s)' names 's', which is no planet"),
-                ("clears(x)", "'clears(x)' names 'x', which is no gear member")):
+                ("assembles(s)", "'assembles(s)' names 's', which is not a planet"),
+                ("clears(x)", "'clears(x)' names 'x', which is not a gear member")):
             text = OVERDRIVE + f"sweep: {{vary: {{S: [20]}}, require: ['{condition}']}}\n"
             done = kinestat("sweep", self.write(text))
             self.assertIn("E0313", done.stderr)
@@ -138,7 +138,7 @@ sweep:
         self.assertIn("'assembles(p)' names 'p', which has no 'count'", done.stderr)
         done = kinestat("sweep", self.write(
             OVERDRIVE + "sweep: {vary: {S: [20]}, report: [ratio], keep: [clears(p)]}\n"))
-        self.assertIn("'clears(p)' cannot stand in 'keep'", done.stderr)
+        self.assertIn("'clears(p)' is not allowed in 'keep'", done.stderr)
         done = kinestat("sweep", self.write(
             TRAIN + "sweep: {vary: {Ns: [20]}, require: [clears(planet)]}\n"))
         self.assertIn("the section 'gears', which the file does not have", done.stderr)

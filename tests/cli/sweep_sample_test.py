@@ -152,7 +152,7 @@ sweep:
             self.assertLess(set(drawn), set(whole))
             self.assertIn(f"train: 300 states, {(len(drawn) - 1) // 2} analysed", done.stderr)
             left_out = 300 - (len(drawn) - 1) // 2
-            self.assertIn(f"left out by 'mod(Ns + Nr, 3) == 0': {left_out}\n", done.stderr)
+            self.assertIn(f"excluded by 'mod(Ns + Nr, 3) == 0': {left_out}\n", done.stderr)
             self.assertTrue(100 < left_out < 300)
             self.assertTrue(all((2 * int(row["Ns"]) + 2 * int(row["Np"])) % 3 == 0
                                 for row in csv.DictReader(drawn)))

@@ -128,7 +128,7 @@ class Sharing(InFolder):
         merged = kinestat("merge", *self.shards(5))
         self.assertEqual(list(csv.DictReader(merged.stdout.splitlines())), expected)
         self.assertEqual(kinestat("sweep", "--jobs", "2", self.file).stdout, merged.stdout)
-        self.assertIn(f"not kept by 'ratio > 4.2': "
+        self.assertIn(f"dropped by 'ratio > 4.2': "
                       f"{sum(float(row['ratio']) <= 4.2 for row in every)} rows", merged.stderr)
         best = kinestat("sweep", "--top", "1", "--by", "abs(ratio - 4.6) + Ns/1000", "--order",
                         "smallest", self.file).stdout

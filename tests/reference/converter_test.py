@@ -263,7 +263,7 @@ class FoundSlip(unittest.TestCase):
     def test_none(self) -> None:
         done = program.call("analyze", "-", text=model(case("c", 2000, None, "engine: 500, L: 0")))
         self.assertIn("E0501", done.stderr)
-        self.assertIn("at no speed ratio, as it may be from 0 N*m to 150 N*m there", done.stderr)
+        self.assertIn("at no speed ratio: it ranges from 0 N*m to 150 N*m there", done.stderr)
 
     def test_several(self) -> None:
         form = (", stator: housing, characteristic: {speed_ratio: [0, 0.4, 1], torque_ratio: "

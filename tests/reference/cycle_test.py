@@ -320,7 +320,7 @@ motion: {drive: motor, to: 360 deg, steps: 72, case: running}
         text = without_gas(CASES["slider_crank_engine"]["yaml"])
         wheel = "dynamics: {flywheel: {at: motor, fluctuation: 0.02}, harmonics: 2}\n"
         for change, reason in (
-                (("to: 360 deg", "to: 300 deg"), "turns, and a cycle has whole ones"),
+                (("to: 360 deg", "to: 300 deg"), "turns; a cycle needs whole turns"),
                 (("motor: 0}", "motor: 5}"), "does not run at a steady speed"),
                 (("action: {press: 0}", "action: {}"), "both 'motor' and 'press' could drive"),
                 (("at: motor", "at: press"), "which slides"),

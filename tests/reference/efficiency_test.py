@@ -193,7 +193,7 @@ class Rule(unittest.TestCase):
             else:
                 self.assertIsNone(shares[name])
                 self.assertIn(name, shares["self_locking"])
-                self.assertIn("more than the inputs give", shares["reasons"][name])
+                self.assertIn("exceed the power of the inputs", shares["reasons"][name])
 
     def check_state(self, power: dict, drive: str, driven: str) -> None:
         """The losses are what the output lacks."""
@@ -385,7 +385,7 @@ class ClosedForms(unittest.TestCase):
         shares = powers_of(train.text(case_text("run", "S", "C", train, ["R"])))["run"]["efficiency"]
 
         self.assertIn("carrier", shares["self_locking"])
-        self.assertIn("losses take", shares["reasons"]["carrier"])
+        self.assertIn("losses absorb", shares["reasons"]["carrier"])
         self.assertIn(shares["carrier"], (None, 0.0))
 
     def test_train_that_turns_as_a_block(self) -> None:
@@ -435,13 +435,13 @@ class Answers(unittest.TestCase):
         self.assertNotIn("self_locking", shares)
 
     def test_input_that_takes_power(self) -> None:
-        self.check("backwards", "the inputs take power, the outputs drive")
+        self.check("backwards", "the inputs absorb power: the outputs drive")
 
     def test_input_without_torque(self) -> None:
-        self.check("idle", "the inputs give no power")
+        self.check("idle", "the inputs supply no power")
 
     def test_input_at_rest(self) -> None:
-        self.check("at rest", "the inputs give no power")
+        self.check("at rest", "the inputs supply no power")
 
     def test_case_without_input(self) -> None:
         self.check("unnamed", "does not name input and output")
@@ -449,7 +449,7 @@ class Answers(unittest.TestCase):
                                delta=1e-12)
 
     def test_load_that_drives(self) -> None:
-        self.check("wind", "load 'w' exchanges power too")
+        self.check("wind", "load 'w' also supplies or absorbs power")
 
     # Two planets share the load in a proportion that equilibrium does not tell.
     def test_forces_that_equilibrium_leaves_open(self) -> None:
@@ -462,7 +462,7 @@ class Answers(unittest.TestCase):
 
         for name in ("carrier", "carrier_backward"):
             self.assertIsNone(power["efficiency"][name])
-            self.assertIn("equilibrium leaves open", power["efficiency"]["reasons"][name])
+            self.assertIn("equilibrium does not determine", power["efficiency"]["reasons"][name])
         self.assertIsNone(power["efficiency"]["absolute"])
         self.assertNotIn("losses", power)
 

@@ -92,7 +92,7 @@ class SpinOfARod(ReferenceTest):
     def test_what_is_determined_is_solved_and_the_rest_has_no_number(self) -> None:
         done = program.call("analyze", "-", text=TEXT)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("warning[W0506]: case 'go' does not tell how fast 'rod'", done.stderr)
+        self.assertIn("warning[W0506]: case 'go' gives no rate for an idle freedom of 'rod'", done.stderr)
         case = program.report(done)["cases"]["go"]
         freedoms = case["kinematics"]["freedoms"]
         self.near(freedoms["d.wx"], lever_speed(40), "lever")

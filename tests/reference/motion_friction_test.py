@@ -54,7 +54,7 @@ class FrictionInSlides(MotionTest):
             done = program.call("motion", "-", text=SLIDE_WITH_FRICTION % steps)
             self.assertEqual(done.returncode, 0, f"{steps} steps: {done.stderr}")
             self.assertNotIn("E0606", done.stderr, f"{steps} steps")
-            self.assertIn("friction of 'd' turns round", done.stderr, f"{steps} steps")
+            self.assertIn("friction of 'd' reverses", done.stderr, f"{steps} steps")
             self.assertIn("and 1 more time", done.stderr, f"{steps} steps")
 
 
@@ -63,7 +63,7 @@ class FrictionInSlots(MotionTest):
         for steps in (1, 2, 3, 6, 7):
             done = program.call("motion", "-", text=YOKE % steps)
             self.assertEqual(done.returncode, 0, f"{steps} steps: {done.stderr}")
-            self.assertIn("friction of 's' turns round", done.stderr, f"{steps} steps")
+            self.assertIn("friction of 's' reverses", done.stderr, f"{steps} steps")
             self.assertNotIn("E0606", done.stderr, f"{steps} steps")
             status = Motion(program.report(done))["status"]
             dead = {steps // 2} if steps % 2 == 0 else set()
@@ -76,7 +76,7 @@ class FrictionInSlots(MotionTest):
         for steps in (2, 3, 8):
             done = program.call("motion", "-", text=ends % steps)
             self.assertEqual(done.returncode, 0, f"{steps} steps: {done.stderr}")
-            self.assertIn("friction of 's' turns round at Tin = -2.2143 rad, and 1 more time",
+            self.assertIn("friction of 's' reverses at Tin = -2.2143 rad, and 1 more time",
                           done.stderr)
             status = Motion(program.report(done))["status"]
             self.assertEqual(status, ["dead_point", *["solved"] * (steps - 1), "dead_point"])
@@ -105,7 +105,7 @@ class DeadCentresAtTheEnds(MotionTest):
             done = program.call("motion", "-", text=IN_LINE_WITH_FRICTION % (end, steps))
             self.assertEqual(done.returncode, 0, f"{end} deg: {done.stderr}")
             self.assertNotIn("E0606", done.stderr)
-            self.assertIn("friction of 'd' turns round at Tin = 0 deg", done.stderr)
+            self.assertIn("friction of 'd' reverses at Tin = 0 deg", done.stderr)
             motion = Motion(program.report(done))
             dead = [r for r in range(steps + 1) if r * end % (180 * steps) == 0]
             self.assertEqual([r for r, one in enumerate(motion["status"]) if one == "dead_point"],

@@ -144,9 +144,9 @@ class Ravigneaux(ShiftTest):
 
     def test_reasons_name_what_is_held(self) -> None:
         states = self.shift["states"]
-        self.assertIn("input 'in' is held: held are sun2, shaft", states["C2+B1"]["reason"])
-        self.assertIn("output 'out' is held: held are sun1, sun2, ring, carrier, planet5, planet6; "
-                      "1 freedom is left, which moves shaft", states["B1+B2"]["reason"])
+        self.assertIn("input 'in' is locked; locked bodies: sun2, shaft", states["C2+B1"]["reason"])
+        self.assertIn("output 'out' is locked; locked bodies: sun1, sun2, ring, carrier, planet5, "
+                      "planet6; one freedom remains, moving shaft", states["B1+B2"]["reason"])
 
     def test_changes_of_one_element(self) -> None:
         """Every two gears but M2 = C1+B1 and MR = C2+B2 share one element."""

@@ -148,7 +148,7 @@ class SlipTest(DynamicsCase):
     def test_refusals(self) -> None:
         for text, reason in {
             ravigneaux(up(change="from: MR, to: M2")): "opened are 'C2', 'B2', to be engaged 'C1', 'B1'",
-            ravigneaux(up(change="from: M1, to: M7")): "'M7' is no gear",
+            ravigneaux(up(change="from: M1, to: M7")): "'M7' is not a gear",
             ravigneaux(up(element="C2")): "'B1' engages, not 'C2'",
             re.sub(r"inertia: \{polar: [^}]*\}", "inertia: {polar: 0, axis: z}",
                    ravigneaux(up())).replace("mass: 0.35, ", "").replace("mass: 0.9, ", ""):

@@ -39,7 +39,8 @@ struct LargestAction {
 
 struct LargestActions {
   LargestAction force;
-  LargestAction moment;  ///< about the point of each coupling, as in the table of couplings
+  LargestAction moment;        ///< about the point of each coupling, as in the table of couplings
+  bool is_per_planet = false;  ///< some of them are those of one of several planets
   bool has_central_hinges = false;  ///< whose planets cancel
 };
 

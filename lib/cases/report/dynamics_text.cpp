@@ -39,7 +39,7 @@ TextBlocks accelerations_blocks(const Mechanism& mechanism,
 TextBlocks reduced_blocks(const Topology& topology,
                           const ReducedEquation& equation,
                           const FileUnits& units) {
-  Table table({"At", "equivalent inertia", "unit", "steady", "unit"});
+  Table table({"At", "equivalent inertia", "unit", "action at constant speed", "unit"});
   for (std::size_t d = 0; d < equation.drives.size(); ++d) {
     const auto f = static_cast<std::size_t>(equation.drives[d]);
     const bool turns = topology.freedoms[f].is_rotation;
@@ -66,7 +66,7 @@ TextBlocks dynamics_blocks(const Mechanism& mechanism, const CaseAnalysis& one, 
   TextBlocks blocks = accelerations_blocks(mechanism, dynamics, units);
   blocks += reduced_blocks(mechanism.topology, dynamics.reduced, units);
   blocks += TextBlocks(
-      fmt::format("  with inertia: kinetic energy {} {}, growing by {} {}\n\n",
+      fmt::format("  kinetic energy {} {}, rate of change {} {}\n\n",
                   format_short(units.from_si(QuantityKind::energy, dynamics.kinetic_energy)),
                   units.text(QuantityKind::energy),
                   format_short(units.from_si(QuantityKind::power, dynamics.kinetic_energy_rate)),

@@ -14,12 +14,12 @@ const Record<PlanetFit>& planet_fit_record() {
   static const Record<View> record("Several equal planets of 'gears'.", [](Record<View>& keys) {
     keys.count("count", "Their number.", [](const View& v) { return v.count; });
     keys.flag("assembles",
-              "Whether they can stand at equal angles; W0306 says why not.",
+              "Whether they can be equally spaced; W0306 says why not.",
               [](const View& v) { return v.assembles; });
     keys.quantity("clearance",
                   QuantityKind::length,
-                  "Least distance of the tips of neighbours, one module outside the pitch circles; "
-                  "negative where they overlap (W0307).",
+                  "Tip clearance of neighbours, tip to tip, with tips one module outside the pitch "
+                  "circles; negative where they overlap (W0307).",
                   [](const View& v) { return std::optional(v.clearance); });
   });
   return record;
@@ -29,11 +29,11 @@ std::string planet_fit_text(const std::vector<PlanetFit>& fits, const InUnits& i
   std::string text;
   for (const PlanetFit& one : fits) {
     const bool is_free = one.clearance > 0.0;
-    text += fmt::format("  {} planets '{}' {} stand at equal angles; {} {} {}\n",
+    text += fmt::format("  {} planets '{}' {} be equally spaced; {} {} {}\n",
                         one.count,
                         printable(one.planet),
                         one.assembles ? "can" : "cannot",
-                        is_free ? "clearance" : "neighbours overlap by",
+                        is_free ? "tip clearance" : "tips of neighbours overlap by",
                         format_short(std::abs(in.length(one.clearance))),
                         in.units().text(QuantityKind::length));
   }

@@ -37,7 +37,7 @@ std::string ratio_text(const CaseAnalysis& one,
 
 std::string efficiency_text(const PowerFlow& flow) {
   if (flow.is_self_locking) {
-    return "; self-locking: friction takes more than the inputs give";
+    return "; self-locking: friction absorbs more power than the inputs supply";
   }
   if (flow.efficiency) {
     return fmt::format("; efficiency {}", format_short(*flow.efficiency));
@@ -152,11 +152,17 @@ std::string largest_text(const Mechanism& mechanism, const CaseAnalysis& one, co
   if (parts.empty()) {
     return "";
   }
-  const std::string_view planets =
-      largest.has_central_hinges
-          ? "\n  in the most loaded planet; across central bearings equal planets cancel"
-          : "";
-  return fmt::format("  {}{}\n", fmt::join(parts, "; "), planets);
+  std::vector<std::string_view> remarks;
+  if (largest.is_per_planet) {
+    remarks.push_back("per planet, the most loaded");
+  }
+  if (largest.has_central_hinges) {
+    remarks.push_back("radial planet forces cancel on the central bearings");
+  }
+  return fmt::format("  {}{}{}\n",
+                     fmt::join(parts, "; "),
+                     remarks.empty() ? "" : "\n  ",
+                     fmt::join(remarks, "; "));
 }
 
 // A line for each model, the action with losses, and a word on what tells the models apart where
@@ -171,17 +177,18 @@ std::string losses_text(const Mechanism& mechanism, const CaseAnalysis& one, con
   }
   const std::string carrier =
       fmt::format(
-          "  efficiency with mesh losses, of what rolls in each carrier: {}; backwards {}\n",
+          "  efficiency with mesh losses (from rolling power): {}; if the output drives: {}\n",
           share_text(efficiency.carrier),
           share_text(efficiency.carrier_backward)) +
       (efficiency.state ? lossy_ends_text(mechanism, one, in) : "");
   const std::string absolute =
-      fmt::format("  efficiency with mesh losses, of all power seen from the ground: {}\n",
+      fmt::format("  absolute efficiency (power seen from the ground){}: {}\n",
+                  mechanism.loss_model == LossModel::carrier ? ", for comparison" : "",
                   share_text(efficiency.absolute));
   const std::string_view block =
       efficiency.state && nothing_rolls(*efficiency.state)
-          ? "  no lossy mesh rolls, as in a train that turns as a block: its teeth lose nothing;\n"
-            "  the figure seen from the ground takes a share of power that only rides along with "
+          ? "  no lossy mesh rolls, as in a train that turns as a block: its teeth lose nothing;\n "
+            " the absolute efficiency also counts losses of power that is only carried round with "
             "them\n"
           : "";
   return (mechanism.loss_model == LossModel::carrier ? carrier + absolute : absolute + carrier) +
@@ -208,6 +215,7 @@ LargestActions largest_actions(const Mechanism& mechanism, const CaseAnalysis& o
     const double share = most_loaded_share(mechanism, coupling);
     count(share * size(wrench->force.zeroed()), coupling.name, largest.force);
     count(share * size(moment), coupling.name, largest.moment);
+    largest.is_per_planet = largest.is_per_planet || share < 1.0;
     largest.has_central_hinges = largest.has_central_hinges || central[e];
   }
   return largest;

@@ -11,7 +11,7 @@ using enum ExitStatus;
 constexpr auto kStudyCodes = std::to_array<Code>({
     {"E0401",
      wrong_input,
-     "mechanism falls apart",
+     "bodies are not connected",
      "Every body must be connected to the ground through couplings, otherwise nothing is known "
      "about its motion. The message lists the parts. Add the coupling that connects them, or "
      "analyse them as two files."},
@@ -49,7 +49,7 @@ constexpr auto kStudyCodes = std::to_array<Code>({
      "three together; the gaps show by how much lengths would have to change."},
     {"E0505",
      no_answer,
-     "motion comes to a limit",
+     "motion reaches a limit",
      "A drive of 'motion' cannot reach the end of its range: links are stretched or folded in "
      "line, where the motion would have to reverse. The report goes up to the limit, which the "
      "message gives and the report brackets. End the motion earlier, drive another coupling, or "
@@ -69,10 +69,10 @@ constexpr auto kStudyCodes = std::to_array<Code>({
      "Instantaneous motion needs the screws of a coupling in the drawn position, finite motion its "
      "shape: the profiles of a contact, the body that holds the axes of two gears, the order of "
      "several freedoms that are listed as screws. The file does not give this for the coupling. "
-     "All other passes are unaffected; 'kinestat help motion' lists what each type needs."},
+     "All other analyses are unaffected; 'kinestat help motion' lists what each type needs."},
     {"E0508",
      wrong_input,
-     "drives leave a motion open",
+     "drives do not determine the motion",
      "With the drives of 'motion' held, the mechanism could still move, and it is unknown how. The "
      "message lists the freedoms that remain undetermined; as many must be driven as the net "
      "degree of freedom. A motion that no other body follows, such as the spin of a rod between "
@@ -103,7 +103,7 @@ constexpr auto kStudyCodes = std::to_array<Code>({
      "not its actions."},
     {"E0514",
      no_answer,
-     "a motion does not tell what 'dynamics' asks",
+     "result of 'dynamics' is not available",
      "A flywheel and harmonics need a cycle: one drive that turns at constant speed through whole "
      "turns, after which all bodies are where they started. A flywheel also needs one drive whose "
      "torque follows, on a shaft of constant speed. Counterweights need bodies that turn about an "
@@ -117,9 +117,9 @@ constexpr auto kStudyCodes = std::to_array<Code>({
      "decides which way it moves, a curve ends, a spring has no force, or something moves that has "
      "neither mass nor inertia. Stops may also be struck repeatedly without time advancing, and "
      "very stiff parts may require too many steps; where several couplings stick at once, or the "
-     "normal forces are indeterminate, the size of each friction is unknown. The message gives the "
-     "time and the cause; the report goes as far as the simulation did. Stops, or 'until', can end "
-     "it earlier."},
+     "normal forces are indeterminate, the magnitude of each friction force is unknown. The "
+     "message gives the time and the cause; the report goes as far as the simulation did. Stops, "
+     "or 'until', can end it earlier."},
     {"E0516",
      wrong_input,
      "simulation does not know this",
@@ -174,7 +174,7 @@ constexpr auto kStudyCodes = std::to_array<Code>({
      "tables of a torque converter at its speed ratio. See 'kinestat help friction'."},
     {"E0605",
      no_answer,
-     "friction leaves open how it is pressed",
+     "friction does not determine the contact side",
      "Without friction the known actions contradict equilibrium, as a torque on a crank at its "
      "dead centre does. With friction they may be in equilibrium, held by the friction that the "
      "unknown actions cause; but a bearing has the same friction when loaded either way, so the "
@@ -232,7 +232,7 @@ constexpr auto kStudyCodes = std::to_array<Code>({
      "change."},
     {"E0804",
      no_answer,
-     "no transmission does what is asked",
+     "no transmission meets the requirements",
      "The search went through all structures, layouts and roles of the sets and found none that "
      "meets all requirements of the task. The report says how many remained at each stage, and the "
      "message which requirement, if it alone were omitted, would give how many. Widen that one, "
@@ -251,7 +251,7 @@ constexpr auto kStudyCodes = std::to_array<Code>({
      "analyze --format json' shows the whole report."},
     {"E0903",
      wrong_input,
-     "file is no report",
+     "file is not a report",
      "'kinestat compare' reads what this program wrote: a JSON report or a CSV table of it. This "
      "file is something else, or was damaged or changed by another program: NaN is neither JSON "
      "nor a table value, a number with a decimal comma is not a number, and a table needs all its "
@@ -276,7 +276,7 @@ constexpr auto kStudyCodes = std::to_array<Code>({
      "options or another version of the program. Nothing was written. Run the shard again."},
     {"E0907",
      wrong_input,
-     "shards do not make a whole",
+     "shards are incomplete",
      "A sweep that was run as N shards is complete only with each of the N exactly once. The "
      "message says which are missing or present twice. Nothing was written, since a table that "
      "lacks some rows looks like a complete one."},

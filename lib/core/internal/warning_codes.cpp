@@ -35,13 +35,13 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "'units: {angle: deg}' for the whole file."},
     {"W0304",
      done,
-     "gravity is of an unlikely size",
+     "gravity has an unlikely magnitude",
      "A bare number in 'gravity' is in the units of the file, length over time squared: with "
      "'units: {length: mm}', 9.81 is 9.81 mm/s^2, a thousandth of the earth's. Write the unit, "
      "9.81 m/s^2; with a unit, any value is accepted without a warning."},
     {"W0305",
      done,
-     "teeth ask for different centre distances",
+     "teeth require different centre distances",
      "Two gears without profile shift mesh at a centre distance of the module times half the sum "
      "of their teeth, or half the difference with a ring. The meshes of a planet require different "
      "distances, or another one than 'centre_distance' and the triangle of two planets give, or a "
@@ -86,19 +86,19 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "moment. Give 'inertia' about the centre of mass, or 0 if it is negligible."},
     {"W0311",
      done,
-     "inertia does not suit the mechanism",
+     "inertia is unlikely for the mechanism",
      "The radius of gyration, the root of inertia over mass, is the distance at which all the mass "
      "would have that inertia. Here it is larger than the whole mechanism, or a thousand times "
      "smaller. Usually the unit of the inertia is not the one intended: bare numbers are in the "
      "unit of inertia, kg*m^2 unless 'units' says otherwise, whatever the unit of length is."},
     {"W0312",
      done,
-     "accelerations change nothing",
+     "accelerations have no effect",
      "A case has the key 'acceleration', so that inertia forces act, but no body has a mass or an "
      "inertia. Give bodies 'mass', 'centre_of_mass' and 'inertia', or remove the key."},
     {"W0313",
      done,
-     "damping counts by the unit of speed",
+     "damping is in the unit of speed",
      "Damping is a couple over an angular velocity, or a force over a velocity, and a bare number "
      "is in these units of the file: with 'units: {angular_velocity: rpm}' in N*m/rpm, which is "
      "9.55 N*m*s/rad, with 'units: {length: mm}' in N/(mm/s), a thousand N*s/m. Write the unit; "
@@ -119,7 +119,7 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "instead, such as 100*sqrt(2) mm."},
     {"W0502",
      done,
-     "fewer digits than asked for",
+     "fewer digits than requested",
      "The error bound of a value exceeds what '--digits' requires, even after refinement. It is a "
      "bound: the value may be more accurate. '--accuracy exact' solves the numbers as typed."},
     {"W0503",
@@ -146,7 +146,7 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "of the force."},
     {"W0506",
      done,
-     "motions that no other body feels",
+     "idle freedoms",
      "A body can turn or slide without moving any other body, such as a rod between two balls "
      "about its own axis. If a case does not give such a rate, its report omits it and has all "
      "others. In each step of a motion the body moves as little as necessary, so the angle it has "
@@ -154,7 +154,7 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "positions are determined. A case may give the rate: velocities then agree with it."},
     {"W0507",
      done,
-     "velocities or accelerations left out",
+     "velocities or accelerations omitted",
      "A row of a motion lacks velocities, although the case gives speeds: in this position the "
      "drives do not determine them, or the known speeds do not determine how fast the drives run. "
      "Near such a position individual velocities, and accelerations a little earlier, are left out "
@@ -162,7 +162,7 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "correct. Give the speeds of the drives themselves, or choose steps that avoid the position."},
     {"W0508",
      done,
-     "friction turns round",
+     "friction reverses",
      "Where a coupling with friction comes to rest and reverses, its friction reverses too: "
      "actions jump from those of one direction to those of the other. At the dead point itself "
      "they may be anything between the two, and a row exactly there has none. The message names "
@@ -230,14 +230,14 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "does not lower itself; then it is a result and not a mistake."},
     {"W0603",
      done,
-     "friction locks the mechanism",
+     "friction jams the mechanism",
      "Friction grows with the actions that it causes, and at these coefficients there is no finite "
      "solution for the motion of the case: the mechanism jams. The report has the status 'locked' "
      "and no actions for the case. Less friction, a longer guide or another direction of motion "
      "may have a solution; 'kinestat help friction' explains how friction is calculated."},
     {"W0604",
      done,
-     "a reaction has no friction",
+     "friction ignores a reaction",
      "The coupling has friction and carries a force or couple that would also press on its "
      "surfaces, but the file does not say at what radius or over what length, so it adds nothing "
      "to the friction. Give the dimension that the hint names; for a surface on rollers or balls, "
@@ -289,14 +289,14 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "clutches and brakes; the absolute model needs no carrier."},
     {"W0702",
      done,
-     "losses of meshes lock the case",
+     "mesh losses lock the case",
      "With its mesh losses the train cannot be driven by the input alone: whichever gears drive, "
      "the output would also have to supply power. It is a result and not a mistake: a train of "
      "high ratio may hold a load without a brake. The report gives the efficiency in the other "
      "direction; 'kinestat help losses' has an example."},
     {"W0703",
      done,
-     "losses of meshes have two answers",
+     "mesh losses have two answers",
      "Losses this large change which gear of a mesh drives, and here two choices are consistent "
      "with all the powers that they cause: the train may run with either efficiency, depending on "
      "how it was started. The report gives the solution that reverses the fewest meshes compared "
@@ -317,7 +317,7 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "'limit_use <= 1' in 'keep'."},
     {"W0713",
      done,
-     "a change of gear does not end as asked",
+     "gear change does not end as requested",
      "The element that slips at 'capacity' does not bring the train into the gear: the torques of "
      "input and output exceed it, it could not hold the gear once engaged, or a freewheel acts in "
      "the wrong direction. The message gives the required torque."},
@@ -362,7 +362,7 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "requirements."},
     {"W0901",
      done,
-     "tolerance meets no value",
+     "tolerance matches no value",
      "Neither report has a value at the place that '--tolerance' names, or below it, so it has no "
      "effect: a key is misspelt, or a name has changed. Places are JSON Pointers as in the "
      "differences, for example /cases/drive/ratio; '*' stands for any one key."},

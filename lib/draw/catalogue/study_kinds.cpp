@@ -47,7 +47,7 @@ Picture draw_linkages(const PictureSource& source) {
 }
 
 std::string why_no_ladders(const PictureSource& source) {
-  return source.transmissions->groups.empty() ? "no transmission does what is asked" : "";
+  return source.transmissions->groups.empty() ? "no transmission meets the requirements" : "";
 }
 
 Picture draw_found_ladders(const PictureSource& source) {
@@ -84,8 +84,9 @@ std::string why_no_curves(const PictureSource& source) {
 }
 
 std::string why_no_paths(const PictureSource& source) {
-  return paths_of(source).charts.empty() ? "in its motion no point moves whose place is reported"
-                                         : "";
+  return paths_of(source).charts.empty()
+             ? "in its motion no traced point moves: add 'trace' to 'motion'"
+             : "";
 }
 
 Figure shaking_of(const PictureSource& source) {
@@ -93,10 +94,9 @@ Figure shaking_of(const PictureSource& source) {
 }
 
 std::string why_no_shaking(const PictureSource& source) {
-  return shaking_of(source).charts.empty()
-             ? "its motion reports no shaking force: 'report: dynamics' in 'motion', or 'balance' "
-               "in 'dynamics' do"
-             : "";
+  return shaking_of(source).charts.empty() ? "its motion reports no shaking force: add 'report: "
+                                             "dynamics' to 'motion', or 'balance' to 'dynamics'"
+                                           : "";
 }
 
 Picture draw_shaking(const PictureSource& source) {
@@ -113,7 +113,7 @@ Figure harmonics_of(const PictureSource& source) {
 
 std::string why_no_harmonics(const PictureSource& source) {
   return harmonics_of(source).charts.empty()
-             ? "its motion has no harmonics: 'harmonics: 6' in 'dynamics' asks for them"
+             ? "its motion has no harmonics: add 'harmonics: 6' to 'dynamics'"
              : "";
 }
 
@@ -131,7 +131,7 @@ Figure actuators_of(const PictureSource& source) {
 
 std::string why_no_actuators(const PictureSource& source) {
   return actuators_of(source).charts.empty()
-             ? "nothing asks what its actuators have to do: 'actuators: [NAME]' in 'dynamics' does"
+             ? "it has no figures of actuators: add 'actuators: [NAME]' to 'dynamics'"
              : "";
 }
 
@@ -270,13 +270,13 @@ constexpr auto kStudyKinds = std::to_array<PictureKind>({
      .draw = draw_harmonics,
      .gnuplot = harmonics_text},
     {.name = "drive-torque",
-     .sentence = "what each actuator has to give in a motion, with mean and RMS",
+     .sentence = "required torque or force of each actuator in a motion, with mean and RMS",
      .need = PictureNeed::motion,
      .why_not = why_no_actuators,
      .draw = draw_actuators,
      .gnuplot = actuators_text},
     {.name = "speed-torque",
-     .sentence = "what each actuator has to give over its own speed",
+     .sentence = "required torque or force of each actuator over its own speed",
      .need = PictureNeed::motion,
      .why_not = why_no_actuators,
      .draw = draw_speed_torque,

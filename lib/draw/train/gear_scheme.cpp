@@ -460,10 +460,9 @@ std::string why_no_gear_scheme(const Analysis& analysis, GearSections* sections)
   if (section_of(analysis, {.which = {}, .sections = sections})) {
     return "";
   }
-  return find_scheme_train(analysis, {})
-             ? "in a section its shafts find no way past each other and past the gears; 'linkage' "
-               "shows the gears from the front"
-             : "no gears with parallel axes mesh";
+  return find_scheme_train(analysis, {}) ? "in a section its shafts cannot pass each other and the "
+                                           "gears; 'linkage' shows the gears from the front"
+                                         : "no gears with parallel axes mesh";
 }
 
 }  // namespace kinestat

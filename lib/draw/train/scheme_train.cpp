@@ -430,9 +430,8 @@ std::string why_no_scheme_train(const MechanismDescription& description) {
                          fmt::join(axis.bodies, "', '"));
     }
     if (is_planet[a] && axis.about >= 0 && is_planet[at(axis.about)]) {
-      return fmt::format(
-          "planet '{}' goes round the axis of another planet, which no section shows",
-          axis.bodies.front());
+      return fmt::format("planet '{}' orbits the axis of another planet, which no section shows",
+                         axis.bodies.front());
     }
   }
   for (std::size_t m = 0; m < train.first.size(); ++m) {

@@ -77,8 +77,7 @@ ExpressionError located(const Expression& expression,
 
 ExpressionError misfit(const Dimension& dimension, QuantityKind kind) {
   return {.code = "E0309",
-          .message =
-              fmt::format("{} stands where {} is expected", phrase_of(dimension), phrase_of(kind)),
+          .message = fmt::format("expected {}, found {}", phrase_of(kind), phrase_of(dimension)),
           .hint = fmt::format("write {}", example_of(kind))};
 }
 

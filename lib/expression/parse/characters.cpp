@@ -85,7 +85,7 @@ ExpressionError foreign(std::string_view text, std::size_t at) {
       .message = fmt::format("byte 0x{:02X} is not UTF-8 text", static_cast<unsigned>(found.code)),
       .hint = "save the file as UTF-8"};
   if (found.size > 0) {
-    error.message = fmt::format("character {} cannot stand in an expression",
+    error.message = fmt::format("character {} is not allowed in an expression",
                                 foreign_character(text.substr(at, found.size)));
     error.hint = hint_for(found.code);
   }

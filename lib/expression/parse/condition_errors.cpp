@@ -62,7 +62,7 @@ int ConditionParser::fail_operator() {
   const bool is_known = row != kMistakes.end();
   return fail(at_,
               end,
-              fmt::format("'{}' cannot stand in a condition", text),
+              fmt::format("'{}' is not allowed in a condition", text),
               is_known ? fmt::format("write {}", row->meant)
                        : std::string("comparisons are == != < <= > >="));
 }

@@ -230,7 +230,7 @@ std::size_t Parser::closing_of(std::size_t opening) const {
 int Parser::fail_condition(const Token& where, std::string_view word, std::string_view what) {
   return fail(where,
               fmt::format("'{}' {}, and this is the place of a value", word, what),
-              "write a number or an expression; conditions stand under 'require' and 'keep' only");
+              "write a number or an expression; conditions belong under 'require' and 'keep' only");
 }
 
 bool Parser::is_decimal_comma() const {
@@ -250,7 +250,7 @@ int Parser::fail_comma() {
     const std::string_view values = is_tuple ? text_.substr(1, text_.size() - 2) : text_;
     return fail(token(),
                 "',' separates the values of a function only",
-                fmt::format("several values stand in brackets: [{}]",
+                fmt::format("write several values in brackets: [{}]",
                             values.size() > kLongest ? "…, …" : values));
   }
   const Token& before = tokens_[at_ - 1];
@@ -276,7 +276,7 @@ int Parser::fail_symbol(const Token& where) {
   const std::string meant =
       follows_number ? hint_after_number(text_of(tokens_[at_ - 1]), symbol) : std::string();
   return fail(where,
-              fmt::format("'{}' cannot stand in an expression", symbol),
+              fmt::format("'{}' is not allowed in an expression", symbol),
               meant.empty() ? hint : meant);
 }
 

@@ -14,7 +14,7 @@ namespace {
 // Of both kinds of station, as the schema has their keys in one mapping.
 constexpr const char* kStationPlace =
     "Where the cable is fixed, or the centre of the pulley, in the drawn position; default for a "
-    "pulley: the point of its body's first revolute coupling.";
+    "pulley: the point of its body's first revolute coupling, unless 'gears' places that.";
 
 constexpr const char* kStationForms =
     "write {body: NAME, at: [x, y]} for a point, or {pulley: NAME, radius: 1, wrap: clockwise} for "

@@ -96,7 +96,7 @@ Form<std::vector<CaseDescription>> cases() {
     if (const YamlEntry* key = find_misplaced_key(value.node)) {
       value.found.error("E0304",
                         key->key_where,
-                        fmt::format("'{}' stands beside the labels of the cases", key->key),
+                        fmt::format("'{}' is at the level of the case labels", key->key),
                         "a case is 'label:' with its keys below it, indented further");
       return std::nullopt;
     }

@@ -50,9 +50,8 @@ const FrictionTexts& texts_of(FrictionKind kind) {
        .meaning = "Friction of a prismatic coupling: a force against its motion in the case. A "
                   "coefficient alone, 0.1, or a mapping.",
        .example = "{mu: 0.1, length: 80 mm}",
-       .radius =
-           "Radius of the spline or key that keeps the guide from turning, where the friction of "
-           "the couple about its axis acts.",
+       .radius = "Radius of the spline or key that keeps the guide from turning, where the "
+                 "friction of the torque about its axis acts.",
        .thrust_radius = {},
        .length = kGuideLength,
        .has_constant = false},

@@ -70,7 +70,7 @@ const Mapping<DynamicsDescription>& dynamics_section() {
             .may(&DynamicsDescription::limit_speed, one_or_more(coupling_name(), 1), "[cam]");
         m.rule({.kind = FormRule::Kind::any_of,
                 .others = {"actuators", "flywheel", "harmonics", "balance", "limit_speed"},
-                .message = "{} asks for nothing",
+                .message = "{} requests nothing",
                 .hint = "add for example harmonics: 6, or flywheel: {at: ACTUATOR, fluctuation: "
                         "0.02}"});
       });

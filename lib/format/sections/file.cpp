@@ -65,7 +65,7 @@ Form<Space> space_word() {
 
 const Mapping<File>& statics_section() {
   static const Mapping<File> mapping("", "", "{indeterminate: minimum_norm}", [](auto& m) {
-    m.key("indeterminate", "What is reported for actions that equilibrium leaves open.")
+    m.key("indeterminate", "What is reported for actions that equilibrium does not determine.")
         .may(&File::indeterminate,
              choice_of<IndeterminateChoice>(
                  {{"report", "they are listed without values"},
@@ -126,7 +126,7 @@ void declare_network(Mapping<File>& m) {
   m.key("ground", "The fixed body. It is not listed in 'bodies'.")
       .may(&File::ground, called(new_body_name("the ground"), "the ground"), "frame")
       .required()
-      .add_hint("'ground: NAME', the body that stands still");
+      .add_hint("'ground: NAME', the body that does not move");
   m.key("bodies",
         "The moving bodies: a list of names, or a mapping of names to attributes, which may be "
         "empty.")

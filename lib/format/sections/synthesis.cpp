@@ -114,17 +114,17 @@ void declare_orders(Mapping<PositionDescription>& m) {
   m.rule({.kind = together,
           .key = "curvature",
           .others = {"pole"},
-          .message = "'curvature' of {} needs 'pole' beside it",
+          .message = "'curvature' of {} needs 'pole' too",
           .hint = kOrdersHint});
   m.rule({.kind = together,
           .key = "stationary",
           .others = {"curvature"},
-          .message = "'stationary' of {} needs 'curvature' beside it",
+          .message = "'stationary' of {} needs 'curvature' too",
           .hint = kOrdersHint});
   m.rule({.kind = together,
           .key = "burmester",
           .others = {"stationary"},
-          .message = "'burmester' of {} needs 'stationary' beside it",
+          .message = "'burmester' of {} needs 'stationary' too",
           .hint = kOrdersHint});
   m.rule({.kind = needs_true,
           .key = "burmester",
@@ -306,27 +306,27 @@ void declare_togetherness(Mapping<Task>& m) {
   m.rule({.kind = excludes,
           .key = "s",
           .others = {"m", "free_point"},
-          .message = "'vary' cannot have 's' beside 'm' or 'free_point'",
+          .message = "'vary' cannot have 's' together with 'm' or 'free_point'",
           .hint = kHint});
   m.rule({.kind = excludes,
           .key = "tau",
           .others = {"m", "free_point"},
-          .message = "'vary' cannot have 'tau' beside 'm' or 'free_point'",
+          .message = "'vary' cannot have 'tau' together with 'm' or 'free_point'",
           .hint = kHint});
   m.rule({.kind = excludes,
           .key = "tau_2",
           .others = {"m", "free_point"},
-          .message = "'vary' cannot have 'tau_2' beside 'm' or 'free_point'",
+          .message = "'vary' cannot have 'tau_2' together with 'm' or 'free_point'",
           .hint = kHint});
   m.rule({.kind = excludes,
           .key = "circle_points",
           .others = {"m", "free_point", "s", "tau", "tau_2"},
-          .message = "'vary' cannot have 'circle_points' beside other ranges",
+          .message = "'vary' cannot have 'circle_points' together with other ranges",
           .hint = "keep one of them, and give numbers for what the others leave free"});
   m.rule({.kind = excludes,
           .key = "centre_points",
           .others = {"m", "free_point", "s", "tau", "tau_2", "circle_points"},
-          .message = "'vary' cannot have 'centre_points' beside other ranges",
+          .message = "'vary' cannot have 'centre_points' together with other ranges",
           .hint = "keep one of them; 'limits' takes areas of both kinds of points"});
   m.rule({.kind = together, .key = "tau", .others = {"s"}});
   m.rule({.kind = together, .key = "tau_2", .others = {"tau"}});
@@ -459,7 +459,7 @@ const Mapping<SynthesisDescription>& synthesis_section() {
                  "2]}}");
         m.instead("transmission",
                   {"linkage", "positions", "dyads", "limits", "vary", "curves", "digits"},
-                  "a file asks for linkages or for transmissions: keep one of the two");
+                  "a file is about linkages or about transmissions: keep one of the two");
       });
   return mapping;
 }

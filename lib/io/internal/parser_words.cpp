@@ -35,10 +35,10 @@ constexpr auto kWords = std::to_array<Words>({
     {"end of map not found", "'{}' does not fit into the mapping above it", kIndentationHint},
     {"end of sequence not found", "'{}' does not fit into the list above it", kItemHint},
     {kIllegalValue,
-     "':' cannot stand here",
+     "':' is not allowed here",
      "write one 'key: value' a line, keys of one mapping in the same column; quote a text that "
      "holds ': '"},
-    {"illegal map key", "'?' cannot stand here", "write 'key: value'"},
+    {"illegal map key", "'?' is not allowed here", "write 'key: value'"},
     {"illegal block entry",
      "'-' cannot begin an item here",
      "begin the list on its own line, or write [a, b]"},
@@ -49,9 +49,9 @@ constexpr auto kWords = std::to_array<Words>({
     {"bad character found while scanning hex",
      "an escape before '{}' lacks hexadecimal digits",
      "\\x takes 2, \\u 4 and \\U 8 of them"},
-    {"invalid unicode", "an escape before '{}' is no Unicode character", "write the character"},
+    {"invalid unicode", "an escape before '{}' is not a Unicode character", "write the character"},
     {"illegal document indicator in scalar",
-     "'{}' stands inside a quoted text",
+     "'{}' is inside a quoted text",
      "close the quote before it"},
     {"anchor not found after &",
      "'&' needs a name behind it",
@@ -60,7 +60,7 @@ constexpr auto kWords = std::to_array<Words>({
      "'*' needs a name behind it",
      "put a text that begins with '*' in quotes"},
     {"unexpected character in block scalar",
-     "'{}' cannot stand behind '|' or '>'",
+     "'{}' is not allowed after '|' or '>'",
      "begin the text on the next line, indented"},
 });
 
@@ -150,8 +150,7 @@ std::string hint_on_second_colon(const YamlText& text, std::size_t colon) {
   return value.find_first_of("#\"{}") != std::string_view::npos
              ? std::string()
              : fmt::format(
-                   "put a text in quotes: \"{0}\"; keys of one line stand in braces: "
-                   "{{{0}}}",
+                   "put a text in quotes: \"{0}\"; write keys of one line in braces: {{{0}}}",
                    value);
 }
 
@@ -186,12 +185,12 @@ Words words_for(std::string_view parser, const YamlText& text, std::size_t at) {
   }
   if (at > 0 && is_one_of(text[at - 1], "'\"")) {
     return {parser,
-            "'{}' stands behind a closing quote",
+            "'{}' follows a closing quote",
             text[at - 1] == '\'' ? "inside '...' an apostrophe is written twice"
                                  : "inside \"...\" a quote is written \\\""};
   }
   if (text[at] == ',') {
-    return {parser, "',' stands outside of brackets", "remove it: every line is an entry"};
+    return {parser, "',' is outside of brackets", "remove it: every line is an entry"};
   }
   const std::string word = word_at(text, at);
   return {parser,

@@ -128,7 +128,7 @@ void report_second_document(SourceMap& map,
   Diagnostic& error = found.error(
       "E0204",
       map.at(begin),
-      "this stands behind the end of the document",
+      "this follows the end of the document",
       end == std::string::npos ? "begin every key of the file in the same column" : "remove '...'");
   if (end != std::string::npos) {
     error.notes.push_back({map.range(end, end + 3), "the document ends here"});

@@ -76,7 +76,7 @@ void TreeBuilder::OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) {
   if (parts_[part].is_open) {
     refuse("E0209",
            where,
-           fmt::format("alias '{}' stands inside what it names", map_.text().part(at, end)),
+           fmt::format("alias '{}' is inside what it names", map_.text().part(at, end)),
            "write the value out")
         .notes.push_back({parts_[part].node.where, "the anchored value begins here"});
     throw Stop();
@@ -131,7 +131,7 @@ void TreeBuilder::check_text(const YamlNode& node, std::size_t begin) {
   const std::size_t end = escape.begin + escape.size;
   refuse("E0203",
          map_.range(escape.begin, end),
-         fmt::format("escape '{}' cannot stand in a text", map_.text().part(escape.begin, end)),
+         fmt::format("escape '{}' is not allowed in a text", map_.text().part(escape.begin, end)),
          "of control characters use only \\n and \\t; write any other character itself");
 }
 

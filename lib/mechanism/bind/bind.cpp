@@ -171,7 +171,7 @@ void bind_inertia(const SectionContext& context, Mechanism& result) {
     context.found.warning("W0312",
                           one != context.description.cases.end() ? one->label.where
                                                                  : context.description.shift->where,
-                          "accelerations change nothing, because no body has mass or inertia",
+                          "accelerations have no effect, because no body has mass or inertia",
                           "give bodies 'mass', 'centre_of_mass' and 'inertia', or remove "
                           "'acceleration'");
   }

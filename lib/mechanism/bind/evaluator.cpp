@@ -104,7 +104,7 @@ void EvaluatorOf<Scalar>::complain(const Value& value, const ExpressionError& er
     found_.error("E0311",
                  place_in(value, error),
                  fmt::format("'{}' is a curve, and this number does not move", name),
-                 "curves stand in 'force' and 'couple' of loads and in 'action' of cases");
+                 "curves belong in 'force' and 'couple' of loads and in 'action' of cases");
   } else {
     found_.error(error.code, place_in(value, error), error.message, error.hint);
   }

@@ -36,7 +36,7 @@ bool check_connected(const Topology& topology, const Digraph& graph, Diagnostics
   }
   found.error("E0401",
               topology.bodies[static_cast<std::size_t>(parts[1].front())].where,
-              fmt::format("the mechanism falls apart: nothing joins {} to the ground's part {{{}}}",
+              fmt::format("bodies are not connected: nothing joins {} to the ground's part {{{}}}",
                           list,
                           plain_list(body_names(topology, parts[0]))),
               "add the couplings that are missing, or remove these bodies");

@@ -206,8 +206,7 @@ bool check_axis_place(const CouplingDescription& coupling,
   }
   if (is_planar) {
     return refuse(
-        "remove 'at': in the plane the coupling stands on the axis of its gear; or write "
-        "[x, y]");
+        "remove 'at': in the plane the coupling is on the axis of its gear; or write [x, y]");
   }
   return !joins_two_axes(coupling, gears) ||
          refuse("write at: [x, y, z], as it joins bodies that turn about two axes");

@@ -160,8 +160,8 @@ bool check_range(const DriveRange& range, bool must_move, const SectionContext& 
       context.found.error("E0509",
                           range.profile.front().where,
                           fmt::format("drive '{}' dwells all along", range.actuator.text),
-                          "add a part that moves, {to: 90 deg, time: 0.3 s}; drives that hold "
-                          "still come behind one that moves");
+                          "add a part that moves, {to: 90 deg, time: 0.3 s}; list a drive at rest "
+                          "after one that moves");
     }
     return moves;
   }
@@ -174,8 +174,8 @@ bool check_range(const DriveRange& range, bool must_move, const SectionContext& 
     context.found.error("E0305",
                         range.to->where,
                         fmt::format("drive '{}' ends where it begins", range.actuator.text),
-                        "give 'to' another value than 'from'; a full turn is to: 360 deg; drives "
-                        "that hold still come behind one that moves");
+                        "give 'to' another value than 'from'; a full turn is to: 360 deg; list a "
+                        "drive at rest after one that moves");
   }
   return !from || !to || *from != *to;
 }
@@ -192,7 +192,7 @@ void check_runs_alone(const DriveRange& moving, const SectionContext& context) {
                         fmt::format("drive '{}' runs to a limit, and '{}' moves too",
                                     until_limit->actuator.text,
                                     moving.actuator.text),
-                        "let all others hold still: their 'from' and 'to' alike");
+                        "keep all others at rest, with 'from' equal to 'to'");
   }
 }
 

@@ -1,7 +1,9 @@
 #include "mechanism/check/report_name_check.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -96,6 +98,25 @@ bool names_lossy_actuator(const Name& name,
          context.names.actuators.contains(name.text.substr(kPrefix.size()));
 }
 
+// The word of `words` that people also call so: "torque" is an action.
+std::string otherwise_called(std::string_view name, std::span<const std::string> words) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 10> kOthers = {
+      {{"torque", "action"},
+       {"torques", "action"},
+       {"moment", "action"},
+       {"moments", "action"},
+       {"force", "action"},
+       {"forces", "action"},
+       {"speed", "velocity"},
+       {"speeds", "velocity"},
+       {"angle", "position"},
+       {"angles", "position"}}};
+  const auto other = std::ranges::find(kOthers, name, &decltype(kOthers)::value_type::first);
+  const bool is_known =
+      other != kOthers.end() && std::ranges::find(words, other->second) != words.end();
+  return is_known ? fmt::format("did you mean '{}'? ", other->second) : "";
+}
+
 // "d.wz.position.range", of which a sweep has columns where there is a motion; which columns that
 // has shows once it is made. Answers whether the name is of that kind, right or wrong.
 bool names_motion_figure(const Name& name,
@@ -163,19 +184,17 @@ void check_report_names(const std::vector<Name>& names,
       const std::vector<std::string> guesses = context.found.is_hint_worth_it()
                                                    ? undotted(words, section, context)
                                                    : std::vector<std::string>();
-      context.found.error(
-          "E0313",
-          name.where,
-          fmt::format("{} cannot hold '{}'", role, name.text),
-          guess_before(
-              name.text,
-              guesses,
-              fmt::format("write one of {}, an actuator, or coupling.freedom or coupling.action, "
-                          "for example a.wz{}",
-                          plain_list(words),
-                          section == kMotionSection
-                              ? "; or a column that the motion has, for example motor/action"
-                              : "")));
+      const std::string rest = fmt::format(
+          "write one of {}, an actuator, or coupling.freedom or coupling.action, "
+          "for example a.wz{}",
+          plain_list(words),
+          section == kMotionSection ? "; or a column that the motion has, for example motor/action"
+                                    : "");
+      const std::string other = otherwise_called(name.text, words);
+      context.found.error("E0313",
+                          name.where,
+                          fmt::format("{} cannot hold '{}'", role, name.text),
+                          other.empty() ? guess_before(name.text, guesses, rest) : other + rest);
     }
   }
   context.repeats(names, role);

@@ -31,9 +31,9 @@ void check_knowns(const std::vector<Assignment>& knowns, const SectionContext& c
         is_dotted ? names.couplings.contains(owner) : names.actuators.contains(owner);
     const Name target{.text = owner, .where = known.target.where};
     if (!is_declared && is_dotted) {
-      names.couplings.check(target, "a case knows something of", context.found);
+      names.couplings.check(target, "a case gives a motion or action of", context.found);
     } else if (!is_declared) {
-      names.check_actuator(target, "a case knows", context.found);
+      names.check_actuator(target, "a case names", context.found);
     }
   }
 }

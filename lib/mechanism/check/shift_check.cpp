@@ -269,7 +269,7 @@ class ShiftCheck {
                     const std::string& what,
                     bool is_of_elements) {
     const NumberRule rule = {
-        .kind = kind, .range = kAboveZero, .allowed = "a value above zero: it is a size"};
+        .kind = kind, .range = kAboveZero, .allowed = "a value above zero: it is a magnitude"};
     for (const InputValue& one : limits) {
       context_.number(one.value, rule, what);
       if (one.target && !is_of_elements) {
@@ -296,7 +296,7 @@ class ShiftCheck {
     context_.found.error(
         "E0313",
         target.where,
-        fmt::format("{} names '{}', which is no input of 'shift'", what, target.text),
+        fmt::format("{} names '{}', which is not an input of 'shift'", what, target.text),
         fmt::format("inputs are {}{}{}", plain_list(inputs), guess.empty() ? "" : "; ", guess));
   }
 

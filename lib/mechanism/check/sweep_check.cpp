@@ -214,7 +214,7 @@ class SweepCheck {
       context_.found.error(
           "E0308",
           place_of(requirement, question.offset, question.length),
-          fmt::format("'{}({})' cannot stand in 'keep'", question.word, question.of),
+          fmt::format("'{}({})' is not allowed in 'keep'", question.word, question.of),
           "write it under 'require': it is known before a state is analysed");
     }
     for (const ConditionValue& value : requirement.condition.values()) {
@@ -251,9 +251,8 @@ class SweepCheck {
     context_.found.error(
         "E0313",
         where,
-        fmt::format("'keep' of 'sweep' asks for '{}', which is neither a parameter nor in its "
-                    "'report'",
-                    name),
+        fmt::format(
+            "'keep' of 'sweep' names '{}', which is neither a parameter nor in its 'report'", name),
         guess.empty() ? fmt::format("add '{}' to 'report', which has {}", name, plain_list(held))
                       : guess);
   }

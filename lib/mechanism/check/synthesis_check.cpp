@@ -192,7 +192,7 @@ class SynthesisCheck {
     context_.found.error(
         "E0302",
         task_.where,
-        "'class' of 'limits' is that of a four-bar, and 'linkage' asks for another",
+        "'class' of 'limits' is that of a four-bar, but 'linkage' requests another",
         "delete 'class', or write linkage: four_bar");
   }
 

@@ -98,7 +98,7 @@ class DutyBinder {
       if (!is_set) {
         found_.error("E0313",
                      one.value.where,
-                     fmt::format("case '{}' knows no {} of an input",
+                     fmt::format("case '{}' gives no {} of an input",
                                  mechanism_.cases[point.which].label,
                                  word_of(side)),
                      fmt::format("give the case one, or name the actuator: input_{}: {{NAME: {}}}",
@@ -119,7 +119,7 @@ class DutyBinder {
     if (!known) {
       found_.error("E0313",
                    where,
-                   actuator ? fmt::format("case '{}' does not know the {} of '{}'",
+                   actuator ? fmt::format("case '{}' does not give the {} of '{}'",
                                           mechanism_.cases[point.which].label,
                                           word_of(side),
                                           name)

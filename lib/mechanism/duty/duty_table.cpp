@@ -205,7 +205,7 @@ class TableReader {
       const std::string& actuator = mechanism_.topology.actuators[column.actuator].name;
       refuse(line,
              "E0313",
-             fmt::format("case '{}' does not know the {} of '{}'",
+             fmt::format("case '{}' does not give the {} of '{}'",
                          mechanism_.cases[point.which].label,
                          word_of(column.side),
                          actuator),
@@ -260,8 +260,8 @@ class TableReader {
     if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
       refuse(line,
              "E0308",
-             fmt::format("'{}' is no number", printable(text.substr(0, 80))),
-             "numbers have a decimal point, and their unit stands in the first line");
+             fmt::format("'{}' is not a number", printable(text.substr(0, 80))),
+             "numbers have a decimal point, and their unit is in the first line");
     }
     return value;
   }

@@ -203,19 +203,19 @@ std::variant<PlanetQuestion, PlanetQuestion::Fault> PlanetQuestion::make(
     std::string_view word, std::string_view of, const MechanismDescription& description) {
   const std::string call = fmt::format("{}({})", word, of);
   if (!description.gears) {
-    return Fault{.message = fmt::format("'{}' asks for planets of the section 'gears', which the "
-                                        "file does not have",
-                                        call),
-                 .hint =
-                     "write the train in 'gears', or the condition in numbers of teeth, "
-                     "mod(Ns + Nr, 3) == 0"};
+    return Fault{
+        .message = fmt::format(
+            "'{}' needs planets of the section 'gears', which the file does not have", call),
+        .hint =
+            "write the train in 'gears', or the condition in numbers of teeth, "
+            "mod(Ns + Nr, 3) == 0"};
   }
   auto asked = std::make_shared<Train>(Train{.description = description, .train = {}, .set = {}});
   asked->train = find_gear_train(asked->description);
   const GearsDescription& gears = *asked->description.gears;
   const std::optional<int> axis = axis_named(of, gears, asked->train);
   if (!axis) {
-    return Fault{.message = fmt::format("'{}' names '{}', which is no gear member", call, of),
+    return Fault{.message = fmt::format("'{}' names '{}', which is not a gear member", call, of),
                  .hint = "name a planet among the members of 'gears', or its body"};
   }
   Diagnostics ignored;
@@ -230,7 +230,7 @@ std::variant<PlanetQuestion, PlanetQuestion::Fault> PlanetQuestion::make(
     }
   }
   return Fault{.message = *axis < 0
-                              ? fmt::format("'{}' names '{}', which is no planet", call, of)
+                              ? fmt::format("'{}' names '{}', which is not a planet", call, of)
                               : fmt::format("'{}' names '{}', which has no 'count'", call, of),
                .hint = *axis < 0 ? "name a planet among the members of 'gears', or its body"
                                  : "add how many planets there are, 'count: 3'"};

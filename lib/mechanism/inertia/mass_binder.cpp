@@ -208,14 +208,14 @@ void warn_of_gyration(const BodyMass& one,
   context.found.warning(
       "W0311",
       one.where,
-      fmt::format("body '{}' has a radius of gyration of {:.3g} {}, where the mechanism is {:.3g} "
-                  "{} large",
+      fmt::format("body '{}' has a radius of gyration of {:.3g} {}, but the size of the mechanism "
+                  "is {:.3g} {}",
                   body,
                   units.from_si(QuantityKind::length, radius),
                   units.text(QuantityKind::length),
                   units.from_si(QuantityKind::length, length),
                   units.text(QuantityKind::length)),
-      fmt::format("look at the units: bare moments of inertia count in {}, bare masses in {}",
+      fmt::format("check the units: bare moments of inertia count in {}, bare masses in {}",
                   units.text(QuantityKind::inertia),
                   units.text(QuantityKind::mass)));
 }

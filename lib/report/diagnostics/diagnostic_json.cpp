@@ -37,7 +37,7 @@ template <class View>
 void add_file(Record<View>& keys) {
   keys.text("file",
             "The path as it was given, '-' for standard input, null for the program itself. What "
-            "is no printable character stands as \\xNN.",
+            "is not a printable character is written as \\xNN.",
             [](const View& v) { return file_of(v.source); });
 }
 

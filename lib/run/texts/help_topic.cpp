@@ -269,7 +269,7 @@ Outcome help_topic(const std::string& word, std::span<const std::string> command
   const std::string rest =
       topics.empty()
           ? fmt::format("topics are {}", plain_list(all, all.size()))
-          : fmt::format("topics in which it stands are {}", plain_list(topics, topics.size()));
+          : fmt::format("topics that mention it are {}", plain_list(topics, topics.size()));
   add_message("E0101",
               fmt::format("there is no help on '{}'", printable(word)),
               guess.empty()    ? rest

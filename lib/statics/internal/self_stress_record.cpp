@@ -36,7 +36,7 @@ void emit_actions(const SelfStressView& v, const EachNumber& each) {
 
 const Record<SelfStressView>& self_stress_record() {
   static const Record<SelfStressView> record(
-      "One of them; its first action stands in no other.", [](Record<SelfStressView>& keys) {
+      "One of them; its first action is in no other.", [](Record<SelfStressView>& keys) {
         keys.names("couplings", "Couplings that take part.", emit_couplings);
         keys.text("per",
                   "The unit of the first action: the magnitudes are for 1 of it.",

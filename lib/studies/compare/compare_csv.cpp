@@ -255,7 +255,7 @@ std::optional<ReportValues> read_csv_report(const SourceFile& source, Diagnostic
     }
   }
   if (reader.is_broken()) {
-    refuse_line(reader.line(), "a quote is not closed, or text stands behind one", "", found);
+    refuse_line(reader.line(), "a quote is not closed, or text follows one", "", found);
   }
   return found.has_errors() ? std::nullopt : std::optional(table.take_values());
 }

@@ -305,14 +305,14 @@ bool is_known_report(const Json& report, Diagnostics& found) {
   if (!version.is_number()) {
     found.error("E0903",
                 {},
-                "this is no report of kinestat: there is no /kinestat/report",
+                "this is not a report of kinestat: there is no /kinestat/report",
                 "reports are written by 'kinestat analyze --format json' and by --out");
     return false;
   }
   if (version != kReportVersion) {
     found.error("E0904",
                 {},
-                fmt::format("the report is of version {} of its format, this program knows {}",
+                fmt::format("the report is of version {} of its format, this program reads {}",
                             version.dump(),
                             kReportVersion),
                 "write both reports with one version of kinestat");

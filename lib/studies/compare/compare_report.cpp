@@ -19,7 +19,7 @@ std::optional<ReportValues> read_report(SourceFile& source, Diagnostics& found) 
   if (text.starts_with("\x93NUMPY")) {
     found.error("E0903",
                 {},
-                "this is an array of NumPy, and no report",
+                "this is an array of NumPy, not a report",
                 "sweep with --format csv or json to compare rows, and in NumPy with "
                 "numpy.array_equal(a, b)");
     return {};
@@ -37,8 +37,8 @@ std::optional<ReportValues> read_report(SourceFile& source, Diagnostics& found) 
   found.error(
       "E0903",
       {},
-      text.empty() ? "this is no report: the file is empty"
-                   : "this is no report: it begins neither as JSON nor as a table",
+      text.empty() ? "this is not a report: the file is empty"
+                   : "this is not a report: it begins neither as JSON nor as a table",
       "reports are written by 'kinestat analyze' with --out, --format json or --format csv");
   return {};
 }

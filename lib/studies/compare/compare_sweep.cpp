@@ -54,7 +54,7 @@ class SweepReader {
     }
     if (!texts_.empty() || !names_rows(titles)) {
       refuse_line(line,
-                  texts_.empty() ? "this is no row of a sweep: 'case' or 'status' is missing"
+                  texts_.empty() ? "this is not a row of a sweep: 'case' or 'status' is missing"
                                  : "the row has other keys than those before it",
                   "rows are written by 'kinestat sweep'",
                   found_);
@@ -171,7 +171,7 @@ void read_table(const SourceFile& source, SweepReader& rows, Diagnostics& found)
     }
   }
   if (reader.is_broken()) {
-    refuse_line(reader.line(), "a quote is not closed, or text stands behind one", "", found);
+    refuse_line(reader.line(), "a quote is not closed, or text follows one", "", found);
   }
 }
 
@@ -190,7 +190,7 @@ void read_objects(const SourceFile& source, SweepReader& rows, Diagnostics& foun
         read_json({.path = source.path, .text = std::string(text)}, wrong);
     if (!object || !object->is_object()) {
       refuse_line(
-          line, "the line is no JSON object", "rows are written by 'kinestat sweep'", found);
+          line, "the line is not a JSON object", "rows are written by 'kinestat sweep'", found);
       return;
     }
     std::vector<std::string> titles;

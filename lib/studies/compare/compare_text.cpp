@@ -176,8 +176,8 @@ const Record<Difference>& difference_record() {
   using View = Difference;
   static const Record<View> record("One difference.", [](Record<View>& keys) {
     keys.text("place",
-              "JSON Pointer, in which things of a list that have names stand under their names; of "
-              "a table /mechanism/case/pass/element/quantity.",
+              "JSON Pointer, in which things of a list that have names are listed under their "
+              "names; of a table /mechanism/case/pass/element/quantity.",
               [](const View& v) { return printable(v.place); });
     keys.word("type",
               words_up_to(DifferenceType::only_in_b),

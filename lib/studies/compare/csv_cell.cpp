@@ -25,7 +25,7 @@ std::optional<double> read_cell(std::string_view text, int line, Diagnostics& fo
     return value;
   }
   refuse_line(line,
-              fmt::format("'{}' is no number", printable(text.substr(0, 80))),
+              fmt::format("'{}' is not a number", printable(text.substr(0, 80))),
               "numbers have a decimal point, and the cell is empty where there is no value",
               found);
   return {};

@@ -9,8 +9,8 @@ const Record<FreedomTrial>& freedom_trial_record() {
   static const Record<View> record("One motion.", [](Record<View>& keys) {
     keys.word("persistence",
               words_up_to(Persistence::instantaneous),
-              "finite: the mechanism moves along it; deflected: it moves, but leaves this "
-              "direction at once; instantaneous: no nearby position closes.",
+              "finite: the mechanism can follow it; deflected: it moves, but leaves this direction "
+              "at once; instantaneous: no nearby position closes.",
               [](const View& v) { return word_of(v.persistence); })
         .in_tables_is(TableRole::word);
     keys.number("step",

@@ -43,7 +43,7 @@ class ReasonWriter {
         return beside_text();
       case ShiftCause::input_held:
         return fmt::format(
-            "input '{}' is held: {}; {}",
+            "input '{}' is locked; {}; {}",
             actuator_name(plan_.inputs[static_cast<std::size_t>(state_.which)].actuator),
             held_text(),
             freedoms_text(state_.freedom, false));
@@ -61,7 +61,7 @@ class ReasonWriter {
                converter_text();
       case ShiftCause::outputs_held:
         return fmt::format(
-            "{} held: {}; {}", outputs_text(), held_text(), freedoms_text(state_.freedom, false));
+            "{} locked; {}; {}", outputs_text(), held_text(), freedoms_text(state_.freedom, false));
       case ShiftCause::redundant:
         return fmt::format("{}; {}", redundancy_text(), held_text());
       case ShiftCause::freewheel_overruns:
@@ -91,7 +91,7 @@ class ReasonWriter {
   // What a gear leaves free and open.
   std::string beside_text() const {
     std::string text =
-        state_.idle == 0 ? "" : fmt::format("beside it {}", freedoms_text(state_.idle, true));
+        state_.idle == 0 ? "" : fmt::format("besides, {}", freedoms_text(state_.idle, true));
     const auto inputs = static_cast<int>(plan_.inputs.size());
     Names following;
     for (int i = 0; i < inputs && plan_.is_hybrid(); ++i) {
@@ -111,7 +111,7 @@ class ReasonWriter {
     }
     if (!state_.open_freewheels.empty()) {
       const bool is_one = state_.open_freewheels.size() == 1;
-      text += fmt::format("{}equilibrium leaves open whether {} {} hold{}",
+      text += fmt::format("{}equilibrium does not determine whether {} {} hold{}",
                           text.empty() ? "" : "; ",
                           is_one ? "freewheel" : "freewheels",
                           names_of(state_.open_freewheels),
@@ -122,9 +122,9 @@ class ReasonWriter {
 
   std::string redundancy_text() const {
     return fmt::format(
-        "{} {} no slip already through the other elements, so that their torques are open",
-        names_of(state_.surplus),
-        state_.surplus.size() == 1 ? "has" : "have");
+        "the other elements already keep {} from slipping, so that their torques are not "
+        "determined",
+        names_of(state_.surplus));
   }
 
   std::string freewheel_text(std::string_view event,
@@ -193,18 +193,18 @@ class ReasonWriter {
   std::string held_text() const {
     const Names names = bodies(motions(false), false);
     return names.empty()
-               ? "no body is held"
-               : fmt::format("held {} {}", names.size() == 1 ? "is" : "are", plain_list(names));
+               ? "no body is locked"
+               : fmt::format(
+                     "locked bod{}: {}", names.size() == 1 ? "y" : "ies", plain_list(names));
   }
 
   std::string freedoms_text(int count, bool has_inputs_at_rest) const {
     if (count == 0) {
-      return "no freedom is left";
+      return "no freedom remains";
     }
     const Names names = bodies(motions(has_inputs_at_rest), true);
-    return count == 1
-               ? fmt::format("1 freedom is left, which moves {}", plain_list(names))
-               : fmt::format("{} freedoms are left, which move {}", count, plain_list(names));
+    return count == 1 ? fmt::format("one freedom remains, moving {}", plain_list(names))
+                      : fmt::format("{} freedoms remain, moving {}", count, plain_list(names));
   }
 
   const Topology& topology_;

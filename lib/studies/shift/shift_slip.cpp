@@ -130,8 +130,9 @@ class SlipSolver {
       }
       const std::string guess = did_you_mean(name.text, gears);
       refuse(name.where,
-             found == states.end() ? fmt::format("'{}' is no gear", name.text)
-                                   : fmt::format("'{}' is no gear: {}", name.text, found->reason),
+             found == states.end()
+                 ? fmt::format("'{}' is not a gear", name.text)
+                 : fmt::format("'{}' is not a gear: {}", name.text, found->reason),
              fmt::format("gears are {}{}{}", plain_list(gears), guess.empty() ? "" : "; ", guess));
       return std::nullopt;
     }
@@ -210,12 +211,13 @@ class SlipSolver {
         after, std::back_inserter(engaged_), [&](int e) { return e != result_.slips; });
     const int left = solution_.net_freedom - static_cast<int>(engaged_.size());
     if (left != 2) {
-      return refuse(asked_.to.where,
-                    fmt::format("{} freedoms are left while '{}' slips, and there must be two, "
-                                "those of input and slip",
-                                left,
-                                element_name(result_.slips)),
-                    "hold what is free, or leave the bodies out that only turn along");
+      return refuse(
+          asked_.to.where,
+          fmt::format(
+              "{} freedoms remain while '{}' slips, and there must be two, those of input and slip",
+              left,
+              element_name(result_.slips)),
+          "lock what is free, or leave out bodies that only turn along with others");
     }
     return true;
   }
@@ -249,7 +251,7 @@ class SlipSolver {
         return refuse(asked_.name.where,
                       fmt::format("input and slip of '{}' do not say how the train moves",
                                   element_name(result_.slips)),
-                      "hold what is free, or leave the bodies out that only turn along");
+                      "lock what is free, or leave out bodies that only turn along with others");
       }
     }
     return true;
@@ -320,8 +322,7 @@ class SlipSolver {
            refuse(asked_.name.where,
                   fmt::format("'{}' does not slip where the change begins",
                               element_name(result_.slips)),
-                  "nothing is to be synchronised: look at the speeds, and at the slips of the "
-                  "table");
+                  "nothing is to be synchronised: check the speeds, and the slips of the table");
   }
 
   // The inertia must not change: then no motion asks for a torque by itself.
@@ -338,7 +339,7 @@ class SlipSolver {
       if (known == nullptr) {
         return refuse(asked_.name.where,
                       "how its bodies speed up does not follow from input and slip",
-                      "look at what 'kinestat analyze' says of a case with 'acceleration'");
+                      "see what 'kinestat analyze' says of a case with 'acceleration'");
       }
       const ReducedEquation reduced = find_dynamics(mechanism_, steady, *known, nullptr).reduced;
       inertia_ = reduced.inertia;

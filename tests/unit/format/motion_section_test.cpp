@@ -55,8 +55,8 @@ TEST(MotionSection, NeedsADriveAndItsEnd) {
 
 TEST(MotionSection, RefusesOneDriveBesideSeveral) {
   EXPECT_EQ(motion_of("drives: [{drive: a, to: 1}]\ndrive: b\nto: 3\n").complaints(),
-            (Complaints{"2:1 E0302 'motion' cannot have 'drive' beside 'drives'",
-                        "3:1 E0302 'motion' cannot have 'to' beside 'drives'"}));
+            (Complaints{"2:1 E0302 'motion' cannot have 'drive' together with 'drives'",
+                        "3:1 E0302 'motion' cannot have 'to' together with 'drives'"}));
 }
 
 TEST(MotionSection, ReportsWrongShapesAtTheirPlaces) {

@@ -57,14 +57,15 @@ TEST(SweepSection, NeedsParametersToVary) {
 
 // A range without a step is for a sample: what lacks one is found where both are known.
 TEST(SweepSection, WantsARangeOrValues) {
-  EXPECT_EQ(sweep_of("vary: {a: {from: 1, to: 2}, b: {values: [1], step: 2}, c: {values: []},\n"
-                     "       d: 3, e: {form: 1, to: 2, step: 1}}\n")
-                .complaints(),
-            (Complaints{"1:46 E0302 parameter 'b' of 'vary' cannot have 'step' beside 'values'",
-                        "1:68 E0304 the values of parameter 'c' of 'vary' must be a list with "
-                        "something in it",
-                        "2:11 E0304 the values of parameter 'd' of 'vary' must be a list",
-                        "2:18 E0302 parameter 'e' of 'vary' has no key 'form'"}));
+  EXPECT_EQ(
+      sweep_of("vary: {a: {from: 1, to: 2}, b: {values: [1], step: 2}, c: {values: []},\n"
+               "       d: 3, e: {form: 1, to: 2, step: 1}}\n")
+          .complaints(),
+      (Complaints{"1:46 E0302 parameter 'b' of 'vary' cannot have 'step' together with 'values'",
+                  "1:68 E0304 the values of parameter 'c' of 'vary' must be a list with "
+                  "something in it",
+                  "2:11 E0304 the values of parameter 'd' of 'vary' must be a list",
+                  "2:18 E0302 parameter 'e' of 'vary' has no key 'form'"}));
 }
 
 TEST(SweepSection, MarksTheWrongPartOfACondition) {

@@ -93,9 +93,10 @@ TEST(SynthesisSection, RefusesRangesThatSayTheSame) {
     return task_of("positions: [{at: [0, 0], angle: 0}]\nvary: {" + ranges + "}\n").complaints();
   };
   EXPECT_EQ(complaints_of_vary("tau: {from: 3, to: 4}, m: {from: 5, to: 6}"),
-            (Complaints{"2:8 E0302 'vary' cannot have 'tau' beside 'm' or 'free_point'"}));
-  EXPECT_EQ(complaints_of_vary("s: {from: 3, to: 4}, circle_points: {from: [1, 2], to: [3, 4]}"),
-            (Complaints{"2:29 E0302 'vary' cannot have 'circle_points' beside other ranges"}));
+            (Complaints{"2:8 E0302 'vary' cannot have 'tau' together with 'm' or 'free_point'"}));
+  EXPECT_EQ(
+      complaints_of_vary("s: {from: 3, to: 4}, circle_points: {from: [1, 2], to: [3, 4]}"),
+      (Complaints{"2:29 E0302 'vary' cannot have 'circle_points' together with other ranges"}));
   EXPECT_EQ(complaints_of_vary("samples: 100"),
             (Complaints{"2:7 E0303 'vary' names nothing that is free"}));
 }
@@ -127,9 +128,9 @@ TEST(SynthesisSection, WantsEachOrderAfterTheOneBefore) {
       "  - {at: [0, 0], angle: 0, burmester: true}\n");
 
   EXPECT_EQ(reading.complaints(),
-            (Complaints{"2:28 E0303 'curvature' of position 1 needs 'pole' beside it",
-                        "3:42 E0303 'stationary' of position 2 needs 'curvature' beside it",
-                        "4:28 E0303 'burmester' of position 3 needs 'stationary' beside it"}));
+            (Complaints{"2:28 E0303 'curvature' of position 1 needs 'pole' too",
+                        "3:42 E0303 'stationary' of position 2 needs 'curvature' too",
+                        "4:28 E0303 'burmester' of position 3 needs 'stationary' too"}));
 }
 
 TEST(SynthesisSection, RefusesAnOrderThatTheOneBeforeDenies) {
@@ -144,7 +145,7 @@ TEST(SynthesisSection, RefusesAPoleBesideDerivatives) {
   EXPECT_EQ(task_of("positions:\n"
                     "  - {at: [0, 0], angle: 0, pole: [1, 1], derivatives: [{at: [1, 2]}]}\n")
                 .complaints(),
-            (Complaints{"2:28 E0302 position 1 cannot have 'pole' beside 'derivatives'"}));
+            (Complaints{"2:28 E0302 position 1 cannot have 'pole' together with 'derivatives'"}));
 }
 
 TEST(SynthesisSection, WantsAnAngleInAllDerivativesOrInNone) {

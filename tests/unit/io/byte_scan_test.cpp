@@ -92,10 +92,10 @@ INSTANTIATE_TEST_SUITE_P(
                  "E0203 1:5 carriage return without line feed at offset 4"},
         ByteCase{"OrderMarkInside",
                  "a: 1\n\xEF\xBB\xBF",
-                 "E0203 2:1 character U+FEFF at offset 5 may not stand in YAML"},
+                 "E0203 2:1 character U+FEFF at offset 5 is not allowed in YAML"},
         ByteCase{"Noncharacter",
                  "\xEF\xBF\xBF",
-                 "E0203 1:1 character U+FFFF at offset 0 may not stand in YAML"}),
+                 "E0203 1:1 character U+FFFF at offset 0 is not allowed in YAML"}),
     name_of_bytes);
 
 class GoodBytes : public testing::TestWithParam<ByteCase> {};

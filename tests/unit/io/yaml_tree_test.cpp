@@ -129,20 +129,20 @@ INSTANTIATE_TEST_SUITE_P(
         YamlCase{"EmptyFirst", "---\n---\na: 1\n", "E0206 2:1+3 a second document begins here"},
         YamlCase{"BehindTheRoot",
                  "{a: 1} b\n",
-                 "E0204 1:8+1 this stands behind the end of the document "
-                 "(note 1:1+1 the document begins here)"},
+                 "E0204 1:8+1 this follows the end of the document (note 1:1+1 the document begins "
+                 "here)"},
         YamlCase{"ListThenMapping",
                  "- a\nb: 1\n",
-                 "E0204 2:1+1 this stands behind the end of the document "
-                 "(note 1:1+1 the document begins here)"},
+                 "E0204 2:1+1 this follows the end of the document (note 1:1+1 the document begins "
+                 "here)"},
         YamlCase{"FirstLineIndented",
                  " a: 1\nb: 2\n",
-                 "E0204 2:1+1 this stands behind the end of the document "
-                 "(note 1:2+1 the document begins here)"},
+                 "E0204 2:1+1 this follows the end of the document (note 1:2+1 the document begins "
+                 "here)"},
         YamlCase{"BehindItsEnd",
                  "a: 1\n...\nb: 2...\n",
-                 "E0204 3:1+1 this stands behind the end of the document "
-                 "(note 2:1+3 the document ends here)"}),
+                 "E0204 3:1+1 this follows the end of the document (note 2:1+3 the document ends "
+                 "here)"}),
     name_of_case);
 
 INSTANTIATE_TEST_SUITE_P(
@@ -195,12 +195,12 @@ INSTANTIATE_TEST_SUITE_P(
                  "E0209 1:4+2 alias '*x' names no anchor before it"},
         YamlCase{"AliasInsideItself",
                  "a: &x [1, *x]\n",
-                 "E0209 1:11+2 alias '*x' stands inside what it names "
-                 "(note 1:7+1 the anchored value begins here)"},
+                 "E0209 1:11+2 alias '*x' is inside what it names (note 1:7+1 the anchored value "
+                 "begins here)"},
         YamlCase{"AliasOfTheRoot",
                  "&x\na: *x\n",
-                 "E0209 2:4+2 alias '*x' stands inside what it names "
-                 "(note 2:1+1 the anchored value begins here)"}),
+                 "E0209 2:4+2 alias '*x' is inside what it names (note 2:1+1 the anchored value "
+                 "begins here)"}),
     name_of_case);
 
 INSTANTIATE_TEST_SUITE_P(
@@ -250,24 +250,25 @@ INSTANTIATE_TEST_SUITE_P(
                  "E0204 1:4+2 the quoted text that begins here is not closed"},
         YamlCase{"ClosedByALaterOne",
                  "a: 'x\nb: 'y'\n",
-                 "E0204 2:5+1 'y'' stands behind a closing quote "
-                 "(note 1:4+2 the quoted text that begins here goes over lines)"},
-        YamlCase{"Apostrophe", "a: 'it's'\n", "E0204 1:8+1 's'' stands behind a closing quote"},
+                 "E0204 2:5+1 'y'' follows a closing quote (note 1:4+2 the quoted text that begins "
+                 "here goes over lines)"},
+        YamlCase{"Apostrophe", "a: 'it's'\n", "E0204 1:8+1 's'' follows a closing quote"},
         YamlCase{"UnknownEscape", "a: \"x\\q\"\n", "E0204 1:8+1 unknown escape before '\"'"},
-        YamlCase{
-            "ControlByEscape", "a: \"x\\0\"\n", "E0203 1:6+2 escape '\\0' cannot stand in a text"},
+        YamlCase{"ControlByEscape",
+                 "a: \"x\\0\"\n",
+                 "E0203 1:6+2 escape '\\0' is not allowed in a text"},
         YamlCase{"ControlByNumber",
                  "a: \"\\t\\x41 \\u001b[\"\n",
-                 "E0203 1:12+6 escape '\\u001b' cannot stand in a text"},
+                 "E0203 1:12+6 escape '\\u001b' is not allowed in a text"},
         YamlCase{"ControlBehindABackslash",
                  "a: \"\\\\0 \\e\"\n",
-                 "E0203 1:9+2 escape '\\e' cannot stand in a text"},
+                 "E0203 1:9+2 escape '\\e' is not allowed in a text"},
         YamlCase{"OrderMarkByNumber",
                  "a: \"\\U0000feff\"\n",
-                 "E0203 1:5+10 escape '\\U0000feff' cannot stand in a text"},
+                 "E0203 1:5+10 escape '\\U0000feff' is not allowed in a text"},
         YamlCase{"EscapeThatTheParserGarbles",
                  "a: \"\\N\"\n",
-                 "E0203 1:5+2 escape '\\N' cannot stand in a text"}),
+                 "E0203 1:5+2 escape '\\N' is not allowed in a text"}),
     name_of_case);
 
 INSTANTIATE_TEST_SUITE_P(
@@ -278,7 +279,7 @@ INSTANTIATE_TEST_SUITE_P(
         YamlCase{"TabBehindSpaces", "a:\n  \tb: 1\n", "E0203 2:3+1 tab in the indentation"},
         YamlCase{"TabInAContinuedText", "a: x\n\ty\n", "E0203 2:1+1 tab in the indentation"},
         YamlCase{"TabInABlockScalar", "a: |\n\tx\n", "E0203 2:1+1 tab in the indentation"},
-        YamlCase{"TooDeep", "a: 1\n  b: 2\n", "E0204 2:4+1 ':' cannot stand here"},
+        YamlCase{"TooDeep", "a: 1\n  b: 2\n", "E0204 2:4+1 ':' is not allowed here"},
         YamlCase{"BetweenTwo",
                  "a:\n    b: 1\n  c: 2\n",
                  "E0204 3:3+1 'c' does not fit into the mapping above it"},
@@ -299,7 +300,7 @@ INSTANTIATE_TEST_SUITE_P(
         YamlCase{"NoColonOnTheFirstLine",
                  "a\nb: 1\n",
                  "E0204 1:1+1 this line has no ':' behind its key"},
-        YamlCase{"TwoColons", "a: b: c\n", "E0204 1:5+1 ':' cannot stand here"}),
+        YamlCase{"TwoColons", "a: b: c\n", "E0204 1:5+1 ':' is not allowed here"}),
     name_of_case);
 
 INSTANTIATE_TEST_SUITE_P(
@@ -311,7 +312,7 @@ INSTANTIATE_TEST_SUITE_P(
         YamlCase{"Ampersand", "a: & b\n", "E0204 1:5+1 '&' needs a name behind it"},
         YamlCase{"Asterisk", "a: * b\n", "E0204 1:5+1 '*' needs a name behind it"},
         YamlCase{"Version", "%YAML 3.0\n---\na: 1\n", "E0204 1:1+1 YAML major version too large"},
-        YamlCase{"BlockHeader", "a: |x\n  y\n", "E0204 1:5+1 'x' cannot stand behind '|' or '>'"},
+        YamlCase{"BlockHeader", "a: |x\n  y\n", "E0204 1:5+1 'x' is not allowed after '|' or '>'"},
         YamlCase{"InvalidBytes", "a: \xFF\n", "E0202 1:4+1 byte 0xFF at offset 3 is not UTF-8"}),
     name_of_case);
 

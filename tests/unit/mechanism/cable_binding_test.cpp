@@ -108,8 +108,7 @@ TEST(CableBinding, LeavesTheFileWithoutItsCablesWhereOneIsWrong) {
 
   EXPECT_FALSE(bind(*description, found));
 
-  EXPECT_EQ(complaints_of(found),
-            (Complaints{"14:33 E0309 an angle stands where a length is expected"}));
+  EXPECT_EQ(complaints_of(found), (Complaints{"14:33 E0309 expected a length, found an angle"}));
 }
 
 }  // namespace

@@ -44,11 +44,11 @@ TEST(CableCheck, WantsNumbersThatCanBe) {
                 "      - {body: block, at: [0, 3 deg]}\n"
                 "      - {pulley: wheel, radius: 0, wrap: clockwise, friction: -0.1, eta: 0}\n"
                 "      - {pulley: plate, points: [[0, 1], [1 s, 1]]}\n"))),
-            (Complaints{"12:31 E0309 an angle stands where a length is expected",
+            (Complaints{"12:31 E0309 expected a length, found an angle",
                         "13:33 E0305 'radius' of pulley 'wheel' of cable 'rope' cannot be 0",
                         "13:63 E0305 'friction' of pulley 'wheel' of cable 'rope' cannot be -0.1",
                         "13:74 E0305 'eta' of pulley 'wheel' of cable 'rope' cannot be 0",
-                        "14:43 E0309 a time stands where a length is expected"}));
+                        "14:43 E0309 expected a length, found a time"}));
 }
 
 TEST(CableCheck, NeedsTheCentreOfAPulleyWithoutARevolute) {

@@ -53,7 +53,7 @@ TEST(GearCheck, AcceptsOneToothAndTenThousand) {
 
 TEST(GearCheck, RefusesTeethWithAUnit) {
   EXPECT_EQ(complaints_about(train("teeth: 9 mm", "teeth: 9")),
-            (Complaints{"32:27 E0309 a length stands where a bare number is expected"}));
+            (Complaints{"32:27 E0309 expected a bare number, found a length"}));
 }
 
 TEST(GearCheck, WantsWholeCountsAndDistancesAboveZero) {
@@ -84,7 +84,7 @@ TEST(GearCheck, WantsAToothFormThatCanBe) {
                   "33:16 E0305 'helix_angle' of 'gears' cannot be -1.6 rad",
                   "36:36 E0305 'module' of mesh 'h' cannot be 0",
                   "36:55 E0305 'pressure_angle' of mesh 'h' cannot be -1",
-                  "36:63 E0309 a force stands where a length is expected"}));
+                  "36:63 E0309 expected a length, found a force"}));
 }
 
 TEST(GearCheck, NeedsAModuleOrADistance) {

@@ -25,9 +25,9 @@ TEST(LoadBinder, WantsLengthsForcesAndMoments) {
   EXPECT_EQ(complaints_about(
                 "loads:\n"
                 "  w: {body: block, at: [1 N, 0, 0], force: [0, 1 mm, 0], couple: [0, 0, 1 N]}\n"),
-            (Complaints{"31:25 E0309 a force stands where a length is expected",
-                        "31:48 E0309 a length stands where a force is expected",
-                        "31:73 E0309 a force stands where a moment is expected"}));
+            (Complaints{"31:25 E0309 expected a length, found a force",
+                        "31:48 E0309 expected a force, found a length",
+                        "31:73 E0309 expected a moment, found a force"}));
 }
 
 TEST(LoadBinder, LooksAtTheLoadsOfCases) {
@@ -39,7 +39,7 @@ TEST(LoadBinder, LooksAtTheLoadsOfCases) {
                          "couplings: {a: {type: revolute, bodies: [frame, crank], at: [0, 0]}}\n"
                          "cases: {one: {loads: {wind: {body: rod, couple: 3 mm}}}}\n")),
             (Complaints{"6:36 E0312 load 'wind' acts on body 'rod', which is not declared",
-                        "6:49 E0309 a length stands where a moment is expected"}));
+                        "6:49 E0309 expected a moment, found a length"}));
 }
 
 TEST(LoadBinder, WarnsOfALoadOnTheGround) {

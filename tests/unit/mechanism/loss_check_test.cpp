@@ -38,7 +38,7 @@ TEST(LossCheck, KnowsMeshesAndCouplingsApart) {
 
   EXPECT_EQ(complaints_of(found),
             (Complaints{"32:19 E0313 'losses' names mesh 'hh', which is not declared",
-                        "32:28 E0313 'losses' names coupling 'a', which is no mesh"}));
+                        "32:28 E0313 'losses' names coupling 'a', which is not a mesh"}));
   EXPECT_EQ(
       found.items()[1].hint,
       "a bearing or slider has 'friction:' in 'couplings', for example a: {…, friction: 0.1}");

@@ -36,8 +36,8 @@ TEST(MotionCheck, WantsAnglesOfWhatTurnsAndLengthsOfWhatSlides) {
   EXPECT_EQ(
       complaints_about("motion:\n"
                        "  drives: [{drive: in, to: 3 mm}, {drive: lift, from: 1 deg, to: 5}]\n"),
-      (Complaints{"31:28 E0309 a length stands where an angle is expected",
-                  "31:55 E0309 an angle stands where a length is expected"}));
+      (Complaints{"31:28 E0309 expected an angle, found a length",
+                  "31:55 E0309 expected a length, found an angle"}));
 }
 
 TEST(MotionCheck, RefusesADriveThatStaysOrComesTwice) {

@@ -24,7 +24,7 @@ TEST(ShiftCheck, WantsLimitsOfWhatThereIs) {
                              "  input_action: 1\n"
                              "  limits: {torque: {C1: 2 N*m, in: 3}, slip: 2 N, speed: {sn: 1}}\n"),
             (Complaints{"35:32 E0313 'torque' of 'limits' names 'in', which is not in 'elements'",
-                        "35:46 E0309 a force stands where an angular velocity is expected",
+                        "35:46 E0309 expected an angular velocity, found a force",
                         "35:59 E0312 'speed' of 'limits' names body 'sn', which is not declared"}));
 }
 
@@ -81,11 +81,11 @@ TEST(ShiftCheck, RefusesAnActuatorInTwoRoles) {
 
 TEST(ShiftCheck, WantsQuantitiesOfTheInput) {
   EXPECT_EQ(complaints_about(kShift + "  input_motion: 1 mm/s\n  input_action: 5 N\n"),
-            (Complaints{"34:17 E0309 a velocity stands where an angular velocity is expected",
-                        "35:17 E0309 a force stands where a moment is expected"}));
+            (Complaints{"34:17 E0309 expected an angular velocity, found a velocity",
+                        "35:17 E0309 expected a moment, found a force"}));
   EXPECT_EQ(complaints_about(
                 "shift: {input: lift, output: out, elements: [C1], input_motion: 1 rad/s}\n"),
-            (Complaints{"30:65 E0309 an angular velocity stands where a velocity is expected"}));
+            (Complaints{"30:65 E0309 expected a velocity, found an angular velocity"}));
 }
 
 TEST(ShiftCheck, WantsAValueForEachWhereInputsTurnAndSlide) {
@@ -101,8 +101,9 @@ TEST(ShiftCheck, RefusesAnInputThatDoesNothing) {
 }
 
 TEST(ShiftCheck, RefusesAValueForWhatIsNoInput) {
-  EXPECT_EQ(complaints_about(kShift + "  input_motion: {out: 1}\n"),
-            (Complaints{"34:18 E0313 'input_motion' names 'out', which is no input of 'shift'"}));
+  EXPECT_EQ(
+      complaints_about(kShift + "  input_motion: {out: 1}\n"),
+      (Complaints{"34:18 E0313 'input_motion' names 'out', which is not an input of 'shift'"}));
 }
 
 TEST(ShiftCheck, WantsLabelsOfElements) {

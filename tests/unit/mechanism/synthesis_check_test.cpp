@@ -48,13 +48,13 @@ TEST(SynthesisCheck, WantsTheQuantitiesOfTheirPlaces) {
                 "    - {at: [0, 1 deg], angle: 2 mm, pole: [1 s, 0],\n"
                 "       curvature: {centre: [1, 1 N], free_point: [0, 1 rad], m: 2 mm}}\n"
                 "    - {at: [0, 0], angle: 0, derivatives: [{at: [1, 2], angle: 30 mm}]}\n"),
-            (Complaints{"5:16 E0309 an angle stands where a length is expected",
-                        "5:31 E0309 a length stands where an angle is expected",
-                        "5:44 E0309 a time stands where a length is expected",
-                        "6:32 E0309 a force stands where a length is expected",
-                        "6:54 E0309 an angle stands where a length is expected",
-                        "6:65 E0309 a length stands where a bare number is expected",
-                        "7:64 E0309 a length stands where an angle is expected"}));
+            (Complaints{"5:16 E0309 expected a length, found an angle",
+                        "5:31 E0309 expected an angle, found a length",
+                        "5:44 E0309 expected a length, found a time",
+                        "6:32 E0309 expected a length, found a force",
+                        "6:54 E0309 expected a length, found an angle",
+                        "6:65 E0309 expected a bare number, found a length",
+                        "7:64 E0309 expected an angle, found a length"}));
 }
 
 TEST(SynthesisCheck, NeedsAFreePointAndMUnlessTheyVary) {

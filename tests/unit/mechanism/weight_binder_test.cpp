@@ -91,8 +91,8 @@ TEST(WeightBinder, WarnsOfBareGravityInUnitsThatMakeItTiny) {
 
 TEST(WeightBinder, WantsAnAccelerationAndALength) {
   EXPECT_EQ(complaints_of_arm("{mass: 1, centre_of_mass: [1 kg, 0]}", "gravity: [0, -9.81 mm]\n"),
-            (Complaints{"4:42 E0309 a mass stands where a length is expected",
-                        "6:14 E0309 a length stands where an acceleration is expected"}));
+            (Complaints{"4:42 E0309 expected a length, found a mass",
+                        "6:14 E0309 expected an acceleration, found a length"}));
 }
 
 }  // namespace

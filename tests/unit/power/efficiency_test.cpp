@@ -36,17 +36,19 @@ TEST(Efficiency, HasNoValueWithoutNames) {
 
 TEST(Efficiency, HasNoValueWhereOthersExchangePower) {
   EXPECT_EQ(efficiency_of(drive(), {100.0, 0.0, -97.0, 1.0}).reason,
-            "other actuators exchange power too");
+            "other actuators also supply or absorb power; list them under 'input' or 'output'");
   Case in_wind = drive();
   in_wind.loads.push_back({.name = "wind", .acts = {}, .point = {}, .where = {}});
   EXPECT_EQ(efficiency_of(in_wind, {100.0, 0.0, -97.0, 0.0}, {-1.0}).reason,
-            "load 'wind' exchanges power too; it may be named beside the others in 'input' or "
-            "'output'");
+            "load 'wind' also supplies or absorbs power; list it under 'input' or 'output'");
+  in_wind.loads.front().name = "inertia.rotor";  // which no case can name
+  EXPECT_EQ(efficiency_of(in_wind, {100.0, 0.0, -97.0, 0.0}, {-1.0}).reason,
+            "the kinetic energy of the bodies also supplies or absorbs power");
 }
 
 TEST(Efficiency, HasNoValueWhereOneInputTakesPower) {
   EXPECT_EQ(efficiency_of(drive(), {100.0, -20.0, -70.0, 0.0}).reason,
-            "one of the inputs takes power");
+            "one of the inputs absorbs power");
 }
 
 TEST(Efficiency, HasNoValueWhereOneOutputGivesPower) {
@@ -54,12 +56,12 @@ TEST(Efficiency, HasNoValueWhereOneOutputGivesPower) {
   which.outputs = {2, 3};
 
   EXPECT_EQ(efficiency_of(which, {100.0, 0.0, -110.0, 20.0}).reason,
-            "one of the outputs gives power");
+            "one of the outputs supplies power");
 }
 
 TEST(Efficiency, HasNoValueInReverse) {
   EXPECT_EQ(efficiency_of(drive(), {-97.0, 0.0, 100.0, 0.0}).reason,
-            "the inputs take power, the outputs drive");
+            "the inputs absorb power: the outputs drive");
 }
 
 TEST(Efficiency, IsNeverAboveOne) {
@@ -68,13 +70,13 @@ TEST(Efficiency, IsNeverAboveOne) {
 }
 
 TEST(Efficiency, HasNoValueWithoutPower) {
-  EXPECT_EQ(efficiency_of(drive(), {0.0, 0.0, 0.0, 0.0}).reason, "the inputs give no power");
+  EXPECT_EQ(efficiency_of(drive(), {0.0, 0.0, 0.0, 0.0}).reason, "the inputs supply no power");
 }
 
 // Two inputs whose powers cancel but for their rounding.
 TEST(Efficiency, HasNoValueWhereTheInputsCancel) {
   EXPECT_EQ(efficiency_of(drive(), {3.0, -3.0000000000000004, 0.0, 0.0}).reason,
-            "the inputs give no power");
+            "the inputs supply no power");
 }
 
 TEST(Efficiency, IsSelfLockingWhereTheOutputDrivesToo) {
@@ -88,7 +90,7 @@ TEST(Efficiency, OfZeroHasAReason) {
   const Efficiency found = efficiency_of(drive(), {100.0, 0.0, 1e-12, 0.0});
 
   EXPECT_EQ(found.value, 0.0);
-  EXPECT_EQ(found.reason, "friction takes all that the inputs give");
+  EXPECT_EQ(found.reason, "friction absorbs all power of the inputs");
 }
 
 }  // namespace

@@ -106,10 +106,10 @@ TEST(CsvReport, RefusesValuesThatAreNoNumbers) {
   for (const char* text : {"nan", "NaN", "inf", "-Infinity", "1e999", "1.5x", " 1", "0x1p3"}) {
     EXPECT_EQ(
         csv_complaint(csv_report("c,M1,statics,a.Rx,action," + std::string(text) + ",N,solved\n")),
-        "2 E0903 '" + std::string(text) + "' is no number");
+        "2 E0903 '" + std::string(text) + "' is not a number");
   }
   EXPECT_EQ(csv_complaint(csv_report("c,M1,statics,a.Rx,action,\"1,5\",N,solved\n")),
-            "2 E0903 '1,5' is no number");
+            "2 E0903 '1,5' is not a number");
 }
 
 TEST(CsvReport, RefusesAUnitThatIsNone) {
@@ -125,7 +125,7 @@ TEST(CsvReport, RefusesTwoRowsWithOneKey) {
 
 TEST(CsvReport, RefusesAQuoteThatIsNotClosed) {
   EXPECT_EQ(csv_complaint(csv_report("\"c,M1,statics,a.Rx,action,1,N,solved\n")),
-            "3 E0903 a quote is not closed, or text stands behind one");
+            "3 E0903 a quote is not closed, or text follows one");
 }
 
 TEST(CsvReport, SaysNoMoreThanTwentyThings) {

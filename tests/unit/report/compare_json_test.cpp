@@ -181,16 +181,16 @@ TEST(JsonReport, CountsCoefficientsPerUnitOfTheParameter) {
 
 TEST(JsonReport, RefusesWhatIsNoReport) {
   EXPECT_EQ(json_complaint("{}"),
-            "0:0 E0903 this is no report of kinestat: there is no /kinestat/report");
+            "0:0 E0903 this is not a report of kinestat: there is no /kinestat/report");
   EXPECT_EQ(json_complaint(R"({"kinestat": {"diagnostics": 1}})"),
-            "0:0 E0903 this is no report of kinestat: there is no /kinestat/report");
+            "0:0 E0903 this is not a report of kinestat: there is no /kinestat/report");
   EXPECT_EQ(json_complaint(R"({"kinestat": 1})"),
-            "0:0 E0903 this is no report of kinestat: there is no /kinestat/report");
+            "0:0 E0903 this is not a report of kinestat: there is no /kinestat/report");
 }
 
 TEST(JsonReport, RefusesAnotherVersion) {
   EXPECT_EQ(json_complaint(R"({"kinestat": {"report": 2}})"),
-            "0:0 E0904 the report is of version 2 of its format, this program knows 1");
+            "0:0 E0904 the report is of version 2 of its format, this program reads 1");
 }
 
 TEST(JsonReport, RefusesUnitsThatAreNone) {

@@ -61,12 +61,12 @@ TEST(SweepRows, AreToldFromReports) {
 TEST(SweepRows, AreRefusedWithTheirLine) {
   EXPECT_EQ(row_complaint("L,case,F,status\n1,up,2.5,solved\n2,up,solved\n"),
             "3 E0903 the row has 3 cells, not 4");
-  EXPECT_EQ(row_complaint("L,case,F,status\n1,up,nan,solved\n"), "2 E0903 'nan' is no number");
+  EXPECT_EQ(row_complaint("L,case,F,status\n1,up,nan,solved\n"), "2 E0903 'nan' is not a number");
   EXPECT_EQ(row_complaint("L,case,F [x],status\n").substr(0, 24), "1 E0903 column 'F [x]': ");
   EXPECT_EQ(row_complaint("L,case,F,status\n1,up,2,solved\n1,up,3,solved\n"),
             "3 E0903 there are two rows for /L = 1/up");
   EXPECT_EQ(row_complaint("{\"case\":\"a\",\"status\":\"solved\"}\n{\"case\":\"a\"\n"),
-            "2 E0903 the line is no JSON object");
+            "2 E0903 the line is not a JSON object");
   EXPECT_EQ(row_complaint("{\"case\":\"a\",\"status\":\"solved\"}\n"
                           "{\"case\":\"b\",\"F\":1,\"status\":\"solved\"}\n"),
             "2 E0903 the row has other keys than those before it");

@@ -53,10 +53,9 @@ TEST(ShiftSolution, ClassesALabelOfTheWrongSize) {
 
   EXPECT_EQ(names_of(all), (std::vector<std::string>{"B", "C", "both"}));
   EXPECT_EQ(all.states[2].state.kind, ShiftClass::locked_by_elements);
-  EXPECT_EQ(
-      all.states[2].reason,
-      "engages 2 elements where a gear needs 1: input 'in' is held: held are sun, ring, carrier, "
-      "planet; no freedom is left");
+  EXPECT_EQ(all.states[2].reason,
+            "engages 2 elements where a gear needs 1: input 'in' is locked; locked bodies: sun, "
+            "ring, carrier, planet; no freedom remains");
 }
 
 TEST(ShiftSolution, CountsButDoesNotSolveTooManyCombinations) {

@@ -54,6 +54,7 @@ void check_axis(const CableStation& pulley,
 void check_centre(const CableStation& pulley,
                   const std::string& what,
                   const SectionContext& context) {
+  const bool is_planar = context.description.space == Space::planar;
   const bool needs_centre = pulley.points.empty() || pulley.slip;
   const bool is_declared = context.names.bodies.contains(pulley.body.text);
   const CouplingDescription* bearing = bearing_of(pulley.body, context.description);
@@ -66,9 +67,11 @@ void check_centre(const CableStation& pulley,
                                     what,
                                     is_placed_by_gears ? "'gears' places the bearing of its body"
                                                        : "no revolute coupling joins its body"),
-                        context.description.space == Space::planar
-                            ? "add 'at: [x, y]', its centre as drawn"
-                            : "add 'at: [x, y, z]', its centre as drawn");
+                        fmt::format("add 'at: {}', its centre as drawn{}",
+                                    is_planar ? "[x, y]" : "[x, y, z]",
+                                    !is_placed_by_gears ? ""
+                                    : is_planar         ? "; on the main axis 'at: [0, 0]'"
+                                                        : "; on the main axis 'at: [0, 0, z]'"));
   }
 }
 

@@ -155,7 +155,7 @@ class ContactBinder {
         "E0314",
         station.where,
         fmt::format("pulley '{}' has friction, but no 'radius' and 'wrap'", station.body.text),
-        "add them beside its 'points', or remove 'friction' and 'eta'");
+        "add them to its 'points', or remove 'friction' and 'eta'");
     return false;
   }
 

@@ -62,11 +62,11 @@ class ConverterBinder {
              "add 'torque_ratio'; a fluid coupling has no 'stator'");
     }
     if (!has_stator && !given_.torque_ratio.empty()) {
-      refuse(
-          given_.torque_ratio.front().where,
-          fmt::format("nothing takes the difference of the torques of '{}'", coupling_.name.text),
-          "add 'stator:', the body on which the stator reacts; without one it is a fluid "
-          "coupling, whose torques are equal: remove 'torque_ratio'");
+      refuse(given_.torque_ratio.front().where,
+             fmt::format("nothing supports the difference of the torques of '{}'",
+                         coupling_.name.text),
+             "add 'stator:', the body on which the stator reacts; without one it is a fluid "
+             "coupling, whose torques are equal: remove 'torque_ratio'");
     }
   }
 
@@ -164,7 +164,7 @@ class ConverterBinder {
       const double lost = torque * (1.0 - value_of(*ratio) * at);
       if (lost < -kDataRounding * std::abs(torque)) {
         refuse(given_.where,
-               fmt::format("torque converter '{}' would give power at a speed ratio of {:.6g}: "
+               fmt::format("torque converter '{}' would generate power at a speed ratio of {:.6g}: "
                            "torque ratio {:.6g}, efficiency {:.6g}",
                            coupling_.name.text,
                            at,

@@ -130,7 +130,7 @@ class FrictionCheck {
       refuse(found_,
              friction.length->where,
              fmt::format("the friction of {} has a length of zero", title_of(coupling_)),
-             "leave 'length' out where the couple across the axis does not count");
+             "leave 'length' out if friction is to ignore the tilting moment");
     }
     check_numbers(friction, bound);
     if (bound.mu_static && *bound.mu_static < bound.mu) {
@@ -150,13 +150,14 @@ class FrictionCheck {
                "write the radius at which it acts, or remove the friction");
         return;
       }
-      refuse(found_,
-             friction.mu->where,
-             fmt::format("nothing presses in {}: it bears no action that its friction depends on",
-                         title_of(coupling_)),
-             coupling_.passive
-                 ? "add the action that presses to 'passive:'"
-                 : "give the radius at which the friction acts, or remove the coefficient");
+      refuse(
+          found_,
+          friction.mu->where,
+          fmt::format("no normal force acts in {}: it bears no action that its friction depends on",
+                      title_of(coupling_)),
+          coupling_.passive
+              ? "add the action that presses to 'passive:'"
+              : "give the radius at which the friction acts, or remove the coefficient");
     }
   }
 
@@ -185,21 +186,20 @@ class FrictionCheck {
                             bool is_borne,
                             std::string_view action) {
       if (value && !is_borne) {
-        refuse(
-            found_,
-            value->where,
-            fmt::format("'{}' of the friction of {} counts for nothing: the coupling bears no {}",
-                        key,
-                        title_of(coupling_),
-                        action),
-            fmt::format("remove '{}'", key));
+        refuse(found_,
+               value->where,
+               fmt::format("'{}' of the friction of {} has no effect: the coupling bears no {}",
+                           key,
+                           title_of(coupling_),
+                           action),
+               fmt::format("remove '{}'", key));
       }
     };
-    demand(friction.length, "length", bears(true, false), "couple across its axis");
+    demand(friction.length, "length", bears(true, false), "tilting moment");
     if (is_journal) {
-      demand(friction.thrust_radius, "thrust_radius", bears(false, true), "force along its axis");
+      demand(friction.thrust_radius, "thrust_radius", bears(false, true), "axial force");
     } else {
-      demand(friction.radius, "radius", bears(true, true), "couple about its axis");
+      demand(friction.radius, "radius", bears(true, true), "torque about its axis");
     }
   }
 

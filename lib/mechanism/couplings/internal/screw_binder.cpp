@@ -42,16 +42,17 @@ void ScrewBinder::check_reciprocal(const CouplingScrews& screws,
                                    Diagnostics& found) const {
   const double error = reciprocity_error(screws, length);
   if (error > kPowerBalance) {
-    found.error("E0314",
-                coupling_.name.where,
-                fmt::format("the actions of {} '{}' do work on its freedoms: {:.2g} of their size",
-                            word_of(coupling_.type),
-                            coupling_.name.text,
-                            error),
-                coupling_.type == CouplingType::screws
-                    ? "list freedoms or constraints alone; the others follow from them"
-                    : "the line of action is perpendicular to the velocity at which the teeth "
-                      "slide; write expressions instead of rounded numbers");
+    found.error(
+        "E0314",
+        coupling_.name.where,
+        fmt::format("the actions of {} '{}' do work on its freedoms: {:.2g} of their magnitude",
+                    word_of(coupling_.type),
+                    coupling_.name.text,
+                    error),
+        coupling_.type == CouplingType::screws
+            ? "list freedoms or constraints alone; the others follow from them"
+            : "the line of action is perpendicular to the velocity at which the teeth "
+              "slide; write expressions instead of rounded numbers");
   }
 }
 

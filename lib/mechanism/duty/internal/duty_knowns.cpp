@@ -59,7 +59,7 @@ std::string why_no_point(const Case& which) {
   }
   return which.asks_motions && which.asks_actions
              ? ""
-             : fmt::format("case '{}' knows no {}",
+             : fmt::format("case '{}' gives no {}",
                            which.label,
                            which.asks_motions ? "torque or force" : "motion");
 }

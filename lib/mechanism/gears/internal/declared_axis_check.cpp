@@ -54,7 +54,7 @@ class DeclaredAxisCheck {
           axis.name.where,
           fmt::format("'side' of axis '{}' is never used: it {}",
                       axis.name.text,
-                      index < 0 ? "is the main axis" : "stands on +y, as the first of its chain"),
+                      index < 0 ? "is the main axis" : "is on +y, as the first of its chain"),
           "write it for another axis, which meshes with the first, or remove it");
     }
   }

@@ -81,11 +81,10 @@ class GearCheck {
       }
       const auto [known, is_new] = axis_of_body_.emplace(body.text, &axis);
       if (!is_new) {
-        auto& problem =
-            context_.found.error("E0314",
-                                 body.where,
-                                 fmt::format("body '{}' stands in 'axes' twice", body.text),
-                                 "a body turns about one axis: write it once");
+        auto& problem = context_.found.error("E0314",
+                                             body.where,
+                                             fmt::format("body '{}' is in 'axes' twice", body.text),
+                                             "a body turns about one axis: write it once");
         problem.notes.push_back({known->second->name.where, "first here"});
       }
     }

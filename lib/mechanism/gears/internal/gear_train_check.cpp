@@ -114,17 +114,18 @@ class GearTrainCheck {
     context_.found.warning(
         "W0305",
         first.name.where,
-        fmt::format("{} stands {} from {} by mesh {}, but {} by mesh {}; it is "
-                    "placed at {}",
-                    planet.bodies.size() == 1
-                        ? fmt::format("{} '{}'", word_of(planet, context_), first.name.text)
-                        : name_of_axis(train_, static_cast<int>(p)),
-                    length(asked(nearest)),
-                    name_of_axis(train_, planet.about),
-                    mesh_in_teeth(nearest),
-                    length(asked(farthest)),
-                    mesh_in_teeth(farthest),
-                    length(distance_of(layout, p))),
+        fmt::format(
+            "the centre distance of {0} from {2} is {1} by mesh {3}, but {4} by mesh {5}; it "
+            "is placed at {6}",
+            planet.bodies.size() == 1
+                ? fmt::format("{} '{}'", word_of(planet, context_), first.name.text)
+                : name_of_axis(train_, static_cast<int>(p)),
+            length(asked(nearest)),
+            name_of_axis(train_, planet.about),
+            mesh_in_teeth(nearest),
+            length(asked(farthest)),
+            mesh_in_teeth(farthest),
+            length(distance_of(layout, p))),
         hint_on_distances(farthest, asked(farthest) - asked(nearest), planet));
   }
 
@@ -142,20 +143,20 @@ class GearTrainCheck {
     const bool is_on_ground = axis.carrier == context_.description.ground.text;
     if (difference > *numbers_.module[m] && is_on_ground) {
       return fmt::format(
-          "if '{}' does not turn on the main axis, write its 'centre_distance', or "
-          "its body on an axis of its own in 'axes'; else correct the teeth",
+          "if '{}' does not turn on the main axis, write its 'centre_distance', or its body on an "
+          "axis of its own in 'axes'; otherwise correct the teeth",
           member(on_centre).name.text);
     }
     if (difference > *numbers_.module[m] && !member(on_centre).internal) {
-      return fmt::format("if '{}' is a ring, add 'internal: true'; else correct the teeth",
+      return fmt::format("if '{}' is a ring, add 'internal: true'; otherwise correct the teeth",
                          member(on_centre).name.text);
     }
     if (is_on_ground) {
-      return "with profile shift write its 'centre_distance', from the drawing; else correct the "
-             "teeth, or the modules";
+      return "with profile shift, give its 'centre_distance' from the drawing; otherwise correct "
+             "the teeth or the modules";
     }
-    return "with profile shift write 'centre_distance' of the planet, from the drawing; else "
-           "correct the teeth, of a plain set ring = sun + 2*planet";
+    return "with profile shift, give 'centre_distance' of the planet from the drawing; otherwise "
+           "correct the teeth: a set without profile shift needs ring = sun + 2*planet";
   }
 
   bool has_member(const Name& body) const {
@@ -205,7 +206,7 @@ class GearTrainCheck {
     context_.found.warning(
         "W0305",
         coupling.at->where,
-        fmt::format("revolute '{}' stands {} from the axis on which its gears turn",
+        fmt::format("revolute '{}' is {} from the axis on which its gears turn",
                     coupling.name.text,
                     length((point->head<2>() - axis.head<2>()).norm())),
         is_planar ? "remove its 'at': 'gears' finds the axis"
@@ -291,8 +292,8 @@ class GearTrainCheck {
     context_.found.error(
         "E0318",
         coupling.name.where,
-        fmt::format("clutch '{}' joins bodies that turn about two axes: '{}' stands {} from {}, "
-                    "'{}' {}, with {} between them",
+        fmt::format("clutch '{}' joins bodies that turn about two axes: '{}' is {} from {}, '{}' "
+                    "{}, with {} between them",
                     coupling.name.text,
                     coupling.tail.text,
                     length(tail),
@@ -324,7 +325,7 @@ class GearTrainCheck {
     context_.found.warning(
         "W0305",
         name.where,
-        fmt::format("mesh {} asks for {} between its centres, which are {} apart",
+        fmt::format("mesh {} requires a centre distance of {}, but its centres are {} apart",
                     mesh_in_teeth(static_cast<int>(m)),
                     length(*mesh.asked),
                     length(mesh.distance)),

@@ -117,7 +117,7 @@ void check_mesh(const MeshLoss& mesh, const SectionContext& context) {
   if (!is_mesh && context.names.couplings.contains(name)) {
     context.found.error("E0313",
                         mesh.coupling.where,
-                        fmt::format("'losses' names coupling '{}', which is no mesh", name),
+                        fmt::format("'losses' names coupling '{}', which is not a mesh", name),
                         fmt::format("a bearing or slider has 'friction:' in 'couplings', for "
                                     "example {}: {{…, friction: 0.1}}",
                                     name));

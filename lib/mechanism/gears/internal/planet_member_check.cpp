@@ -146,7 +146,7 @@ class PlanetMemberCheck {
                     "idler, whose shaft is not the carrier of its mesh",
                     member(index).name.text,
                     shaft),
-        fmt::format("remove 'carrier: {}': the centres of both gears stand still on the ground",
+        fmt::format("remove 'carrier: {}': the centres of both gears are fixed to the ground",
                     shaft));
   }
 
@@ -158,8 +158,7 @@ class PlanetMemberCheck {
       context_.found.error(
           "E0314",
           one.count ? one.count->where : one.centre_distance->where,
-          fmt::format("gear member '{}' stands on the main axis with its body '{}' "
-                      "and has no '{}'",
+          fmt::format("gear member '{}' is on the main axis with its body '{}' and has no '{}'",
                       one.name.text,
                       one.body.text,
                       one.count ? "count" : "centre_distance"),
@@ -169,7 +168,7 @@ class PlanetMemberCheck {
       context_.found.warning(
           "W0301",
           one.name.where,
-          fmt::format("'side' of gear member '{}' is never used: it stands on {}",
+          fmt::format("'side' of gear member '{}' is never used: it is on {}",
                       one.name.text,
                       planet < 0 ? "the main axis" : "+y, as the first of its chain"),
           "write it for another planet, which meshes with the first, or remove it");
@@ -191,7 +190,7 @@ class PlanetMemberCheck {
         std::abs(*own - first) > kReportsAgree * first) {
       context_.found.error("E0314",
                            one.centre_distance->where,
-                           fmt::format("body '{}' stands {} from {} by {} and {} by '{}'",
+                           fmt::format("body '{}' is {} from {} by {} and {} by '{}'",
                                        one.body.text,
                                        length(first),
                                        name_of_axis(train_, axis.about),

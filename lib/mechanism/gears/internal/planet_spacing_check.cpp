@@ -71,8 +71,8 @@ class PlanetSpacingCheck {
                     is_count ? "counts" : "load_sharing",
                     text_of(first),
                     text_of(second)),
-        fmt::format("planets of one body or in mesh with each other stand round the main axis "
-                    "together: write the same '{}', or only one",
+        fmt::format("planets of one body, or in mesh with each other, are arranged around the main "
+                    "axis together: write the same '{}', or only one",
                     is_count ? "count" : "load_sharing"));
   }
 
@@ -105,12 +105,13 @@ class PlanetSpacingCheck {
     context_.found.warning(
         "W0306",
         set.counted->count->where,
-        fmt::format("{} planets '{}' cannot stand at equal angles: {}/{} = {:.6g} is not whole",
-                    set.count,
-                    set.counted->name.text,
-                    sum_in_teeth(meshes, blocking),
-                    set.count,
-                    static_cast<double>(blocking) / set.count),
+        fmt::format(
+            "{} planets '{}' cannot be equally spaced: {}/{} = {:.6g} is not a whole number",
+            set.count,
+            set.counted->name.text,
+            sum_in_teeth(meshes, blocking),
+            set.count,
+            static_cast<double>(blocking) / set.count),
         fitting_counts(sums));
   }
 

@@ -34,7 +34,7 @@ const char* sentence_of(NoProblem reason) {
     case NoProblem::not_asked:
       return "nothing is known of them";
     case NoProblem::open:
-      return "what is known leaves some of them open";
+      return "what is known does not determine some of them";
     case NoProblem::dependent:
       return "what is known contradicts itself";
     case NoProblem::too_large:
@@ -58,7 +58,7 @@ TextBlocks side_blocks(const BenchmarkedCase& one, const Side& side) {
   if (result.reason != NoProblem::none) {
     return result.reason == NoProblem::not_asked
                ? TextBlocks()
-               : TextBlocks(fmt::format("{}: left out, {}\n\n", title, sentence_of(result.reason)));
+               : TextBlocks(fmt::format("{}: skipped, {}\n\n", title, sentence_of(result.reason)));
   }
   std::vector<std::string> head = {"Method", "time [D]", "front"};
   for (const Extreme& extreme : kExtremes) {
@@ -95,7 +95,7 @@ bool is_measured(const BenchmarkedCase& one) {
 TextBlocks case_blocks(const BenchmarkedCase& one) {
   if (is_not_asked(one)) {
     return TextBlocks(
-        fmt::format("Case {}: left out, neither motions nor actions are known\n\n", one.label));
+        fmt::format("Case {}: skipped, neither motions nor actions are known\n\n", one.label));
   }
   TextBlocks blocks;
   for (const Side& side : kSides) {

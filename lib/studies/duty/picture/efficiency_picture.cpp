@@ -307,7 +307,7 @@ class MapDrawing {
       svg_.hatch(box, Ink::soft, kHatch);
       svg_.rectangle(box, {.stroke = Ink::soft, .width = 1.0});
       svg_.text({.x = left + 34.0, .y = y + 11.0},
-                "losses take more than the input gives, or there is no answer",
+                "losses exceed the power of the input, or there is no answer",
                 kSmall);
       y += 24.0;
     }

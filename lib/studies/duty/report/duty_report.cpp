@@ -60,7 +60,7 @@ class DutyText {
       text += fmt::format("  at rest {}\n", with_unit(QuantityKind::time, v_.duty.at_rest));
     }
     if (v_.duty.both_ends > 0.0) {
-      text += fmt::format("  for {} losses take more than the inputs give: the outputs drive too\n",
+      text += fmt::format("  for {} losses exceed the power of the inputs: the outputs drive too\n",
                           with_unit(QuantityKind::time, v_.duty.both_ends));
     }
     for (const UnansweredCase& one : v_.duty.unanswered) {

@@ -171,11 +171,11 @@ class MobilityText {
     }
     switch (analysis_.finite->trials[i].persistence) {
       case Persistence::finite:
-        return "     finite: the mechanism goes along it\n";
+        return "     finite: the mechanism can follow it\n";
       case Persistence::deflected:
         return "     deflected: the mechanism moves, but leaves this direction at once\n";
       case Persistence::instantaneous:
-        return "     instantaneous: the mechanism shakes, but goes nowhere along it\n";
+        return "     instantaneous: the mechanism shakes, but cannot follow it\n";
     }
     return "";
   }
@@ -212,8 +212,8 @@ class MobilityText {
       for (const BodyId body : motion.passive) {
         bodies.push_back(topology_.body(body).name);
       }
-      text += fmt::format("     passive: only {} moves, nothing else feels it\n",
-                          fmt::join(bodies, " and "));
+      text +=
+          fmt::format("     passive: only {} moves, no other body\n", fmt::join(bodies, " and "));
     }
     text += screws(motion);
     return text += "\n";

@@ -86,17 +86,17 @@ std::string passive_remark(const MotionSpace& space) {
   }
   const int rest = space.net_freedom - passive;
   if (rest == 0) {
-    return fmt::format("{} {} is passive: no other body and no actuator feels it.",
+    return fmt::format("{} {} is passive: it moves no other body and no actuator.",
                        passive == 1 ? "The" : "Each of the",
                        freedoms_words(passive));
   }
-  return sentence(fmt::format(
-      "{} of the {} {} passive, which no other body and no actuator feels; {} remain{}.",
-      number_words(passive),
-      freedoms_words(space.net_freedom),
-      passive == 1 ? "is" : "are",
-      number_words(rest),
-      rest == 1 ? "s" : ""));
+  return sentence(
+      fmt::format("{} of the {} {} passive, moving no other body and no actuator; {} remain{}.",
+                  number_words(passive),
+                  freedoms_words(space.net_freedom),
+                  passive == 1 ? "is" : "are",
+                  number_words(rest),
+                  rest == 1 ? "s" : ""));
 }
 
 std::string model_remark(const Redundancies& spatial) {

@@ -63,7 +63,7 @@ class RedundancyText {
             "{} = {} {}", topology.action_name(a), format_short(share), units_.text(kind(a))));
       }
     }
-    const std::string name = one.chord ? fmt::format("{} round the circuit of {}",
+    const std::string name = one.chord ? fmt::format("{} around the circuit of {}",
                                                      constraint_words(analysis_, one),
                                                      topology.coupling(*one.chord).name)
                                        : "through several circuits";

@@ -85,8 +85,10 @@ void add_charts(const MotionTable& motion, const Draw& draw, Figure& figure) {
 }  // namespace
 
 Figure actuator_figure(const MotionTable& motion, const std::string& title) {
-  Figure figure = figure_of(
-      "drive-torque", title, "What each actuator has to give, with its mean and RMS in time.");
+  Figure figure =
+      figure_of("drive-torque",
+                title,
+                "Required torque or force of each actuator, with its mean and RMS in time.");
   add_charts(
       motion,
       [](const ActuatorCharts& charts, const ActuatorFigures& one) { return charts.over_way(one); },
@@ -95,8 +97,8 @@ Figure actuator_figure(const MotionTable& motion, const std::string& title) {
 }
 
 Figure speed_torque_figure(const MotionTable& motion, const std::string& title) {
-  Figure figure =
-      figure_of("speed-torque", title, "What each actuator has to give at which speed of its own.");
+  Figure figure = figure_of(
+      "speed-torque", title, "Required torque or force of each actuator over its own speed.");
   add_charts(
       motion,
       [](const ActuatorCharts& charts, const ActuatorFigures& one) {

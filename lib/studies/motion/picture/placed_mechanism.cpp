@@ -177,7 +177,7 @@ class Placer {
           fmt::format("{} is a singular position: case '{}' has no answer there",
                       placed_.words.front(),
                       printable(mechanism_.cases[static_cast<std::size_t>(which)].label)),
-          "the drawing is without forces; a position just beside has some");
+          "the drawing is without forces; a position close to it has some");
       return;
     }
     const std::optional<ShiftAnalysis> no_shift;

@@ -91,19 +91,24 @@ class DynamicsWriter {
     using enum QuantityKind;
     const std::string efficiency =
         figures.efficiency
-            ? fmt::format("\n  efficiency of the whole {}", format_short(*figures.efficiency))
+            ? fmt::format("\n  efficiency over the motion {}", format_short(*figures.efficiency))
         : figures.no_efficiency.empty()
             ? ""
-            : fmt::format("\n  no efficiency of the whole: {}", figures.no_efficiency);
+            : fmt::format("\n  no efficiency over the motion: {}", figures.no_efficiency);
+    const auto exchanged = [&](double energy) {
+      return fmt::format("{} {}",
+                         energy < 0.0 ? "absorb" : "supply",
+                         amount(QuantityKind::energy, std::abs(energy)));
+    };
     return TextBlocks(fmt::format(
-        "Energy\n  actuators give {}, loads, weights and springs {}, friction takes {}\n  kinetic "
-        "energy changes by {}, at most {}{}{}\n\n",
-        amount(QuantityKind::energy, figures.actuators),
-        amount(QuantityKind::energy, figures.loads),
+        "Energy\n  actuators {}; loads, weights and springs {}; friction dissipates {}\n  net "
+        "change of kinetic energy {}, largest value {}{}{}\n\n",
+        exchanged(figures.actuators),
+        exchanged(figures.loads),
         amount(QuantityKind::energy, figures.lost),
         amount(QuantityKind::energy, figures.kinetic_change),
         amount(QuantityKind::energy, figures.greatest_kinetic),
-        figures.audit ? fmt::format("; audit {:.1g} of that", *figures.audit) : "",
+        figures.audit ? fmt::format("; balance error {:.1g} of that", *figures.audit) : "",
         efficiency));
   }
 
@@ -115,7 +120,7 @@ class DynamicsWriter {
                         wheel.at,
                         format_short(wheel.fluctuation),
                         amount(angular_velocity, wheel.speed));
-    text += fmt::format("  {} gives {} steadily; the energy fluctuates by {}\n",
+    text += fmt::format("  {} then supplies a constant {}; the energy fluctuates by {}\n",
                         wheel.motor,
                         amount(wheel.motor_turns ? moment : force, wheel.mean_action),
                         amount(energy, wheel.energy));
@@ -128,7 +133,7 @@ class DynamicsWriter {
                           amount(angular_velocity, speed.greatest),
                           place(speed.greatest_at));
     } else {
-      text += "  actions hang on speed, so that the speed with it is not known\n";
+      text += "  actions depend on speed, so the speed with it is not known\n";
     }
     return TextBlocks(text + "\n");
   }

@@ -135,7 +135,7 @@ class MotionWriter {
       case MotionEnd::complete:
         return "";
       case MotionEnd::limited:
-        return ": comes to its limit" + where;
+        return ": reaches its limit" + where;
       case MotionEnd::drives_locked:
         return motion_.drives.size() > 1 ? ": cannot run with the others" : ": cannot run";
       case MotionEnd::lost:

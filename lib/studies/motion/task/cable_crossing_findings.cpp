@@ -65,7 +65,7 @@ void add_crossing_cables(const MechanismDescription& description,
                     pulley.cable->name.text,
                     arcs[i] * 180.0 / std::numbers::pi,
                     pulley.station->body.text),
-        "let the motion end before, or write 'turns: 0' at the pulley if it is meant");
+        "end the motion earlier, or write 'turns: 0' at the pulley if it is meant");
     one.element = fmt::format("pulley '{}'", pulley.station->body.text);
     one.size = arcs[i];
   }

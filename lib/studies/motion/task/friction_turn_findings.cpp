@@ -30,14 +30,13 @@ void add_friction_turn_findings(const FoundMotion& motion,
         turn.count == 1
             ? ""
             : fmt::format(", and {} more time{}", turn.count - 1, turn.count == 2 ? "" : "s");
-    found.warning("W0508",
-                  at->where,
-                  fmt::format("friction of '{}' turns round {}{}",
-                              turn.coupling,
-                              turn_place(turn, motion.table),
-                              more),
-                  "there actions jump from those of one direction to those of the other, and at "
-                  "rest they may be anything between; rows at the dead point have none");
+    found.warning(
+        "W0508",
+        at->where,
+        fmt::format(
+            "friction of '{}' reverses {}{}", turn.coupling, turn_place(turn, motion.table), more),
+        "friction changes sign there, so actions jump; at the dead point itself they are not "
+        "determined, and a row exactly there has none");
   }
 }
 

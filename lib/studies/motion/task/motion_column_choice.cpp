@@ -155,7 +155,7 @@ class ColumnChoice {
     if (dotted(name.text) == kTimeColumn) {
       found_.error("E0303",
                    name.where,
-                   "'motion' asks for 'time', and lacks the key 'time'",
+                   "'motion' reports 'time' and therefore needs the key 'time'",
                    "add for example time: 0.5 s");
       return;
     }

@@ -168,7 +168,8 @@ class Findings {
       text +=
           fmt::format("{}{}: at: {}", count == 1 ? "" : ", ", coupling.name, point_text(closed));
     }
-    return "the motion begins at the closed position; other passes take it if it is drawn so: " +
+    return "the motion begins at the closed position; other analyses accept the file if it is "
+           "drawn so: " +
            text;
   }
 
@@ -267,7 +268,7 @@ class Findings {
     found_.warning(
         "W0511",
         at->where,
-        fmt::format("drive '{}' comes to no limit {} {}",
+        fmt::format("drive '{}' reaches no limit {} {}",
                     drive.name,
                     turns ? "within a full turn, to" : "up to",
                     with_unit(drive.to, drive.unit)),
@@ -290,22 +291,26 @@ class Findings {
       found_.error("E0505",
                    place_of_drive(),
                    fmt::format("the drawn position is a limit of '{}' itself", drive.name),
-                   "nothing tells which of the ways from there is meant: draw another position, or "
-                   "drive another coupling");
+                   "the direction from there is not determined: draw another position, or drive "
+                   "another coupling");
       return;
     }
-    found_.error("E0505",
-                 place_of_drive(),
-                 fmt::format("the motion comes to its limit {}, before {} = {}",
-                             has_begun ? reached_text()
-                                       : fmt::format("at {}, on the way to where it begins",
-                                                     drives_text(table_.events.back().drive)),
-                             drive.name,
-                             with_unit(has_begun ? drive.to : drive.from, drive.unit)),
-                 has_begun && !table_.rows.empty()
-                     ? "the report goes up to there; end the motion before, or drive another "
-                       "coupling"
-                     : "let the motion begin and end before that, or drive another coupling");
+    found_.error(
+        "E0505",
+        place_of_drive(),
+        fmt::format("the motion reaches its limit {}, before {} = {}",
+                    has_begun ? reached_text()
+                              : fmt::format("at {}, on the way to where it begins",
+                                            drives_text(table_.events.back().drive)),
+                    drive.name,
+                    with_unit(has_begun ? drive.to : drive.from, drive.unit)),
+        has_begun && !table_.rows.empty()
+            ? fmt::format("the report goes up to there; end the motion earlier{}, or drive another "
+                          "coupling",
+                          table_.drives.size() > 1 || table_.duration ? ""
+                          : drive.to < drive.from ? ", or at the limit with 'to: -limit'"
+                                                  : ", or at the limit with 'to: limit'")
+            : "let the motion begin and end before that, or drive another coupling");
   }
 
   void add_lift_off() const {
@@ -317,7 +322,7 @@ class Findings {
                  fmt::format("the cable lifts off '{}' at {}: there its arc is zero",
                              topology_.body(leaves.tail).name,
                              drives_text(table_.events.back().drive)),
-                 "the report goes up to there; end the motion before, or draw the cable beyond "
+                 "the report goes up to there; end the motion earlier, or draw the cable beyond "
                  "without this pulley");
   }
 
@@ -348,24 +353,22 @@ class Findings {
     }
     found_.error("E0508",
                  motion_.plan.where,
-                 fmt::format("the drives of 'motion' do not determine the motion: {} {} open",
-                             plain_list(names),
-                             names.size() == 1 ? "stays" : "stay"),
+                 fmt::format("the drives of 'motion' do not determine {}", plain_list(names)),
                  "drive one of them too: drives: [{drive: …, to: …}, …]");
   }
 
   void add_lost() const {
     const bool is_singular = motion_.solution.status == MotionStatus::singular;
-    found_.error("E0506",
-                 place_of_drive(),
-                 is_singular ? std::string("the motion cannot leave the drawn position")
-                             : fmt::format("the motion cannot be followed beyond {}",
-                                           reached_text().substr(3)),
-                 is_singular ? "several motions begin there, or none; start from another position, "
-                               "or take more drives"
-                             : "other branches come too near there, or something goes far away: "
-                               "begin behind that or end before, or go another way with more "
-                               "drives");
+    found_.error(
+        "E0506",
+        place_of_drive(),
+        is_singular
+            ? std::string("the motion cannot leave the drawn position")
+            : fmt::format("the motion cannot be followed beyond {}", reached_text().substr(3)),
+        is_singular ? "several motions begin there, or none; start from another position, "
+                      "or take more drives"
+                    : "other branches come too near there, or something goes far away: start after "
+                      "that or end before it, or take another path with more drives");
   }
 
   const FoundMotion& motion_;
@@ -396,7 +399,7 @@ bool check_report(const MotionPlan& plan,
     found.error(
         "E0303",
         plan.where,
-        "'motion' asks for more than positions and lacks the key 'case'",
+        "'motion' reports more than positions and therefore needs the key 'case'",
         fmt::format(
             "{}: case: {}{}",
             mechanism.cases.empty() ? "add a case that gives the speed of the drive, and name it"
@@ -410,7 +413,7 @@ bool check_report(const MotionPlan& plan,
     found.error(
         "E0303",
         which.where,
-        fmt::format("'motion' asks for {}, and case '{}' {}", what, printable(which.label), why),
+        fmt::format("'motion' reports {}, but case '{}' {}", what, printable(which.label), why),
         std::move(hint));
     return false;
   };

@@ -106,18 +106,18 @@ void add_motion_passive_findings(const FoundMotion& motion,
     names.resize(kMostBodiesNamed);
     names.push_back(fmt::format("{} more", count - kMostBodiesNamed));
   }
-  found.warning("W0506",
-                motion.plan.where,
-                fmt::format("how {} {} by itself is not determined, since no other body feels it{}",
-                            has_position ? "far" : "fast",
-                            plain_list(names) +
-                                (has_position ? " has turned or shifted" : " turns or shifts"),
-                            has_position ? ": it depends on the number of steps" : ""),
-                has_position
-                    ? "'kinestat mobility' lists these freedoms; drive one, hold it by a "
-                      "coupling, or report what it does not show"
-                    : "'kinestat mobility' lists these freedoms; give the case the rate of "
-                      "one, hold it by a coupling, or report what it does not show");
+  found.warning(
+      "W0506",
+      motion.plan.where,
+      fmt::format("the {} in an idle freedom of {} is not determined, as it moves no other "
+                  "body{}",
+                  has_position ? "position" : "speed",
+                  plain_list(names),
+                  has_position ? ": it depends on the number of steps" : ""),
+      has_position ? "'kinestat mobility' lists these freedoms; drive one, hold it by a "
+                     "coupling, or report what it does not show"
+                   : "'kinestat mobility' lists these freedoms; give the case the rate of "
+                     "one, hold it by a coupling, or report what it does not show");
 }
 
 }  // namespace kinestat

@@ -52,14 +52,13 @@ class SpeedFindings {
 
   void add_unmoved_drives() {
     if (const MotionRow* first = first_of(is_solved)) {
-      found_.warning(
-          "W0507",
-          motion_.plan.where,
-          fmt::format("velocities are left out at {}: what case '{}' knows does not move "
-                      "the drives there",
-                      places_text(*first, is_solved),
-                      which().label),
-          "give the speed of the drives themselves in 'motion:' of the case");
+      found_.warning("W0507",
+                     motion_.plan.where,
+                     fmt::format("velocities are omitted at {}: the motions that case '{}' gives "
+                                 "do not move the drives there",
+                                 places_text(*first, is_solved),
+                                 which().label),
+                     "give the speed of the drives themselves in 'motion:' of the case");
     }
   }
 
@@ -80,13 +79,14 @@ class SpeedFindings {
     const MotionRow* first = first_of(holds);
     const bool is_named = is_reported("W0503") || is_reported("E0505") || is_reported("E0506");
     if (first != nullptr && !is_named) {
-      found_.warning("W0507",
-                     motion_.plan.where,
-                     fmt::format("velocities are left out at {}: the drives do not determine them "
-                                 "there, or hardly",
-                                 places_text(*first, holds)),
-                     "the position is singular, or so near to it that nothing but rounding would "
-                     "be left; take other steps, or another drive");
+      found_.warning(
+          "W0507",
+          motion_.plan.where,
+          fmt::format(
+              "velocities are omitted at {}: the drives do not determine them there, or hardly",
+              places_text(*first, holds)),
+          "the position is singular, or so near to it that nothing but rounding would "
+          "be left; take other steps, or another drive");
     }
   }
 
@@ -95,7 +95,7 @@ class SpeedFindings {
     if (const MotionRow* first = first_of(holds)) {
       found_.warning("W0507",
                      motion_.plan.where,
-                     fmt::format("accelerations are left out at {}: a singular position is so near "
+                     fmt::format("accelerations are omitted at {}: a singular position is so near "
                                  "that they would be rounding",
                                  places_text(*first, holds)),
                      "velocities are right there; take other steps, or another drive");
@@ -110,8 +110,8 @@ class SpeedFindings {
       if (const MotionRow* first = first_of(holds)) {
         found_.warning("W0507",
                        motion_.plan.where,
-                       fmt::format("some {} are left out at {}: a singular position is so near "
-                                   "that they would be rounding",
+                       fmt::format("some {} are omitted at {}: a singular position is so near that "
+                                   "they would be rounding",
                                    name,
                                    places_text(*first, holds)),
                        "those that are there are right; take other steps, or another drive");

@@ -45,10 +45,10 @@ TimeText text_of(const MotionPlan& plan, const std::string& drive, const std::st
       return {fmt::format("drive '{}' is at rest", drive), "give it a speed or a law"};
     case TimeProblem::never:
       return {
-          fmt::format("drive '{}' never comes to its end with the speed and the acceleration "
-                      "of case '{}'",
-                      drive,
-                      label),
+          fmt::format(
+              "drive '{}' never reaches its end with the speed and the acceleration of case '{}'",
+              drive,
+              label),
           "give 'to' on the side to which it runs, within what it reaches before it turns back, "
           "or 'time' in place of 'to'"};
     case TimeProblem::other_end:
@@ -62,7 +62,7 @@ TimeText text_of(const MotionPlan& plan, const std::string& drive, const std::st
               "leave out 'time' and 'law', or write the place of the limit, which the report of a "
               "motion without them tells"};
     case TimeProblem::other_time:
-      return {fmt::format("drive '{}' comes to its end at another time than the first one", drive),
+      return {fmt::format("drive '{}' reaches its end at another time than the first drive", drive),
               "give 'time' in place of 'to', or a law for all"};
   }
   return {};
@@ -119,7 +119,7 @@ bool check_time(const MotionPlan& plan,
   if (!jumps.empty()) {
     found.warning("W0512",
                   plan.where,
-                  fmt::format("law constant_speed asks for infinite accelerations {}",
+                  fmt::format("law constant_speed requires infinite accelerations {}",
                               places_of(jumps, *plan.schedule, units)),
                   "values at its ends are those between them; polynomial_345 or cycloidal begin "
                   "and end at rest");

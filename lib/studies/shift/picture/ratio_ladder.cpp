@@ -97,7 +97,7 @@ class LadderDrawing {
                 {.ink = Ink::soft, .size = kTickSize, .anchor = Anchor::end});
     }
     svg_.text({.x = -52.0, .y = kLadderHeight / 2},
-              "size of the ratio",
+              "magnitude of the ratio",
               {.size = kTextSize, .anchor = Anchor::middle, .turn = -90.0});
   }
 

@@ -180,7 +180,7 @@ class MatrixDrawing {
       words += fmt::format("; span of the forward gears {}", label_number(*solution_.table.span));
     }
     if (row_count_ < solution_.states.size()) {
-      words += fmt::format("; {} more that are no gear", solution_.states.size() - row_count_);
+      words += fmt::format("; {} more that are not gears", solution_.states.size() - row_count_);
     }
     svg_.text({.x = 2 * kDot + 6.0, .y = y_}, words, {.ink = Ink::soft, .size = kTextSize});
   }

@@ -41,8 +41,8 @@ class ChangeText {
                                        head("engages"),
                                        head("elements"),
                                        head("step"),
-                                       head("slip taken up", QuantityKind::angular_velocity),
-                                       head("and back")};
+                                       head("slip to synchronise", QuantityKind::angular_velocity),
+                                       head("on the way back")};
     for (const GearChange& one : changes) {
       add_row({change_text(one.from, one.to),
                elements_text(one.opens),

@@ -346,10 +346,11 @@ const Record<StateView>& state_record() {
               "cannot move; tie-up: more elements than needed, one of which follows from the "
               "others.",
               [](const View& v) { return word_of(v.state.state.kind); });
-    keys.text("reason",
-              "Why it is no gear, with the bodies held and the freedoms left; of a gear what "
-              "it leaves free, mostly empty.",
-              reason_of);
+    keys.text(
+        "reason",
+        "Why it is not a gear, with the bodies locked and the freedoms that remain; of a gear "
+        "what it leaves free, mostly empty.",
+        reason_of);
     keys.count("freedom",
                "What the engaged elements leave of the net degree of freedom.",
                [](const View& v) { return v.state.state.freedom; });

@@ -303,7 +303,7 @@ class ShiftTables {
       for (const int state : group) {
         names.push_back(name_of(state));
       }
-      text += fmt::format("  of equal ratio: {}\n", fmt::join(names, ", "));
+      text += fmt::format("  gears of equal ratio: {}\n", fmt::join(names, ", "));
     }
     return text.empty() ? "" : text + "\n";
   }
@@ -411,7 +411,7 @@ class ShiftTables {
                            bool of_engaged) const {
     const std::string head = fmt::format("{} [{}]", what, in_.units().text(kind));
     std::vector<TextColumn> columns = {names(head.c_str(), 0, gears_.size())};
-    TextColumn largest{.head = "largest size", .cells = {}};
+    TextColumn largest{.head = "largest magnitude", .cells = {}};
     std::vector<std::optional<double>> sizes(gears_.size(), 0.0);
     for (std::size_t e = 0; e < plan_.elements.size(); ++e) {
       TextColumn column{.head = element_name(static_cast<int>(e)), .cells = {}};

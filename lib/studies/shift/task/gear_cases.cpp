@@ -62,7 +62,7 @@ void refuse_limits_of_no_planet(const ShiftPlan& plan,
           limit.where,
           limit.index < 0
               ? std::string("'planet_speed' of 'limits' holds for planets, and there are none")
-              : fmt::format("'planet_speed' of 'limits' names '{}', which is no planet",
+              : fmt::format("'planet_speed' of 'limits' names '{}', which is not a planet",
                             mechanism.topology.body(BodyId{limit.index}).name),
           "a planet is a gear that nothing but its teeth and a moving carrier holds; limit "
           "another body with 'speed'");

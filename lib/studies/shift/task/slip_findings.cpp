@@ -31,7 +31,7 @@ class SlipJudge {
                        slip.wrong_freewheel == slip.opens
                            ? "locks where it should overrun, so that the change does not begin"
                            : "overruns where it should hold"),
-           "look at 'one_way' and at the signs of the torques");
+           "check 'one_way' and the signs of the torques");
     } else if (slip.end == SlipEnd::never_synchronises) {
       warn(asked,
            fmt::format("'{}' with {} never synchronises: above {} its slip ends",

@@ -95,7 +95,7 @@ class SimulationText {
                         names,
                         one.integrated,
                         one.evaluations);
-    text += fmt::format("  energy explained but for {} of {}; circuits closed to {} of the size\n",
+    text += fmt::format("  energy balance error {} of {}; circuits closed to {} of the size\n",
                         with_unit(QuantityKind::energy, one.energy_drift),
                         with_unit(QuantityKind::energy, one.energy_scale),
                         format_short(one.closure_error));

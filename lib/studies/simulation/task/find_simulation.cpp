@@ -272,7 +272,7 @@ class StartFinder {
       found_.error("E0517",
                    plan_.where,
                    "the start is a singular position: speeds there are not determined",
-                   "begin beside it");
+                   "begin near it");
       return false;
     }
     if (const std::optional<BodyId> body = spinning_body(begin, speeds.size())) {

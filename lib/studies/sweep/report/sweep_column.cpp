@@ -230,7 +230,7 @@ class ColumnSearch {
     MissingEnds missing = missing_ratio_ends(mechanism_, first);
     found_.error("E0303",
                  name.where,
-                 fmt::format("'sweep' asks for '{}', and case '{}' {}",
+                 fmt::format("'sweep' reports '{}', but case '{}' {}",
                              name.text,
                              printable(first.label),
                              missing.what),

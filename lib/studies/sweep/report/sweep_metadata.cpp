@@ -215,11 +215,11 @@ std::string sweep_text(const SweepMetadata& metadata, const SweepCounts& counts)
   text += metadata.keep.empty() ? "\n" : fmt::format(", {} kept\n", counts.kept());
   for (std::size_t i = 0; i < counts.excluded.size() && i < metadata.requirements.size(); ++i) {
     text += fmt::format(
-        "  left out by '{}': {}\n", printable(metadata.requirements[i]), counts.excluded[i]);
+        "  excluded by '{}': {}\n", printable(metadata.requirements[i]), counts.excluded[i]);
   }
   for (std::size_t i = 0; i < counts.dropped.size() && i < metadata.keep.size(); ++i) {
-    text += fmt::format(
-        "  not kept by '{}': {} rows\n", printable(metadata.keep[i]), counts.dropped[i]);
+    text +=
+        fmt::format("  dropped by '{}': {} rows\n", printable(metadata.keep[i]), counts.dropped[i]);
   }
   if (counts.unranked > 0) {
     std::vector<std::string> criteria;

@@ -250,8 +250,8 @@ void refuse_moving_gears(const std::optional<SweptMotion>& motion,
     if (choice.gears[i]) {
       found.error("E0305",
                   sweep.where,
-                  fmt::format("the sweep asks for speeds or loads of a motion, and '{}' is a gear "
-                              "and no case of the file",
+                  fmt::format("the sweep reports speeds or loads of a motion, but '{}' is a gear, "
+                              "not a case of the file",
                               printable(cases[i].label)),
                   "name cases under 'cases:' of 'sweep'");
       return;

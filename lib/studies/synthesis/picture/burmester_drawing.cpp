@@ -402,7 +402,7 @@ class BurmesterWriter {
     }
     if (!reasons.empty()) {
       const std::string beside =
-          partner() ? "rejected beside dyad A: " : "rejected as a crank that drives: ";
+          partner() ? "rejected together with dyad A: " : "rejected as a crank that drives: ";
       legend_line({.stroke = Ink::soft, .width = 1.6, .dash = "3 3"}, beside + reasons, y);
     }
     draw_verdict(y);

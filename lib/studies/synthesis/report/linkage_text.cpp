@@ -303,7 +303,7 @@ TextBlocks linkages_blocks(const SynthesisTask& task,
   if (task.linkages.empty()) {
     const bool is_family = task.dyads->status == BurmesterStatus::family;
     const std::string text = task.dyads->dyads.size() >= 2
-                                 ? "no linkage of the kind that 'linkage' asks for\n"
+                                 ? "no linkage of the kind that 'linkage' requests\n"
                              : is_family ? "no linkage: that takes two dyads that stand alone\n"
                                          : "no linkage: that takes two real dyads\n";
     return TextBlocks(text + left_out_text(task, limits));

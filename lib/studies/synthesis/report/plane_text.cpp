@@ -61,7 +61,7 @@ std::string left_out_text(const SynthesisTask& task, const LinkageLimits& limits
   for (const LeftOutLinkages& one : task.left_out) {
     kinds.push_back(fmt::format("{} usable {}", one.usable, word_of(one.type)));
   }
-  return fmt::format("left out by 'linkage: {}': {}; 'linkage: any' lists all\n",
+  return fmt::format("excluded by 'linkage: {}': {}; 'linkage: any' lists all\n",
                      word_of(*limits.type),
                      fmt::join(kinds, ", "));
 }

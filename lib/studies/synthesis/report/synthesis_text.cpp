@@ -22,7 +22,7 @@ std::string_view phrase_of(Missing missing) {
     case Missing::dyads:
       return "fewer than two real dyads";
     case Missing::kind:
-      return "no linkage of the kind that 'linkage' asks for";
+      return "no linkage of the kind that 'linkage' requests";
   }
   return "";
 }

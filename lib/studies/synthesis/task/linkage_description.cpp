@@ -288,7 +288,7 @@ std::vector<std::string> linkage_comment(const SynthesisAnalysis& analysis,
     lines.push_back(fmt::format("It is not usable: {}.", phrase_of(candidate.defect)));
   }
   if (candidate.best().working_arc) {
-    lines.push_back(fmt::format("The transmission angle keeps {} from the dead points on its way.",
+    lines.push_back(fmt::format("The transmission angle stays {} from the dead points on its way.",
                                 in.angle(candidate.margin())));
   }
   lines.push_back("It is drawn in the first position.");

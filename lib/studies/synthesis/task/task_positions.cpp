@@ -30,7 +30,7 @@ std::pair<std::string, std::string> words_of(SpecificationFault fault) {
     case SpecificationFault::aligned_points:
       return {
           "'at', 'free_point' and 'pole' lie on one line, on which one curvature gives the other",
-          "choose a 'free_point' beside that line"};
+          "choose a 'free_point' off that line"};
     case SpecificationFault::centre_off_normal:
       return {"'centre' does not lie on the line from 'at' to 'pole', the normal of the path",
               "move 'centre' on that line, or correct 'pole'"};
@@ -151,9 +151,9 @@ auto TaskPositions<Number>::position(std::size_t index,
       found.error(
           "E0801",
           given.derivatives.front().at.where,
-          fmt::format("position {}: its first derivative is zero, so that the plane stands still "
-                      "there",
-                      index + 1),
+          fmt::format(
+              "position {}: its first derivative is zero, so that the plane is at rest there",
+              index + 1),
           "give the derivatives by a parameter at which the plane moves, or leave them out");
     }
     return found.error_count() == errors_before ? std::optional(std::move(jets)) : std::nullopt;

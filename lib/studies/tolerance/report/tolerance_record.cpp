@@ -91,7 +91,7 @@ const Record<StackView>& stack_record() {
     const auto has = [](const View& v) { return v.has_tolerances; };
     keys.part("drive",
               shown_record(),
-              "Where the first drive of the motion stands.",
+              "Position of the first drive of the motion.",
               [](const View& v) { return v.drive->value; })
         .only_if([](const View& v) { return v.drive.has_value(); })
         .only_in_tables();

@@ -88,7 +88,7 @@ class LaddersDrawing {
       svg_.text({.x = place(tick), .y = top - 6.0}, label_number(tick), style);
     }
     TextStyle style = {.size = kTextSize, .anchor = Anchor::middle};
-    svg_.text({.x = kAxis / 2, .y = top - 24.0}, "size of the ratio", style);
+    svg_.text({.x = kAxis / 2, .y = top - 24.0}, "magnitude of the ratio", style);
     style = kSmall;
     style.anchor = Anchor::middle;
     for (std::size_t i = 0; i < kColumns.size(); ++i) {
@@ -208,10 +208,10 @@ Picture draw_ladders(const TransmissionAnalysis& analysis) {
   return make_picture(
       "ladders",
       picture_title("Ladders", analysis.file, analysis.description),
-      fmt::format("The best {} of {} ladders: sizes of the ratios from first gear to last on a "
-                  "logarithmic axis, the reverse gear as a ring; of the best transmission of each "
-                  "the mean efficiency, the largest torque of an element and speed of a shaft by "
-                  "those of the input, and how many transmissions have it.",
+      fmt::format("The best {} of {} ladders: magnitudes of the ratios from first gear to last on "
+                  "a logarithmic axis, the reverse gear as a ring; of the best transmission of "
+                  "each the mean efficiency, the largest torque of an element and speed of a shaft "
+                  "by those of the input, and how many transmissions have it.",
                   count,
                   analysis.ladder_count),
       svg);

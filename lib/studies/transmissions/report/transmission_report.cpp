@@ -148,7 +148,7 @@ std::string figures_text(const LadderFigures& figures) {
 
 std::string transmission_sentence(const TransmissionAnalysis& analysis) {
   if (analysis.groups.empty()) {
-    return "No transmission does what is asked.";
+    return "No transmission meets the requirements.";
   }
   std::vector<std::string> ratios;
   const TransmissionVariant& best = analysis.groups.front().variants.front();

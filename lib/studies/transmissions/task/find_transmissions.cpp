@@ -222,11 +222,11 @@ std::optional<TransmissionAnalysis> find_transmissions(const std::string& path,
     warn_of_teeth(analysis, found);
   }
   if (analysis.stages.found == 0 && !options.share) {
-    found.error(
-        "E0804",
-        where,
-        "no transmission was found that does what is asked: " + last_stage_text(analysis.stages),
-        relaxation_text(analysis.task, analysis.stages, for_each));
+    found.error("E0804",
+                where,
+                "no transmission was found that meets the requirements: " +
+                    last_stage_text(analysis.stages),
+                relaxation_text(analysis.task, analysis.stages, for_each));
   }
   return analysis;
 }

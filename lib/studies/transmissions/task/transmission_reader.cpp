@@ -207,8 +207,8 @@ class TaskReader {
                          name,
                          format_short(ratios.range.from),
                          format_short(ratios.range.to)),
-             "planets must stand at equal angles without touching: widen 'sun' and 'ring', or "
-             "allow fewer 'planets'");
+             "planets must be equally spaced and not touch: widen 'sun' and 'ring', or allow fewer "
+             "'planets'");
       return;
     }
     ratios.range = {.from = ratios.values.front(), .to = ratios.values.back()};
@@ -307,7 +307,7 @@ class TaskReader {
     }
     if (ladder.needs_direct && (ladder.first.to < 1.0 || ladder.last.from > 1.0)) {
       refuse(wanted_.gears.forward->where,
-             "'direct' asks for a gear of ratio 1, and 'first' and 'last' exclude it",
+             "'direct' requires a gear of ratio 1, but 'first' and 'last' exclude it",
              "let 'last' begin at 1 or below and 'first' end at 1 or above, or leave 'direct' out");
     }
   }

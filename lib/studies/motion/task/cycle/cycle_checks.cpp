@@ -64,11 +64,11 @@ std::optional<CycleProblem> why_no_inertia(const Mechanism& mechanism, const Fou
   const Case& which = mechanism.cases[static_cast<std::size_t>(plan.which)];
   if (!which.has_inertia()) {
     return CycleProblem{
-        fmt::format("case '{}' of the motion has no forces of inertia", which.label),
+        fmt::format("case '{}' of the motion has no inertia forces", which.label),
         "add acceleration: {} to the case, and mass and inertia to the bodies that have any"};
   }
   if (!plan.schedule || motion.solution.status != MotionStatus::completed) {
-    return CycleProblem{"the motion does not come to its end",
+    return CycleProblem{"the motion does not reach its end",
                         "let it run as far as it goes, from 'from' to 'to' in time"};
   }
   return std::nullopt;
@@ -107,8 +107,9 @@ std::optional<CycleProblem> why_not_steady(const Mechanism& mechanism, const Fou
   for (const Primary& known : which.motions) {
     if (known.index != plan.drives.front().freedom && known.value != 0.0 && !known.is_assumed) {
       return CycleProblem{
-          fmt::format(
-              "case '{}' gives '{}' a speed beside that of the drive", which.label, known.given),
+          fmt::format("case '{}' gives '{}' a speed in addition to that of the drive",
+                      which.label,
+                      known.given),
           "give the speed of the drive alone"};
     }
   }
@@ -130,7 +131,7 @@ std::optional<CycleProblem> why_no_cycle(CycleSampler& sampler) {
   const double count = std::abs(drive.to - drive.from) / (2.0 * std::numbers::pi);
   if (std::abs(count - std::max(1.0, std::round(count))) > kCycleReturns * count) {
     return CycleProblem{
-        fmt::format("drive '{}' makes {:.6g} turns, and a cycle has whole ones", name, count),
+        fmt::format("drive '{}' makes {:.6g} turns; a cycle needs whole turns", name, count),
         "write to: 360 deg, or as many turns as it takes until everything is where it was"};
   }
   const std::optional<MotionPosition> begin = sampler.at(0.0);
@@ -140,17 +141,16 @@ std::optional<CycleProblem> why_no_cycle(CycleSampler& sampler) {
   }
   if (const auto body = find_displaced(mechanism, begin->state.poses, end->state.poses)) {
     return CycleProblem{
-        fmt::format("at the end of the motion body '{}' is not where it was at the begin",
+        fmt::format("at the end of the motion body '{}' is not where it was at the start",
                     mechanism.topology.body(*body).name),
         "let the drive turn as often as it takes until everything is where it was"};
   }
   if (begin->solved && end->solved) {
     if (const auto spring = find_wound_spring(*begin->solved, *end->solved)) {
-      return CycleProblem{
-          fmt::format("at the end of the motion spring '{}' is not as long as at the begin, or "
-                      "not as far turned",
-                      mechanism.springs[*spring].name),
-          "let it join bodies that come back to where they were"};
+      return CycleProblem{fmt::format("at the end of the motion spring '{}' is not as long as at "
+                                      "the start, or not as far turned",
+                                      mechanism.springs[*spring].name),
+                          "let it join bodies that come back to where they were"};
     }
   }
   return std::nullopt;
@@ -165,7 +165,7 @@ std::optional<CycleProblem> why_not_closed(const LegendrePieces& found,
   const VecX end = found.values(found.to());
   for (Eigen::Index f = 0; f < begin.size(); ++f) {
     if (std::abs(end[f] - begin[f]) > kCycleReturns * found.size(static_cast<std::size_t>(f))) {
-      return CycleProblem{"at the end of the motion other forces act than at its begin",
+      return CycleProblem{"at the end of the motion other forces act than at its start",
                           "let the drive turn as often as it takes until everything is as it was"};
     }
   }

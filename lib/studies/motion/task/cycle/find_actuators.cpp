@@ -292,7 +292,7 @@ class ActuatorFinder {
       }
     }
     if (figures.kinetic_change != 0.0) {
-      figures.no_efficiency = "kinetic energy is not at the end what it was at the begin";
+      figures.no_efficiency = "kinetic energy at the end differs from that at the start";
       return;
     }
     const std::vector<bool> slips = find_slipping(topology_);

@@ -43,7 +43,7 @@ class LimitFinder {
           "the rows of the motion say where"};
     }
     if (!holds_at_twice(*found)) {
-      return CycleProblem{"forces hang on speed otherwise than those of inertia do",
+      return CycleProblem{"forces depend on speed in another way than inertia forces do",
                           "leave out friction and damping, or look for the speed by hand: the "
                           "least of the force is among the figures of the motion"};
     }

@@ -106,7 +106,7 @@ class DynamicsFinder {
       found_.warning(
           "W0302",
           plan_.where,
-          fmt::format("'dynamics' is left out of the motion that the options give: {}: {}",
+          fmt::format("'dynamics' is skipped for the motion that the options give: {}: {}",
                       what,
                       problem.message),
           "let the motion be that of the file, or one that is told as a whole");
