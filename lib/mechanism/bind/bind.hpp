@@ -5,10 +5,11 @@
 #include <vector>
 
 #include "core/diagnostic.hpp"
-#include "mechanism/check/section_context.hpp"
 #include "mechanism/mechanism.hpp"
 
 namespace kinestat {
+
+struct CheckedNumber;
 
 /// Evaluates every number and resolves every reference; complains about everything that makes no
 /// sense mechanically, and then about what has no analysis yet (find_unanalysed): E0315 if it

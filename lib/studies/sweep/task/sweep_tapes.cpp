@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "cases/solve_cases.hpp"
+#include "studies/sweep/state_rules.hpp"
 #include "studies/sweep/task/internal/gear_axes_tape.hpp"
 #include "studies/sweep/task/sweep_samples.hpp"
 #include "studies/sweep/task/sweep_screws.hpp"
@@ -211,7 +212,7 @@ std::optional<SweepTapes> record_tapes(const SweepTask& task) {
   using enum SweepInput::From;
   SweepTapes tapes{.rebinder = std::move(rebinder),
                    .bound = std::move(bound),
-                   .rules = StateRules(task.plan, task.description),
+                   .rules = std::make_shared<StateRules>(task.plan, task.description),
                    .tape = notes.recorder.make_tape(notes.outputs),
                    .inputs = notes.inputs,
                    .needs_geometry = has_input(notes, {motion, action, flank}),

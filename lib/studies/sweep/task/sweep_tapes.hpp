@@ -1,25 +1,26 @@
 // The tape of a sweep: from the parameters of a state to what its rows hold.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "math/tapes/lane_tape.hpp"
 #include "mechanism/bind/rebind.hpp"
-#include "studies/sweep/state_rules.hpp"
 #include "studies/sweep/task/bound_numbers.hpp"
 #include "studies/sweep/task/case_tape.hpp"
 #include "studies/sweep/task/sweep_notes.hpp"
 
 namespace kinestat {
 
+class StateRules;
 struct SweepTask;
 
 /// Shared by the workers.
 struct SweepTapes {
-  std::optional<Rebinder> rebinder;   ///< empty: every state is bound as a whole,
-  std::optional<BoundNumbers> bound;  ///< and gives these
-  StateRules rules;                   ///< beside what is bound anew
+  std::optional<Rebinder> rebinder;         ///< empty: every state is bound as a whole,
+  std::optional<BoundNumbers> bound;        ///< and gives these
+  std::shared_ptr<const StateRules> rules;  ///< of what is not bound anew
   LaneTape tape;
   std::vector<SweepInput> inputs;  ///< of the tape, parallel to its own
   bool needs_geometry = false;     ///< some of them are coordinates of screws

@@ -6,6 +6,7 @@
 
 #include "core/tolerance.hpp"
 #include "power/rate_ratio.hpp"
+#include "studies/sweep/state_rules.hpp"
 #include "studies/sweep/task/lane_rows.hpp"
 #include "studies/sweep/task/row_status.hpp"
 #include "studies/sweep/task/state_solver.hpp"
@@ -73,7 +74,7 @@ TapeSolver::TapeSolver(const SweepTask& task, const SweepTapes& tapes, std::size
     }
   }
   binds_states_ = binder_ || tapes.needs_geometry || tapes.needs_primaries || has_combinations_ ||
-                  !others_.empty();
+                  !others_.empty() || !tapes_.rules->are_empty();
   asks_nothing_else_ = std::ranges::none_of(task.gears, &std::optional<SweptGear>::has_value) &&
                        std::ranges::all_of(tapes.cases, [&](const CaseTape& taped) {
                          return taped.columns.size() == task.columns.size() &&
@@ -116,7 +117,7 @@ void TapeSolver::load_axes(const StateWalk& walk, std::size_t lane, std::size_t 
 
 void TapeSolver::load(const StateWalk& walk, std::size_t lane, std::size_t count) {
   load_axes(walk, lane, count);
-  bool is_loaded = tapes_.rules.hold(walk.slots(), scratch_) && (!binds_states_ || rebind(walk));
+  bool is_loaded = tapes_.rules->hold(walk.slots(), scratch_) && (!binds_states_ || rebind(walk));
   is_loaded = is_loaded && (!has_combinations_ || decide_gears(lane));
   for (std::size_t i = 0; is_loaded && i < others_.size(); ++i) {
     is_loaded = load_other(tapes_.inputs[others_[i].input], others_[i].cell, walk, lane);

@@ -37,9 +37,7 @@ class TapeSolver {
 
   /// How many states it may take at once: those that are alike, or one where screws or primaries
   /// are bound for each.
-  std::uint64_t takes(const StateWalk& walk) const {
-    return binds_states_ || !tapes_.rules.are_empty() ? 1 : walk.alike() + 1;
-  }
+  std::uint64_t takes(const StateWalk& walk) const { return binds_states_ ? 1 : walk.alike() + 1; }
 
   /// Takes the state at which the walk stands, and as many that are alike as `count` says with it,
   /// into lanes from this one on.
