@@ -214,7 +214,7 @@ done
         version = json.loads(text.splitlines()[0])["kinestat"]["version"]
         shards[0].write_text(text.replace(f'"version":"{version}"', '"version":"0.0.1"', 1))
         self.refused(3, ["E0906", "version 0.0.1"], *shards)
-        self.refused(3, ["E0906", "no shard"], self.file)
+        self.refused(3, ["E0906", "not a shard"], self.file)
         self.refused(4, ["E0151"], self.folder / "nothing.shard")
 
     def test_shards_outside_their_count_are_refused(self) -> None:

@@ -56,9 +56,17 @@ std::string why_no_circuits(const PictureSource& source) {
 
 std::string why_no_cutsets(const PictureSource& source) {
   const int count = source.analysis->mechanism.graph.cutset_count();
-  return count > kMostGraphs
-             ? fmt::format("its graph has {} cut-sets, more than a picture shows", count)
-             : "";
+  if (count > kMostGraphs) {
+    return fmt::format("its graph has {} cut-sets, more than a picture shows", count);
+  }
+  return count == 0 ? "its graph has no cut-set" : "";
+}
+
+std::string why_no_mechanism(const PictureSource& source) {
+  const bool is_empty = source.placed == nullptr &&
+                        source.analysis->mechanism.topology.couplings.empty() &&
+                        source.analysis->mechanism.topology.body_count() <= 1;
+  return is_empty ? "it has no bodies and no couplings" : "";
 }
 
 Picture draw_mechanism(const PictureSource& source) {
@@ -131,7 +139,7 @@ constexpr auto kDrawingKinds = std::to_array<PictureKind>({
      .sentence = "the mechanism to scale, with the forces of a case",
      .scope = PictureScope::one_case,
      .takes_positions = true,
-     .why_not = why_no_nothing,
+     .why_not = why_no_mechanism,
      .draw = draw_mechanism},
     {.name = "gear-scheme",
      .sentence =
