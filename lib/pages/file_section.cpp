@@ -26,7 +26,9 @@ class FileSection {
     if (page.analysis) {
       LinkageOptions plain;
       plain.shows_forces = false;
-      linkage_ = draw_linkage(*page.analysis, plain);
+      if (has_picture(*find_picture_kind("linkage"), section_.source())) {
+        linkage_ = draw_linkage(*page.analysis, plain);
+      }
       scheme_ =
           draw_gear_scheme(*page.analysis, {.which = {}, .sections = section_.source().sections});
     }
