@@ -13,6 +13,15 @@ inline constexpr double kCoarsestIntegration = 1e-3;
 /// others.
 inline constexpr double kIndependentJoint = 1e-6;
 
+/// Positions of a freedom by two trees of a mechanism are the same to this [rad, or sizes].
+inline constexpr double kSamePosition = 1e-7;
+
+/// Rows so near each other, as share of what is between two, are one.
+inline constexpr double kSameRow = 1e-6;
+
+/// Energy that nothing explains, as share of what is exchanged, is an error from this on.
+inline constexpr double kEnergyMissed = 1e-3;
+
 /// A rotor turns about its axis to this share: as typed.
 inline constexpr double kOffRotorAxis = 1e-6;
 

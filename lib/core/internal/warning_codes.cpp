@@ -213,6 +213,15 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "tensions. Where equilibrium with inertia asks for more, the mechanism becomes another one: "
      "the simulation ends there with the event, and its rows are valid up to it. An impact that "
      "would part something is not carried out."},
+    {"W0515",
+     done,
+     "the energy of a simulation is not explained",
+     "Energy that is stored, supplied and lost should add up; here a share of it is missing that "
+     "is "
+     "no rounding, so positions and speeds are wrong by as much. Give a smaller 'tolerance', or "
+     "more "
+     "'steps' if something acts for a moment only: what happens between steps is looked for in "
+     "each of them."},
     {"W0601",
      done,
      "actions are statically indeterminate",

@@ -269,7 +269,8 @@ class StructureBinder {
         coupling.friction
             ? bind_friction(coupling, id, screws, description_.units, evaluator_, found_)
             : std::nullopt;
-    if (friction && (friction->mu > 0.0 || friction->tau > 0.0 || friction->viscous > 0.0)) {
+    if (friction && (friction->mu > 0.0 || friction->mu_static.value_or(0.0) > 0.0 ||
+                     friction->tau > 0.0 || friction->viscous > 0.0)) {
       frictions_.push_back(*friction);
     }
   }

@@ -185,6 +185,7 @@ bool ReducedSystem::add_forces(double time, const Configuration& configuration) 
     return false;
   }
   springs_ = std::get<std::vector<SpringState>>(springs);
+  spring_forces_ = known.springs;
   for (const Load& load : which_.loads) {
     Vec3 point = Vec3::Zero();
     const std::size_t b = at(load.acts.body.value);
@@ -202,6 +203,9 @@ bool ReducedSystem::add_forces(double time, const Configuration& configuration) 
     const int freedom = mechanism_.topology.actuators[at(label.actuator)].freedom;
     for (std::size_t j = 0; j < units_.size(); ++j) {
       forces_[static_cast<Eigen::Index>(j)] += actions_[a] * unit_rate(j, freedom);
+    }
+    if (balance_ != nullptr) {
+      balance_->add_pair(freedom, actions_[a], loads_);
     }
     powers_.supplied += actions_[a] * state_.rates[at(freedom)].value_or(0.0);
   }
@@ -249,6 +253,13 @@ void ReducedSystem::add_springs(const std::vector<SpringState>& springs,
     const double taken = (against - elastic_tension(spring, now.position)) * now.rate;
     (forces[i] == 0.0 ? powers_.lost : powers_.supplied) += forces[i] == 0.0 ? taken : -taken;
   }
+}
+
+double ReducedSystem::uncut_tension(std::size_t spring) const {
+  Spring both = mechanism_.springs[spring];
+  both.acts = SpringSense::both;
+  const SpringState& now = springs_[spring];
+  return elastic_tension(both, now.position) + both.damping * now.rate - spring_forces_[spring];
 }
 
 std::optional<BodyId> ReducedSystem::wrong_rotor() const {

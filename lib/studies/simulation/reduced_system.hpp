@@ -19,8 +19,8 @@ namespace kinestat {
 /// acceleration is given. One a thread.
 class ReducedSystem {
  public:
-  /// The mechanism and the case must outlive it.
-  /// `balance` may be null where nothing rubs and no actions are asked for.
+  /// The mechanism and the case must outlive it. `balance` may be null where nothing rubs and no
+  /// actions are asked for.
   ReducedSystem(const Mechanism& mechanism,
                 const Case& which,
                 MotionNetwork network,
@@ -52,6 +52,9 @@ class ReducedSystem {
   const StatePowers& powers() const { return powers_; }
 
   std::span<const double> held_actions() const { return held_; }
+
+  /// What a spring between two points would pull in that state if it acted both ways [N].
+  double uncut_tension(std::size_t spring) const;
 
   /// What the rates of a freedom are for unit speeds of all coordinates there.
   VecX direction_of(int freedom) const;
@@ -116,7 +119,6 @@ class ReducedSystem {
   double potential() const;
   std::optional<BodyId> wrong_rotor() const;
   double unit_rate(std::size_t drive, int freedom) const;
-
   const Mechanism& mechanism_;
   Case which_;
   MotionNetwork network_;
@@ -138,6 +140,7 @@ class ReducedSystem {
   std::vector<std::vector<Wrench>> carried_;     // momentum for a unit speed of each coordinate
   LoadState place_;
   std::vector<SpringState> springs_;
+  std::vector<double> spring_forces_;
   std::vector<double> actions_;
   MatX inertia_;
   VecX bias_;

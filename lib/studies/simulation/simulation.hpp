@@ -68,6 +68,7 @@ struct SimulationEvent {
 struct SimulationSolution {
   SimulationEnd end = SimulationEnd::complete;
   SimulationObstacle obstacle;
+  double time = 0.0;             ///< at which it ended [s]
   std::vector<int> coordinates;  ///< freedoms that it begins with
   std::vector<SimulationRow> rows;
   std::vector<SimulationEvent> events;

@@ -9,21 +9,12 @@
 #include "core/motion_tolerance.hpp"
 #include "network/bases.hpp"
 #include "statics/action.hpp"
-#include "statics/equilibrium.hpp"
 #include "statics/indeterminacy.hpp"
 #include "studies/motion/moved_mechanism.hpp"
 
 namespace kinestat {
 
 namespace {
-
-std::vector<int> indices_of(const std::vector<Primary>& primaries) {
-  std::vector<int> indices;
-  for (const Primary& one : primaries) {
-    indices.push_back(one.index);
-  }
-  return indices;
-}
 
 // The power that rolls into the gear, over its speed, presses where it is positive. `hinge` is the
 // first on its axis.
@@ -49,15 +40,19 @@ FrictionLaw law_of_teeth(const Rubbing& one, const Twist& hinge, double sense, d
 }  // namespace
 
 StateBalance::StateBalance(const Mechanism& mechanism,
-                           const Case& which,
                            const MotionNetwork& network,
                            std::span<const DrawnCoupling> drawn)
-    : mechanism_(mechanism), which_(which), network_(network), drawn_(drawn), moved_(mechanism) {
+    : mechanism_(mechanism), network_(network), drawn_(drawn), moved_(mechanism) {
   for (Rubbing one : find_rubbing(mechanism)) {
     one.friction.viscous = 0.0;
     sliding_.push_back(one);
     one.friction.mu = one.friction.mu_static.value_or(one.friction.mu);
     resting_.push_back(std::move(one));
+  }
+  for (const int action : mechanism.topology.driving_actions()) {
+    Primary one;
+    one.index = action;
+    idle_.push_back(one);
   }
 }
 
@@ -66,6 +61,9 @@ void StateBalance::place(const Configuration& configuration,
                          double off) {
   move_mechanism(network_, drawn_, configuration, poses, mechanism_, moved_);
   moved_.closure_error = std::max(kMotionClosure, off);
+  for (const Primary& one : idle_) {
+    moved_.geometry.actions[at(one.index)] = {};
+  }
 }
 
 void StateBalance::add_pair(int freedom, double magnitude, std::vector<BodyWrench>& loads) const {
@@ -77,11 +75,6 @@ void StateBalance::add_pair(int freedom, double magnitude, std::vector<BodyWrenc
                                                        : unit_force<double>(unit.linear, point));
   loads.push_back({.body = coupling.head, .wrench = wrench});
   loads.push_back({.body = coupling.tail, .wrench = -1.0 * wrench});
-}
-
-bool StateBalance::drives(int freedom) const {
-  const auto& actuators = mechanism_.topology.actuators;
-  return std::ranges::find(actuators, freedom, &ActuatorTopology::freedom) != actuators.end();
 }
 
 FrictionLaw StateBalance::law_of(std::size_t friction,
@@ -112,64 +105,26 @@ BodyPair StateBalance::rubbed_bodies(const FrictionLaw& law) const {
   return law.between.value_or(BodyPair{.tail = coupling.tail, .head = coupling.head});
 }
 
-// Those that follow from others, or from equilibrium, are left out.
-std::vector<Primary> StateBalance::primaries_with(std::span<const double> actions,
-                                                  std::span<const BodyWrench> loads) {
-  std::vector<Primary> all = which_.actions;
-  for (std::size_t a = 0; a < all.size(); ++a) {
-    all[a].value = actions[a];
-  }
-  if (!knows_independent_) {
-    std::vector<Primary> kept = all;
-    for (bool depends = true; depends;) {
-      const Equilibrium equilibrium(
-          moved_, action_basis(moved_.geometry, moved_.static_order, loads), indices_of(kept));
-      const PrimaryCheck check = equilibrium.check({});
-      depends = !check.dependences.empty();
-      if (depends) {
-        std::erase_if(kept, [&](const Primary& one) {
-          return one.index == check.dependences.front().terms.front().index;
-        });
-      }
-    }
-    for (std::size_t a = 0; a < all.size(); ++a) {
-      if (std::ranges::find(kept, all[a].index, &Primary::index) != kept.end()) {
-        independent_.push_back(a);
-      }
-    }
-    knows_independent_ = true;
-  }
-  std::vector<Primary> result;
-  for (const std::size_t a : independent_) {
-    result.push_back(all[a]);
-  }
-  return result;
-}
-
-FrictionMagnitudes StateBalance::solve_friction(std::span<const double> actions,
-                                                std::span<const BodyWrench> loads,
+FrictionMagnitudes StateBalance::solve_friction(std::span<const BodyWrench> loads,
                                                 std::span<const FrictionLaw> laws,
                                                 std::span<const std::vector<BodyWrench>> along) {
   std::vector<BodyWrench> outside(loads.begin(), loads.end());
   for (const FrictionLaw& law : laws) {
     outside.push_back({.body = rubbed_bodies(law).head, .wrench = law.unit});
   }
-  const std::vector<Primary> primaries = primaries_with(actions, outside);
   const CoordinateBasis basis = action_basis(moved_.geometry, moved_.static_order, outside);
   return solve_friction_balance({.mechanism = moved_,
                                  .basis = basis,
-                                 .primaries = primaries,
+                                 .primaries = idle_,
                                  .loads = loads,
                                  .laws = laws,
                                  .along = along});
 }
 
-std::vector<std::optional<double>> StateBalance::solve(std::span<const double> actions,
-                                                       std::span<const BodyWrench> loads) {
-  const std::vector<Primary> primaries = primaries_with(actions, loads);
+std::vector<std::optional<double>> StateBalance::solve(std::span<const BodyWrench> loads) {
   const CoordinateBasis basis = action_basis(moved_.geometry, moved_.static_order, loads);
-  const StaticSolution found = resolve_indeterminacy(
-      moved_, basis, primaries, loads, solve_action(moved_, basis, primaries, loads));
+  const StaticSolution found =
+      resolve_indeterminacy(moved_, basis, idle_, loads, solve_action(moved_, basis, idle_, loads));
   std::vector<std::optional<double>> magnitudes = found.magnitudes;
   magnitudes.resize(mechanism_.topology.actions.size());
   return magnitudes;

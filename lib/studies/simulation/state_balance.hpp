@@ -11,12 +11,11 @@
 
 namespace kinestat {
 
-/// Actions of actuators that the case knows are known as far as equilibrium does not say them
-/// itself. One a thread; all must outlive it.
+/// The actions of actuators are among the loads, as all of them are known in a simulation: what
+/// equilibrium says is what couplings bear. One a thread; all must outlive it.
 class StateBalance {
  public:
   StateBalance(const Mechanism& mechanism,
-               const Case& which,
                const MotionNetwork& network,
                std::span<const DrawnCoupling> drawn);
 
@@ -28,9 +27,6 @@ class StateBalance {
   /// An action about or along a freedom, of tail on head, and its opposite.
   void add_pair(int freedom, double magnitude, std::vector<BodyWrench>& loads) const;
 
-  /// Whether an actuator gives an action along that freedom, which equilibrium then says.
-  bool drives(int freedom) const;
-
   /// Of a dry friction, its sliding having that sense and speed; `at_rest` with the coefficient of
   /// rest. Without what is viscous.
   FrictionLaw law_of(std::size_t friction, double sense, double rate, bool at_rest) const;
@@ -38,29 +34,21 @@ class StateBalance {
   /// On which it acts.
   BodyPair rubbed_bodies(const FrictionLaw& law) const;
 
-  /// `actions` are those that the case knows, in its order.
-  FrictionMagnitudes solve_friction(std::span<const double> actions,
-                                    std::span<const BodyWrench> loads,
+  FrictionMagnitudes solve_friction(std::span<const BodyWrench> loads,
                                     std::span<const FrictionLaw> laws,
                                     std::span<const std::vector<BodyWrench>> along);
 
   /// All actions; empty what equilibrium does not determine.
-  std::vector<std::optional<double>> solve(std::span<const double> actions,
-                                           std::span<const BodyWrench> loads);
+  std::vector<std::optional<double>> solve(std::span<const BodyWrench> loads);
 
  private:
-  std::vector<Primary> primaries_with(std::span<const double> actions,
-                                      std::span<const BodyWrench> loads);
-
   const Mechanism& mechanism_;
-  const Case& which_;
   const MotionNetwork& network_;
   std::span<const DrawnCoupling> drawn_;
   Mechanism moved_;
   std::vector<Rubbing> sliding_;  // without what is viscous
   std::vector<Rubbing> resting_;
-  std::vector<std::size_t> independent_;  // of the actions of the case
-  bool knows_independent_ = false;
+  std::vector<Primary> idle_;  // the actions of actuators, which are loads here
 };
 
 }  // namespace kinestat

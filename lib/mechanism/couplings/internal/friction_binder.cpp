@@ -142,7 +142,8 @@ class FrictionCheck {
     }
     check_place(friction);
     check_arms(friction);
-    if (bound.mu > 0.0 && has_friction_law(coupling_) && !has_pressing_action(bound)) {
+    const bool presses = bound.mu > 0.0 || bound.mu_static.value_or(0.0) > 0.0;
+    if (presses && has_friction_law(coupling_) && !has_pressing_action(bound)) {
       if (friction.radius && bound.radius == 0.0) {
         refuse(found_,
                friction.radius->where,
@@ -152,7 +153,7 @@ class FrictionCheck {
       }
       refuse(
           found_,
-          friction.mu->where,
+          bound.mu > 0.0 ? friction.mu->where : friction.mu_static->where,
           fmt::format("no normal force acts in {}: it bears no action that its friction depends on",
                       title_of(coupling_)),
           coupling_.passive

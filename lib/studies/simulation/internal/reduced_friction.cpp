@@ -43,13 +43,9 @@ std::vector<BodyWrench> ReducedSystem::inertial(const VecX& accelerations) const
   return loads;
 }
 
-// But for actuators, whose actions equilibrium says.
 void ReducedSystem::add_held(std::span<const double> held, std::vector<BodyWrench>& loads) const {
   for (std::size_t k = 0; k < held.size(); ++k) {
-    const int freedom = network_.driven_freedoms[free_count_ + k];
-    if (!balance_->drives(freedom)) {
-      balance_->add_pair(freedom, held[k], loads);
-    }
+    balance_->add_pair(network_.driven_freedoms[free_count_ + k], held[k], loads);
   }
 }
 
@@ -127,7 +123,7 @@ bool ReducedSystem::add_friction(VecX& accelerations) {
   }
   std::ranges::copy(inertial(accelerations), std::back_inserter(loads));
   add_held(held_with(accelerations), loads);
-  const FrictionMagnitudes found = balance_->solve_friction(actions_, loads, laws, with_each);
+  const FrictionMagnitudes found = balance_->solve_friction(loads, laws, with_each);
   using enum FrictionOutcome;
   if (found.outcome != solved) {
     obstacle_ = {.kind = found.outcome == none      ? SimulationObstacle::Kind::friction_without_end
@@ -169,7 +165,7 @@ void ReducedSystem::find_borne(const MotionState& state, ReducedState& told) {
                    .zeroed()});
     }
   }
-  told.borne = balance_->solve(actions_, loads);
+  told.borne = balance_->solve(loads);
 }
 
 std::vector<std::optional<double>> ReducedSystem::borne_in(const Impulse& impulse,
@@ -181,10 +177,8 @@ std::vector<std::optional<double>> ReducedSystem::borne_in(const Impulse& impuls
     held.push_back(change * one);
   }
   add_held(held, loads);
-  if (!balance_->drives(freedom)) {
-    balance_->add_pair(freedom, change * impulse.inertia, loads);
-  }
-  return balance_->solve(std::vector<double>(actions_.size(), 0.0), loads);
+  balance_->add_pair(freedom, change * impulse.inertia, loads);
+  return balance_->solve(loads);
 }
 
 }  // namespace kinestat

@@ -51,6 +51,11 @@ Simulator::Simulator(const Mechanism& mechanism,
     : StateInTime(mechanism, network, drawn, plan) {
   find_turns();
   signs_.resize(plan.goals.size(), 0.0);
+  for (std::size_t i = 0; i < mechanism.springs.size(); ++i) {
+    if (mechanism.springs[i].acts != SpringSense::both) {
+      one_sided_springs_.push_back(i);
+    }
+  }
 }
 
 // Times at which a curve over time has a point.
@@ -129,7 +134,8 @@ bool Simulator::makes_progress(double before, std::size_t told) {
 // happen unseen there are no long ones.
 double Simulator::next_end() const {
   const bool is_watched = !plan_.stops.empty() || !plan_.goals.empty() ||
-                          !mechanism_.curves.empty() || has_dry() || !one_sided_.empty();
+                          !mechanism_.curves.empty() || has_dry() || !one_sided_.empty() ||
+                          !one_sided_springs_.empty();
   const auto turn = std::ranges::upper_bound(turns_, time_ + least_step());
   double end = turn == turns_.end() ? plan_.duration : std::min(plan_.duration, *turn);
   end = std::min(end, turn_.value_or(end));
@@ -146,11 +152,12 @@ bool Simulator::advance() {
   }
   borne_at_.reset();
   obstacle_ = {.kind = SimulationObstacle::Kind::no_step};
+  note_fastest();
   if (!integration_->step(next_end())) {
     return false;
   }
   ++result_.integrated;
-  // A step over a point of a curve is taken again up to there.
+  // A step over a point of a curve, or over the end of a contact, is taken again up to there.
   turn_ = find_turn();
   if (turn_ && *turn_ < integration_->time() - least_step()) {
     step_ = *turn_ - time_;
@@ -175,9 +182,7 @@ bool Simulator::advance() {
   const std::size_t free = free_count();
   supplied_ = state_[2 * free];
   lost_ = state_[2 * free + 1];
-  for (std::size_t j = 0; j < free; ++j) {
-    fastest_ = std::max(fastest_, std::abs(state_[free + j]) / unit_of(j));
-  }
+  note_fastest();
   step_ = integration_->next_step();
   if (first) {
     return meet(*first);
@@ -279,9 +284,16 @@ SimulationSolution Simulator::stuck() {
 
 SimulationSolution Simulator::finish() {
   result_.evaluations = evaluations_;
+  result_.time = time_;
   const bool has_last = !result_.rows.empty() && result_.rows.back().time >= time_;
   if (!has_last) {
-    (void)add_row(time_, state_);
+    // A row that only rounding tells from the last one is that one.
+    const double spacing = plan_.duration / plan_.steps;
+    const bool is_same =
+        !result_.rows.empty() && time_ - result_.rows.back().time <= kSameRow * spacing;
+    if (add_row(time_, state_) && is_same) {
+      result_.rows.erase(result_.rows.end() - 2);
+    }
   }
   for (const SimulationRow& row : result_.rows) {
     const SimulationRow& first = result_.rows.front();

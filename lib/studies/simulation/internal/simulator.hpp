@@ -5,10 +5,14 @@
 #include <span>
 #include <vector>
 
+#include "studies/simulation/internal/happening.hpp"
 #include "studies/simulation/internal/state_in_time.hpp"
 #include "studies/simulation/simulation.hpp"
 
 namespace kinestat {
+
+// A step is looked at in so many parts for what happens in it.
+inline constexpr int kLooks = 4;
 
 class Simulator : private StateInTime {
  public:
@@ -36,16 +40,6 @@ class Simulator : private StateInTime {
 
   // Or others, where these tell the motions apart much worse.
   bool keep_coordinates();
-
-  // What may end a step: a goal, a stop that is struck, one that is left, sliding that comes to an
-  // end, couplings that stick and give way.
-  struct Happening {
-    SimulationEvent::Kind kind = SimulationEvent::Kind::goal;
-    std::size_t index = 0;  // of stick the friction, of slip the group; of what parts into
-                            // one_sided_, contacts of cables, or arcs
-    double time = 0.0;
-    int sense = 0;  // in which a group would give way
-  };
 
   // Positive before it happens.
   std::optional<double> distance(const Happening& what, double time);
@@ -87,6 +81,9 @@ class Simulator : private StateInTime {
                                   std::span<const double> y);
 
   std::size_t held_place(std::size_t stop) const;
+
+  // Whether what is held keeps it where it is, at the state that was accelerated last.
+  bool is_kept(int freedom) const;
   std::vector<Happening> possible() const;
 
   // What ends the simulation because a cable or a contact does not hold, and how far it is from
@@ -106,8 +103,10 @@ class Simulator : private StateInTime {
 
   std::optional<Happening> find_first();  // in the last step
 
-  // The first time in it at which a curve over a position or a speed is at a point.
+  // The first time in it at which a curve over a position or a speed is at a point, or a spring
+  // that acts one way begins or ceases to act.
   std::optional<double> find_turn();
+  std::optional<double> find_spring_turn(std::size_t spring, double from, double to);
 
   // Between a place where it has not happened and one where it has.
   double root(const Happening& what, double low, double high);
@@ -140,6 +139,7 @@ class Simulator : private StateInTime {
   std::vector<std::optional<double>> borne_;  // all actions
   std::optional<double> borne_at_;            // then
   std::vector<double> arcs_;                  // of cables on pulleys, there
+  std::vector<std::size_t> one_sided_springs_;
   int next_row_ = 0;
   int standstill_ = 0;           // events at one time
   std::size_t told_before_ = 0;  // events before these

@@ -14,9 +14,6 @@ namespace kinestat {
 
 namespace {
 
-// A step is looked at in so many parts for what ends it.
-constexpr int kLooks = 4;
-
 // A rebound that is lower than the tolerance times this, in sizes or radians, is none.
 constexpr double kNoRebound = 1.0;
 
@@ -27,27 +24,6 @@ constexpr int kMostHalvings = 200;
 
 // So many stops that are touched at once are tried in all ways.
 constexpr std::size_t kMostAtOneTime = 8;
-
-// The first point of a curve on the way from one argument to another; one at which the way begins
-// is left behind.
-std::optional<double> next_point(const Curve& curve, double from, double to) {
-  const double period = curve.period.value_or(0.0);
-  const double near = kAtPoint * (curve.at.back() - curve.at.front());
-  std::optional<double> next;
-  for (const double at : curve.at) {
-    double point = at;
-    if (period > 0.0) {
-      point += period * (to > from ? std::ceil((from + near - at) / period)
-                                   : std::floor((from - near - at) / period));
-    }
-    const bool is_ahead =
-        to > from ? point > from + near && point < to : point < from - near && point > to;
-    if (is_ahead && (!next || std::abs(point - from) < std::abs(*next - from))) {
-      next = point;
-    }
-  }
-  return next;
-}
 
 }  // namespace
 
@@ -106,12 +82,28 @@ std::size_t Simulator::held_place(std::size_t stop) const {
   return place;
 }
 
+bool Simulator::is_kept(int freedom) const {
+  const VecX along = system_->direction_of(freedom);
+  double moves = 0.0;
+  for (std::size_t j = 0; j < free_count(); ++j) {
+    moves += std::abs(along[static_cast<Eigen::Index>(j)]) * unit_of(j) / unit(freedom);
+  }
+  for (std::size_t k = 0; k < plan_.held.size(); ++k) {
+    const auto row = static_cast<Eigen::Index>(free_count() + k);
+    moves += std::abs(along[row] * held_speed(k));
+  }
+  return !(moves > kIndependentJoint);
+}
+
 std::vector<Simulator::Happening> Simulator::possible() const {
   std::vector<Happening> all = possible_partings();
   for (std::size_t g = 0; g < plan_.goals.size(); ++g) {
     all.push_back({.kind = SimulationEvent::Kind::goal, .index = g});
   }
   for (std::size_t s = 0; s < plan_.stops.size(); ++s) {
+    if (!rests_[s] && is_kept(plan_.stops[s].of.freedom)) {
+      continue;
+    }
     all.push_back(
         {.kind = rests_[s] ? SimulationEvent::Kind::release : SimulationEvent::Kind::impact,
          .index = s});
@@ -151,46 +143,6 @@ std::optional<Simulator::Happening> Simulator::find_first() {
       }
       low = high;
     }
-  }
-  return first;
-}
-
-std::optional<double> Simulator::find_turn() {
-  const double from = integration_->time_before() + 2.0 * least_step();  // not the last one again
-  const double to = integration_->time();
-  std::optional<double> first;
-  if (from >= to) {
-    return first;
-  }
-  for (const Curve& curve : mechanism_.curves) {
-    if (curve.over == Curve::Over::time) {
-      continue;
-    }
-    const auto argument = [&](double time) {
-      std::vector<double> y(state_.size());
-      time == to ? void(std::ranges::copy(integration_->state(), y.begin()))
-                 : integration_->state_at(time, y);
-      return curve.over == Curve::Over::position ? position_at(curve.freedom, time, y)
-                                                 : speed_at(curve.freedom, time, y);
-    };
-    const std::optional<double> before = argument(from);
-    const std::optional<double> behind = argument(first.value_or(to));
-    const std::optional<double> point =
-        before && behind ? next_point(curve, *before, *behind) : std::nullopt;
-    if (!point) {
-      continue;
-    }
-    double low = from;
-    double high = first.value_or(to);
-    const double side = *before < *point ? 1.0 : -1.0;
-    while (high - low > 2.0 * kEpsilon * std::abs(high)) {
-      const double middle = 0.5 * (low + high);
-      if (middle <= low || middle >= high) {
-        break;
-      }
-      (side * (*point - argument(middle).value_or(*point)) > 0.0 ? low : high) = middle;
-    }
-    first = high;
   }
   return first;
 }

@@ -21,7 +21,7 @@ StateInTime::StateInTime(const Mechanism& mechanism,
       topology_(mechanism.topology),
       network_(network),
       plan_(plan),
-      balance_(mechanism, mechanism.cases.front(), network, drawn),
+      balance_(mechanism, network, drawn),
       frictions_(find_rubbing(mechanism)),
       senses_(frictions_.size()) {
   for (std::size_t i = 0; i < frictions_.size(); ++i) {
@@ -262,6 +262,13 @@ double StateInTime::speed_along(int freedom) const {
 
 int StateInTime::freedom_of(std::size_t friction) const {
   return frictions_[friction].slides.front().freedom;
+}
+
+void StateInTime::note_fastest() {
+  const std::size_t free = free_count();
+  for (std::size_t j = 0; j < free; ++j) {
+    fastest_ = std::max(fastest_, std::abs(state_[free + j]) / unit_of(j));
+  }
 }
 
 double StateInTime::fastest() const {

@@ -81,6 +81,9 @@ class StateInTime {
   int freedom_of(std::size_t friction) const;
   std::optional<double> sliding_at(std::size_t friction, double time, std::span<const double> y);
 
+  // By the speeds of the free coordinates in the state.
+  void note_fastest();
+
   // So far and now [rad/s or sizes/s].
   double fastest() const;
 

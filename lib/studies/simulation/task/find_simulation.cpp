@@ -14,6 +14,7 @@
 #include "mechanism/label_kind.hpp"
 #include "studies/motion/configuration.hpp"
 #include "studies/motion/motion.hpp"
+#include "studies/simulation/simulation_network.hpp"
 #include "studies/simulation/task/read_simulation.hpp"
 #include "studies/simulation/task/simulation_findings.hpp"
 #include "studies/simulation/task/simulation_limits.hpp"
@@ -22,21 +23,17 @@ namespace kinestat {
 
 namespace {
 
-// Where the mechanism begins, and with which speeds of all joints.
-struct Beginning {
-  MotionNetwork network;
-  Configuration configuration = {};
-  std::vector<int> coordinates = {};  // rates of joints
-  VecX rates = {};
-};
-
 class StartFinder {
  public:
   StartFinder(const Mechanism& mechanism, const SimulationPlan& plan, Diagnostics& found)
       : mechanism_(mechanism), topology_(mechanism.topology), plan_(plan), found_(found) {}
 
-  std::optional<Beginning> find(const std::vector<DrawnCoupling>& drawn) {
-    const MotionNetwork network = make_motion_network(mechanism_, drawn, with_frictions(drawn));
+  std::optional<SimulationBegin> find(const std::vector<DrawnCoupling>& drawn) {
+    const std::vector<int> sticking = sticking_freedoms(mechanism_);
+    std::vector<int> more = mechanism_.topology.driven_freedoms();
+    more.insert(more.end(), sticking.begin(), sticking.end());
+    const MotionNetwork network =
+        make_simulation_network(mechanism_, drawn, plan_, named(true), more);
     if (!check_movable(network) || !check_goals(network)) {
       return std::nullopt;
     }
@@ -44,14 +41,27 @@ class StartFinder {
     if (!driven) {
       return std::nullopt;
     }
-    Beginning begin{.network = with_drives(network, *driven)};
+    SimulationBegin begin{.network = with_drives(network, *driven)};
     begin.coordinates = *driven;
-    return go_to_start(begin) ? std::optional(std::move(begin)) : std::nullopt;
+    if (!go_to_start(begin)) {
+      return std::nullopt;
+    }
+    const bool has_all = std::ranges::all_of(
+        sticking, [&](int freedom) { return rate_of_freedom(network, freedom) >= 0; });
+    if (!has_all) {
+      std::vector<int> first = sticking;
+      const std::vector<int> starts = named(true);
+      first.insert(first.end(), starts.begin(), starts.end());
+      const MotionNetwork other =
+          make_simulation_network(mechanism_, drawn, plan_, named(false), first);
+      return begin_in_other_tree(mechanism_, begin, other, rates_of(other)).value_or(begin);
+    }
+    return begin;
   }
 
  private:
-  // Freedoms that must be joints of the tree: those that are given, held or stopped.
-  std::vector<int> named() const {
+  // Freedoms that must be joints of the tree: those that are held or stopped, and those given.
+  std::vector<int> named(bool with_starts) const {
     std::vector<int> all;
     const auto add = [&](const NamedFreedom& one) {
       if (std::ranges::find(all, one.freedom) == all.end()) {
@@ -62,26 +72,12 @@ class StartFinder {
       add(one.of);
     }
     for (const SimulationStart& one : plan_.starts) {
-      add(one.of);
+      if (with_starts) {
+        add(one.of);
+      }
     }
     for (const SimulationStop& one : plan_.stops) {
       add(one.of);
-    }
-    return all;
-  }
-
-  // And those that may stick, as far as no circuit closes in them.
-  std::vector<int> with_frictions(const std::vector<DrawnCoupling>& drawn) const {
-    std::vector<int> all = named();
-    for (const Rubbing& one : find_rubbing(mechanism_)) {
-      const int freedom = one.slides.front().freedom;
-      if (one.slides.size() > 1 || !one.is_dry() || std::ranges::find(all, freedom) != all.end()) {
-        continue;
-      }
-      all.push_back(freedom);
-      if (!make_motion_network(mechanism_, drawn, all).is_movable()) {
-        all.pop_back();
-      }
     }
     return all;
   }
@@ -233,7 +229,7 @@ class StartFinder {
     return true;
   }
 
-  bool go_to_start(Beginning& begin) {
+  bool go_to_start(SimulationBegin& begin) {
     MotionTask task{.drives = {}, .steps = 1};
     std::vector<double> speeds;
     for (const int freedom : begin.network.driven_freedoms) {
@@ -287,8 +283,23 @@ class StartFinder {
     return true;
   }
 
+  // Of the named freedoms, then of the actuators, as far as the tree has them.
+  std::vector<int> rates_of(const MotionNetwork& network) const {
+    std::vector<int> freedoms = named(true);
+    const std::vector<int> driven = topology_.driven_freedoms();
+    freedoms.insert(freedoms.end(), driven.begin(), driven.end());
+    std::vector<int> rates;
+    for (const int freedom : freedoms) {
+      const int rate = rate_of_freedom(network, freedom);
+      if (rate >= 0 && std::ranges::find(rates, rate) == rates.end()) {
+        rates.push_back(rate);
+      }
+    }
+    return rates;
+  }
+
   // Whose inertia a motion would speed up that no other body feels.
-  std::optional<BodyId> spinning_body(const Beginning& begin, std::size_t drives) const {
+  std::optional<BodyId> spinning_body(const SimulationBegin& begin, std::size_t drives) const {
     MotionStates states(begin.network, mechanism_);
     const GivenSpeeds at_rest{.drives = std::vector<DriveSpeed>(drives), .passive = {}};
     const auto motion =
@@ -334,7 +345,7 @@ std::optional<FoundSimulation> find_simulation(const MechanismDescription& descr
     return std::nullopt;
   }
   std::vector<DrawnCoupling> drawn = bind_drawn_couplings(simulated, *mechanism);
-  std::optional<Beginning> begin = StartFinder(*mechanism, *plan, found).find(drawn);
+  std::optional<SimulationBegin> begin = StartFinder(*mechanism, *plan, found).find(drawn);
   if (!begin) {
     return std::nullopt;
   }

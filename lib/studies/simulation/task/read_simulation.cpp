@@ -180,6 +180,13 @@ class SimulationReader {
         plan_.stops.push_back(
             {.of = *of, .place = place, .side = side, .restitution = restitution});
       };
+      if (one.from && one.to && number(*one.from, kind) > number(*one.to, kind)) {
+        found_.error("E0517",
+                     one.target.where,
+                     fmt::format("'from' of the stop of '{}' is above its 'to'", one.target.text),
+                     "exchange the two: 'from' is its least and 'to' its greatest position");
+        continue;
+      }
       add(one.from, -1.0);
       add(one.to, 1.0);
     }

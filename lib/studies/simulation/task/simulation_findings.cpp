@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "core/index.hpp"
+#include "core/simulation_tolerance.hpp"
 #include "core/text.hpp"
 #include "mechanism/label_kind.hpp"
 #include "report/number_format.hpp"
@@ -160,6 +161,24 @@ void warn_of_missed_goals(const FoundSimulation& simulation,
   }
 }
 
+void warn_of_energy(const FoundSimulation& simulation, const FileUnits& units, Diagnostics& found) {
+  const SimulationSolution& solution = simulation.solution;
+  const auto energy = [&](double joules) {
+    return fmt::format("{} {}",
+                       format_short(units.from_si(QuantityKind::energy, joules)),
+                       units.text(QuantityKind::energy));
+  };
+  if (solution.energy_drift > kEnergyMissed * solution.energy_scale) {
+    found.warning("W0515",
+                  simulation.plan.where,
+                  fmt::format("nothing explains {} of the {} that the simulation exchanges",
+                              energy(solution.energy_drift),
+                              energy(solution.energy_scale)),
+                  "give a smaller 'tolerance', or more 'steps' if something acts for a moment "
+                  "only");
+  }
+}
+
 // Cables and contacts whose force equilibrium leaves open.
 void warn_of_unchecked(const FoundSimulation& simulation, Diagnostics& found) {
   std::vector<std::string> names;
@@ -214,7 +233,7 @@ void warn_of_parting(const FoundSimulation& simulation,
 
 void add_obstacle(const FoundSimulation& simulation, const FileUnits& units, Diagnostics& found) {
   const SimulationSolution& solution = simulation.solution;
-  const double time = solution.rows.empty() ? 0.0 : solution.rows.back().time;
+  const double time = solution.time;
   const SimulationObstacle::Kind why = solution.obstacle.kind;
   const bool is_painleve = why == SimulationObstacle::Kind::friction_without_end ||
                            why == SimulationObstacle::Kind::friction_in_two_ways;
@@ -232,6 +251,7 @@ void add_obstacle(const FoundSimulation& simulation, const FileUnits& units, Dia
 void add_simulation_findings(const FoundSimulation& simulation,
                              const FileUnits& units,
                              Diagnostics& found) {
+  warn_of_energy(simulation, units, found);
   warn_of_unchecked(simulation, found);
   switch (simulation.solution.end) {
     case SimulationEnd::complete:

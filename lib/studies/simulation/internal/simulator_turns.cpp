@@ -1,0 +1,114 @@
+// Where within a step what acts has another law.
+#include <algorithm>
+#include <cmath>
+
+#include "core/simulation_tolerance.hpp"
+#include "core/tolerance.hpp"
+#include "studies/simulation/internal/simulator.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// The first point of a curve on the way from one argument to another; one at which the way begins
+// is left behind.
+std::optional<double> next_point(const Curve& curve, double from, double to) {
+  const double period = curve.period.value_or(0.0);
+  const double near = kAtPoint * (curve.at.back() - curve.at.front());
+  std::optional<double> next;
+  for (const double at : curve.at) {
+    double point = at;
+    if (period > 0.0) {
+      point += period * (to > from ? std::ceil((from + near - at) / period)
+                                   : std::floor((from - near - at) / period));
+    }
+    const bool is_ahead =
+        to > from ? point > from + near && point < to : point < from - near && point > to;
+    if (is_ahead && (!next || std::abs(point - from) < std::abs(*next - from))) {
+      next = point;
+    }
+  }
+  return next;
+}
+
+}  // namespace
+
+std::optional<double> Simulator::find_turn() {
+  const double from = integration_->time_before() + 2.0 * least_step();  // not the last one again
+  const double to = integration_->time();
+  std::optional<double> first;
+  if (from >= to) {
+    return first;
+  }
+  for (const Curve& curve : mechanism_.curves) {
+    if (curve.over == Curve::Over::time) {
+      continue;
+    }
+    const auto argument = [&](double time) {
+      std::vector<double> y(state_.size());
+      time == to ? void(std::ranges::copy(integration_->state(), y.begin()))
+                 : integration_->state_at(time, y);
+      return curve.over == Curve::Over::position ? position_at(curve.freedom, time, y)
+                                                 : speed_at(curve.freedom, time, y);
+    };
+    const std::optional<double> before = argument(from);
+    const std::optional<double> behind = argument(first.value_or(to));
+    const std::optional<double> point =
+        before && behind ? next_point(curve, *before, *behind) : std::nullopt;
+    if (!point) {
+      continue;
+    }
+    double low = from;
+    double high = first.value_or(to);
+    const double side = *before < *point ? 1.0 : -1.0;
+    while (high - low > 2.0 * kEpsilon * std::abs(high)) {
+      const double middle = 0.5 * (low + high);
+      if (middle <= low || middle >= high) {
+        break;
+      }
+      (side * (*point - argument(middle).value_or(*point)) > 0.0 ? low : high) = middle;
+    }
+    first = high;
+  }
+  for (const std::size_t spring : one_sided_springs_) {
+    const std::optional<double> one = find_spring_turn(spring, from, first.value_or(to));
+    first = one ? one : first;
+  }
+  return first;
+}
+
+std::optional<double> Simulator::find_spring_turn(std::size_t spring, double from, double to) {
+  std::vector<double> ignored(free_count());
+  const auto tension = [&](double time) -> std::optional<double> {
+    std::vector<double> y(state_.size());
+    time == integration_->time() ? void(std::ranges::copy(integration_->state(), y.begin()))
+                                 : integration_->state_at(time, y);
+    Configuration there;
+    return place(time, y, there) && accelerate(time, there, y, ignored)
+               ? std::optional(system_->uncut_tension(spring))
+               : std::nullopt;
+  };
+  double low = from;
+  std::optional<double> before = tension(low);
+  for (int look = 1; look <= kLooks && before; ++look) {
+    double high = look == kLooks ? to : from + look * (to - from) / kLooks;
+    const std::optional<double> behind = tension(high);
+    if (!behind || (*before < 0.0) == (*behind < 0.0)) {
+      before = behind;
+      low = high;
+      continue;
+    }
+    while (high - low > 2.0 * kEpsilon * std::abs(high)) {
+      const double middle = 0.5 * (low + high);
+      if (middle <= low || middle >= high) {
+        break;
+      }
+      const bool is_before = (tension(middle).value_or(*behind) < 0.0) == (*before < 0.0);
+      (is_before ? low : high) = middle;
+    }
+    return high;
+  }
+  return std::nullopt;
+}
+
+}  // namespace kinestat
