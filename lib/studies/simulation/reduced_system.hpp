@@ -10,6 +10,7 @@
 #include "dynamics/spring_force.hpp"
 #include "studies/motion/joint_follower.hpp"
 #include "studies/motion/motion_state.hpp"
+#include "studies/simulation/internal/acting_friction.hpp"
 #include "studies/simulation/reduced_state.hpp"
 #include "studies/simulation/state_balance.hpp"
 
@@ -69,7 +70,7 @@ class ReducedSystem {
 
   std::optional<Impulse> impulse_at(int freedom) const;
 
-  /// Those of all actions where it changes the freedom by so much [N·s or N·m·s].
+  /// Of all actions where it changes the freedom by so much [N·s or N·m·s].
   std::vector<std::optional<double>> borne_in(const Impulse& impulse, int freedom, double change);
 
   std::optional<double> acceleration_of(int freedom,
@@ -97,15 +98,6 @@ class ReducedSystem {
   void set_speeds(std::span<const double> speeds, std::span<const double> accelerations);
   bool add_friction(VecX& accelerations);
 
-  // A dry friction that slides.
-  struct ActingFriction {
-    std::size_t index = 0;
-    FrictionLaw law;
-    double rate = 0.0;  // against which it works
-    VecX work = {};     // on unit speeds of all coordinates, by unit of it
-    VecX answer = {};   // how it speeds up the free ones, likewise
-  };
-
   std::optional<ActingFriction> acting_friction(std::size_t i);
   std::vector<BodyWrench> along(const ActingFriction& one) const;
   double held_by_inertia(const VecX& accelerations, std::size_t k) const;
@@ -119,6 +111,7 @@ class ReducedSystem {
   double potential() const;
   std::optional<BodyId> wrong_rotor() const;
   double unit_rate(std::size_t drive, int freedom) const;
+
   const Mechanism& mechanism_;
   Case which_;
   MotionNetwork network_;

@@ -9,6 +9,7 @@
 #include "core/motion_tolerance.hpp"
 #include "network/bases.hpp"
 #include "statics/action.hpp"
+#include "statics/equilibrium.hpp"
 #include "statics/indeterminacy.hpp"
 #include "studies/motion/moved_mechanism.hpp"
 
@@ -125,8 +126,30 @@ std::vector<std::optional<double>> StateBalance::solve(std::span<const BodyWrenc
   const CoordinateBasis basis = action_basis(moved_.geometry, moved_.static_order, loads);
   const StaticSolution found =
       resolve_indeterminacy(moved_, basis, idle_, loads, solve_action(moved_, basis, idle_, loads));
+  if (found.status == SolveStatus::inconsistent) {
+    return solve_with_rounding(basis, loads);
+  }
   std::vector<std::optional<double>> magnitudes = found.magnitudes;
   magnitudes.resize(mechanism_.topology.actions.size());
+  return magnitudes;
+}
+
+// The accelerations keep the equations of motion, so that loads in which they are contradict
+// nothing. Where little is borne, what rounding leaves of large loads is yet more than a share of
+// it.
+std::vector<std::optional<double>> StateBalance::solve_with_rounding(
+    const CoordinateBasis& basis, std::span<const BodyWrench> loads) const {
+  std::vector<int> known;
+  for (const Primary& one : idle_) {
+    known.push_back(one.index);
+  }
+  const std::vector<double> zeros(known.size(), 0.0);
+  const Equilibrium equilibrium(moved_, basis, std::move(known), {});
+  const VecX found = equilibrium.solve(zeros, loads).magnitudes;
+  std::vector<std::optional<double>> magnitudes(found.begin(), found.end());
+  for (const int open : equilibrium.check(loads).undetermined) {
+    magnitudes[at(open)] = std::nullopt;
+  }
   return magnitudes;
 }
 

@@ -42,6 +42,9 @@ class StateBalance {
   std::vector<std::optional<double>> solve(std::span<const BodyWrench> loads);
 
  private:
+  std::vector<std::optional<double>> solve_with_rounding(const CoordinateBasis& basis,
+                                                         std::span<const BodyWrench> loads) const;
+
   const Mechanism& mechanism_;
   const MotionNetwork& network_;
   std::span<const DrawnCoupling> drawn_;

@@ -49,7 +49,7 @@ void ReducedSystem::add_held(std::span<const double> held, std::vector<BodyWrenc
   }
 }
 
-std::optional<ReducedSystem::ActingFriction> ReducedSystem::acting_friction(std::size_t i) {
+std::optional<ActingFriction> ReducedSystem::acting_friction(std::size_t i) {
   const auto free = static_cast<Eigen::Index>(free_count_);
   const CouplingId id = frictions_[i].coupling;
   const int sense = senses_[i].sense;

@@ -95,7 +95,7 @@ bool Simulator::is_kept(int freedom) const {
   return !(moves > kIndependentJoint);
 }
 
-std::vector<Simulator::Happening> Simulator::possible() const {
+std::vector<Happening> Simulator::possible() const {
   std::vector<Happening> all = possible_partings();
   for (std::size_t g = 0; g < plan_.goals.size(); ++g) {
     all.push_back({.kind = SimulationEvent::Kind::goal, .index = g});
@@ -120,7 +120,7 @@ std::vector<Simulator::Happening> Simulator::possible() const {
   return all;
 }
 
-std::optional<Simulator::Happening> Simulator::find_first() {
+std::optional<Happening> Simulator::find_first() {
   std::optional<Happening> first;
   const double from = integration_->time_before();
   const double to = integration_->time();

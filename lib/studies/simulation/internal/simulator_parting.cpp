@@ -11,7 +11,7 @@
 
 namespace kinestat {
 
-std::vector<Simulator::Happening> Simulator::possible_partings() const {
+std::vector<Happening> Simulator::possible_partings() const {
   using enum SimulationEvent::Kind;
   std::vector<Happening> all;
   for (std::size_t i = 0; i < one_sided_.size(); ++i) {
