@@ -42,6 +42,7 @@ struct ListOps {
   void* (*item)(void* list, std::size_t index);
   void (*reserve)(void* list, std::size_t count);
   void* (*add)(void* list);  ///< an item at the end
+  void (*drop_last)(void* list);
 
   const void* item_of(const void* list, std::size_t index) const {
     return item(const_cast<void*>(list), index);
@@ -56,6 +57,7 @@ inline constexpr ListOps kListOps = {
     },
     .reserve = [](void* list,
                   std::size_t count) { static_cast<std::vector<T>*>(list)->reserve(count); },
-    .add = [](void* list) -> void* { return &static_cast<std::vector<T>*>(list)->emplace_back(); }};
+    .add = [](void* list) -> void* { return &static_cast<std::vector<T>*>(list)->emplace_back(); },
+    .drop_last = [](void* list) { static_cast<std::vector<T>*>(list)->pop_back(); }};
 
 }  // namespace kinestat

@@ -90,8 +90,11 @@ AnyForm any_by_name(const ElementMembers& members,
                   check_element_name(given, shape, names.found);
                   void* const element = list.add(elements);
                   void* const object = members.value ? members.value->of(element) : element;
-                  (void)read(element_of(names, entry, title), object);
-                  set_name(members, element, std::move(given));
+                  if (read(element_of(names, entry, title), object)) {
+                    set_name(members, element, std::move(given));
+                  } else {
+                    list.drop_last(elements);  // many bad ones need no room
+                  }
                 }
                 return names.found.error_count() == errors_before;
               },

@@ -257,7 +257,7 @@ motion: {drives: [{drive: m1, to: 0.1}, {drive: m2, to: 0.1}], steps: 1}
         done = program.call("motion", "-", text=self.TEXT)
         self.assertEqual(done.returncode, 3, done.stderr)
         self.assertIn("E0508", done.stderr)
-        self.assertIn("c4.wz stays open", done.stderr)
+        self.assertIn("do not determine c4.wz", done.stderr)
 
 
 class ChangePoints(MotionTest):

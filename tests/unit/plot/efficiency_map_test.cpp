@@ -186,8 +186,8 @@ TEST(EfficiencyPicture, SaysWhatIsHatched) {
   const Mapped with = mapped(pair_text(", friction: {tau: 3 N*m}", kPoints));
   const Mapped without = mapped(pair_text("", kPoints));
 
-  EXPECT_TRUE(has(draw_efficiency_maps(with.analysis, with.maps), "losses take more"));
-  EXPECT_FALSE(has(draw_efficiency_maps(without.analysis, without.maps), "losses take more"));
+  EXPECT_TRUE(has(draw_efficiency_maps(with.analysis, with.maps), "losses exceed"));
+  EXPECT_FALSE(has(draw_efficiency_maps(without.analysis, without.maps), "losses exceed"));
 }
 
 using Levels = std::vector<double>;
