@@ -54,6 +54,7 @@ class NameCollector {
  private:
   void add_bodies() {
     if (description_.has_mechanism()) {
+      names_.bodies.reserve(1 + description_.bodies.size());
       names_.bodies.add(description_.ground);
     }
     for (const BodyDescription& body : description_.bodies) {

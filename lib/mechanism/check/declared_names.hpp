@@ -21,6 +21,9 @@ class NameTable {
   NameTable(std::string_view code, std::string_view one, std::string_view many)
       : code_(code), one_(one), many_(many) {}
 
+  /// Makes room for so many.
+  void reserve(std::size_t count) { names_.reserve(count); }
+
   /// Answers where the name was declared before; it then stays as it was.
   std::optional<SourceRange> add(const Name& name);
 

@@ -115,8 +115,8 @@ void SweepAxis::keep_values() {
 }
 
 bool SweepAxis::is_whole(double count) const {
-  constexpr double kLargestWhole = 1e15;
-  return unit_.text.empty() && count == std::floor(count) && std::abs(count) < kLargestWhole;
+  constexpr double kMostCounted = 1e15;
+  return unit_.text.empty() && count == std::floor(count) && std::abs(count) < kMostCounted;
 }
 
 // What two counts that follow each other on a range have for a difference, all have.
