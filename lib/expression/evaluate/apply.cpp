@@ -8,6 +8,7 @@
 #include "core/contract.hpp"
 #include "core/tolerance.hpp"
 #include "expression/evaluate/arithmetic.hpp"
+#include "expression/evaluate/settled_whole.hpp"
 
 namespace kinestat {
 
@@ -105,15 +106,20 @@ Outcome apply_to_bare(Function function, const Quantity& a) {
     case exp:
       return checked({std::exp(a.value), {}}, Zero::underflow);
     case floor:
-      return checked({std::floor(a.value), {}});
+      return checked({std::floor(settled_whole(a.value)), {}});
     case ceil:
-      return checked({std::ceil(a.value), {}});
+      return checked({std::ceil(settled_whole(a.value)), {}});
     default:
       KINESTAT_EXPECTS(function == round);
-      return checked({std::round(a.value), {}});
+      return checked({std::round(settled_whole(2.0 * a.value) / 2.0), {}});
   }
 }
 
+bool is_whole_number(double value) {
+  return std::floor(value) == value && std::abs(value) <= kLargestWhole;
+}
+
+// Of whole numbers it is exact, however large they are.
 Outcome remainder(const Quantity& a, const Quantity& b) {
   if (b.value == 0.0) {
     return Fault{.code = "E0316",
@@ -121,13 +127,13 @@ Outcome remainder(const Quantity& a, const Quantity& b) {
                  .hint = "the second value is not zero",
                  .part = Fault::Part::right};
   }
+  const bool are_whole = is_whole_number(a.value) && is_whole_number(b.value);
+  if (!are_whole && is_settled_whole(a.value / b.value)) {
+    return checked({0.0, a.dimension});
+  }
   const double rest = std::fmod(a.value, b.value);
   const bool has_other_sign = rest != 0.0 && (rest < 0.0) != (b.value < 0.0);
   return checked({has_other_sign ? rest + b.value : rest + 0.0, a.dimension});
-}
-
-bool is_whole_number(double value) {
-  return std::floor(value) == value && std::abs(value) <= kLargestWhole;
 }
 
 Outcome divisor_of(const Quantity& a, const Quantity& b) {

@@ -5,6 +5,7 @@
 #include "core/contract.hpp"
 #include "expression/evaluate/evaluate_as.hpp"
 #include "expression/evaluate/number_traits.hpp"
+#include "expression/evaluate/settled_whole.hpp"
 #include "expression/expression.hpp"
 #include "expression/parameters/parameter_values.hpp"
 #include "expression/units.hpp"
@@ -23,19 +24,17 @@ struct NumberTraits<Dual> {
 
 namespace {
 
-bool is_near_whole(double value) {
-  return is_tie(value, std::round(value));
-}
-
-bool is_near_half(double value) {
-  return is_tie(value, std::round(value - 0.5) + 0.5);
+bool is_settled_half(double value) {
+  return is_settled_whole(2.0 * value) && !is_settled_whole(value);
 }
 
 // mod(a, b) = a - b*floor(a/b), whose floor is constant between its jumps; what moves a in
 // proportion to b does not come to one.
 Dual modulo(const Dual& a, const Dual& b) {
   const Dual quotient = a / b;
-  return a - b * staircase(std::floor(quotient.value), is_near_whole(quotient.value), quotient);
+  return a - b * staircase(std::floor(settled_whole(quotient.value)),
+                           is_settled_whole(quotient.value),
+                           quotient);
 }
 
 Dual apply_function(Function function, const Dual& a, const Dual& b) {
@@ -75,9 +74,9 @@ Dual apply_function(Function function, const Dual& a, const Dual& b) {
       return modulo(a, b);
     case Function::floor:
     case Function::ceil:
-      return staircase(0.0, is_near_whole(a.value), a);
+      return staircase(0.0, is_settled_whole(a.value), a);
     case Function::round:
-      return staircase(0.0, is_near_half(a.value), a);
+      return staircase(0.0, is_settled_half(a.value), a);
     case Function::gcd:
       break;
   }
