@@ -1,5 +1,7 @@
 #include "power/transmission_angle.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <variant>
 #include <vector>
@@ -45,25 +47,41 @@ std::optional<CouplingId> find_driving_coupling(const Topology& topology,
   return result;
 }
 
-// The wrench of the driving coupling while one actuator bears 1, one follows from it and the others
-// bear nothing.
+// The wrench of the driving coupling while the action `loaded` is 1, input and output bear what
+// follows from it, and the other actuators nothing.
 std::optional<BoundedWrench> find_driving_wrench(const Mechanism& mechanism,
                                                  const CoordinateBasis& basis,
                                                  CouplingId driving,
                                                  int loaded,
-                                                 int following) {
-  const std::vector<ActuatorTopology>& actuators = mechanism.topology.actuators;
-  std::vector<Primary> known;
-  for (int i = 0; i < static_cast<int>(actuators.size()); ++i) {
-    if (i != following) {
-      known.push_back({.index = actuators[static_cast<std::size_t>(i)].action,
-                       .value = i == loaded ? 1.0 : 0.0,
-                       .given = {},
-                       .where = {}});
+                                                 const std::array<int, 2>& ends) {
+  std::vector<Primary> known = {{.index = loaded, .value = 1.0, .given = {}, .where = {}}};
+  for (const ActuatorTopology& actuator : mechanism.topology.actuators) {
+    if (std::ranges::find(ends, actuator.action) == ends.end()) {
+      known.push_back({.index = actuator.action, .value = 0.0, .given = {}, .where = {}});
     }
   }
   const StaticSolution solution = solve_action(mechanism, basis, known);
   return solution.wrenches.empty() ? std::nullopt : bounded_wrench(solution, driving);
+}
+
+// While the output is loaded; at a dead point of the input, where only that can load the chain,
+// while the input is; and where the chain is stretched so that neither can, as it stresses itself,
+// which is the limit of what is beside that position.
+std::optional<BoundedWrench> find_driving_wrench(const Mechanism& mechanism,
+                                                 CouplingId driving,
+                                                 int input,
+                                                 int output) {
+  const CoordinateBasis basis = action_basis(mechanism.geometry, mechanism.static_order);
+  const CouplingTopology& coupling = mechanism.topology.coupling(driving);
+  std::vector<int> loaded = {output, input};
+  for (int i = 0; i < coupling.action_count; ++i) {
+    loaded.push_back(coupling.first_action + i);
+  }
+  std::optional<BoundedWrench> wrench;
+  for (std::size_t i = 0; i < loaded.size() && !wrench; ++i) {
+    wrench = find_driving_wrench(mechanism, basis, driving, loaded[i], {input, output});
+  }
+  return wrench;
 }
 
 // Of a force and the motion of the body on which it acts, in whatever sense; `near` is the point of
@@ -87,7 +105,7 @@ AngleOrObstacle angle_between(const BoundedWrench& wrench,
   if (velocity.zeroed().isZero(0.0)) {
     return TransmissionObstacle::rest;
   }
-  const double along = std::abs(force.value.dot(velocity.value));
+  const double along = std::abs(dot(force, velocity).zeroed());
   return std::atan2(along, force.value.cross(velocity.value).norm());
 }
 
@@ -103,12 +121,11 @@ AngleOrObstacle find_angle(const Mechanism& mechanism, int input, int output) {
   if (!driving) {
     return TransmissionObstacle::no_one_coupling;
   }
-  const CoordinateBasis basis = action_basis(mechanism.geometry, mechanism.static_order);
-  std::optional<BoundedWrench> wrench =
-      find_driving_wrench(mechanism, basis, *driving, output, input);
-  if (!wrench) {  // At a dead point of the input only the input can load the chain.
-    wrench = find_driving_wrench(mechanism, basis, *driving, input, output);
-  }
+  const std::optional<BoundedWrench> wrench =
+      find_driving_wrench(mechanism,
+                          *driving,
+                          topology.actuators[static_cast<std::size_t>(input)].action,
+                          driven.action);
   if (!wrench) {
     return TransmissionObstacle::open_force;
   }

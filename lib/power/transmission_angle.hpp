@@ -15,7 +15,8 @@ namespace kinestat {
 ///   sin μ = |F · v| / (|F| |v|),
 /// F the force that reaches the body of the output through its one other coupling while nothing but
 /// input and output bear a load, v the velocity which the output's freedom gives that body on the
-/// line of F, at its point next to the coupling.
+/// line of F, at its point next to the coupling. Where the chain is stretched so that neither can
+/// load it, F is that with which it may stress itself, the limit of what stands beside.
 ///
 /// Empty where the body of the output has more than one other coupling that is not with the same
 /// body, where F is not determined by equilibrium or is a couple, and where v is zero.

@@ -14,6 +14,13 @@ struct PeakSample {
   double value = 0.0;
 };
 
+/// Between which values lie that are folded there, as an angle at 0 and 90 degrees: they come to
+/// the fold, and leave it, in straight lines.
+struct ValueFolds {
+  double least = 0.0;
+  double greatest = 0.0;
+};
+
 /// Of three positions, one after the other.
 using PeakTriple = std::array<PeakSample, 3>;
 

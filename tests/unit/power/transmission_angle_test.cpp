@@ -46,6 +46,20 @@ TEST(TransmissionAngle, IsZeroWhereCouplerAndRockerAreInLine) {
   EXPECT_NEAR(find_transmission_angle(mechanism, 0, 1).value(), 0.0, kTight);
 }
 
+// At the change point of a parallelogram, where all links lie in one line, neither crank nor rocker
+// bears a torque.
+TEST(TransmissionAngle, IsZeroWhereAllLinksAreInLine) {
+  const Mechanism mechanism = mechanism_of(
+      "space: planar\nground: frame\nbodies: [crank, coupler, rocker]\ncouplings:\n"
+      "  a: {type: revolute, bodies: [frame, crank], at: [0, 0]}\n"
+      "  b: {type: revolute, bodies: [crank, coupler], at: [3, 4]}\n"
+      "  c: {type: revolute, bodies: [coupler, rocker], at: [9, 12]}\n"
+      "  d: {type: revolute, bodies: [frame, rocker], at: [6, 8]}\n"
+      "actuators: {Tin: {coupling: a}, Tout: {coupling: d}}\n");
+
+  EXPECT_NEAR(find_transmission_angle(mechanism, 0, 1).value(), 0.0, kTight);
+}
+
 // A rocker a billionth as long as the other links moves its end all the same: d - c = (0, -1),
 // c - b = (6, -3).
 TEST(TransmissionAngle, ExistsHoweverShortTheRocker) {

@@ -29,9 +29,9 @@ void LaneFollower::find_transmission_angles() {
 PeakSearch LaneFollower::search_for(const LaneTarget& target, std::size_t lane) const {
   const Groups& known = target.sign < 0.0 ? least_ : greatest_;
   const bool is_angle = target.place == places_.size();
-  const bool is_folded = is_angle && target.sign > 0.0;
+  const double fold = target.sign > 0.0 ? std::numbers::pi / 2.0 : 0.0;
   PeakSearch search(target.sign * known[target.place].numbers[lane],
-                    is_folded ? std::optional(std::numbers::pi / 2.0) : std::nullopt);
+                    is_angle ? std::optional(fold) : std::nullopt);
   const auto last = at(question_.steps);
   const auto height = [&](std::size_t step) {
     return target.sign * (is_angle ? climbs_.angles[step].share.numbers[lane]

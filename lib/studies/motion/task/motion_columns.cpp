@@ -364,7 +364,7 @@ class ReadingList {
       add(output_name(), "transmission_angle", QuantityKind::angle, [](const MotionPosition& at) {
         return at.transmission_angle;
       });
-      readings_.back().fold = std::numbers::pi / 2.0;
+      readings_.back().folds = {.least = 0.0, .greatest = std::numbers::pi / 2.0};
     }
     std::ranges::move(quotient_readings(units_, mechanism_, plan_), std::back_inserter(readings_));
   }

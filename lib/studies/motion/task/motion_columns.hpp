@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "expression/file_units.hpp"
+#include "studies/motion/peak_search.hpp"
 #include "studies/motion/report/motion_table.hpp"
 #include "studies/motion/task/motion_position.hpp"
 
@@ -23,9 +24,9 @@ struct MotionReading {
   MotionColumn column;
   QuantityKind kind = QuantityKind::dimensionless;
   std::function<std::optional<double>(const MotionPosition&)> value;
-  std::optional<double> fold = {};  ///< at which values are folded: none is above it
-  bool is_idle = false;             ///< without values, as nothing determines it
-  bool is_size = false;             ///< without its sign
+  std::optional<ValueFolds> folds = {};
+  bool is_idle = false;  ///< without values, as nothing determines it
+  bool is_size = false;  ///< without its sign
   std::function<std::optional<QuotientParts>(const MotionPosition&)> parts = {};  ///< of a quotient
   std::function<std::optional<double>(const MotionPosition&)> alone =
       {};  ///< of a component: reads

@@ -113,9 +113,16 @@ MotionPosition MotionPositions::at(const Configuration& configuration,
   }
   place(configuration, position);
   const bool lacks_velocities = asks_speeds && !position.has_speeds();
-  if (!position.state.is_singular &&
-      (detail_.statics || detail_.transmission_angle || lacks_velocities)) {
+  const bool has_passes = !position.state.is_singular && (detail_.statics || lacks_velocities);
+  if (detail_.transmission_angle || has_passes) {
     move(configuration, position);
+  }
+  if (detail_.transmission_angle) {
+    const Case& which = mechanism_.cases[static_cast<std::size_t>(plan_.which)];
+    position.transmission_angle =
+        find_transmission_angle(moved_, which.inputs.front(), which.outputs.front());
+  }
+  if (has_passes) {
     solve_passes(configuration, found.speeds, position);
   }
   return position;
@@ -203,17 +210,8 @@ void MotionPositions::solve_passes(const Configuration& configuration,
     which.accelerations = which.has_inertia() ? now_->accelerations : std::nullopt;
     which.asks_motions = now_->asks_motions;
   }
-  if (detail_.transmission_angle) {
-    position.transmission_angle =
-        find_transmission_angle(moved_, which.inputs.front(), which.outputs.front());
-  }
   Case judged = which;
   judged.asks_actions = which.asks_actions && detail_.statics;
-  const bool lacks_velocities =
-      (detail_.velocity || detail_.acceleration) && !position.has_speeds();
-  if (!detail_.statics && !lacks_velocities) {
-    return;
-  }
   std::optional<InertialMotion> inertial;
   std::optional<InertiaObstacle> obstacle;
   if (judged.asks_actions && judged.has_inertia() && position.has_speeds()) {

@@ -394,8 +394,11 @@ class TableMaker {
     for (const MotionReading& one : readings_) {
       climbed.emplace_back();
       if (!scope_.extremes || is_among(*scope_.extremes, one.column.name())) {
-        climbed.back() = {.fold = one.fold ? std::optional(in_unit(one.kind, *one.fold))
-                                           : std::nullopt};
+        climbed.back() = ClimbedColumn();
+        if (one.folds) {
+          climbed.back()->folds = {.least = in_unit(one.kind, one.folds->least),
+                                   .greatest = in_unit(one.kind, one.folds->greatest)};
+        }
       }
     }
     MotionPositions positions(mechanism_, plan_, motion_.network, motion_.drawn, detail_);

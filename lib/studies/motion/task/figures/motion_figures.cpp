@@ -98,7 +98,9 @@ class FigureMaker {
       return value ? std::optional(PeakSample{.share = samples[i].share, .value = sign * *value})
                    : std::nullopt;
     };
-    PeakSearch search(sign * found.value, sign > 0.0 ? climbed_[column]->fold : std::nullopt);
+    const std::optional<ValueFolds>& folds = climbed_[column]->folds;
+    const auto fold = [&] { return sign > 0.0 ? folds->greatest : -folds->least; };
+    PeakSearch search(sign * found.value, folds ? std::optional(fold()) : std::nullopt);
     for (std::size_t i = 1; i + 1 < samples.size(); ++i) {
       const std::optional<PeakSample> before = sample(i - 1);
       const std::optional<PeakSample> there = sample(i);

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "studies/motion/peak_search.hpp"
 #include "studies/motion/report/motion_table.hpp"
 
 namespace kinestat {
@@ -18,7 +19,7 @@ using BetweenSteps =
 
 /// A column whose extremes are looked for between the steps.
 struct ClimbedColumn {
-  std::optional<double> fold = {};  ///< at which its values are folded, as an angle at 90 degrees
+  std::optional<ValueFolds> folds = {};
 };
 
 /// A position between two steps that figures are to see.
