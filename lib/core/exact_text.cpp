@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include <fmt/compile.h>
 
@@ -11,19 +12,22 @@ namespace kinestat {
 
 // fmt, with its format compiled and into a buffer, takes the time of std::to_chars; this has other
 // exponents, as in 1e+05.
-void append_exact(double value, std::string& text) {
+char* write_exact(double value, char* text) {
   KINESTAT_EXPECTS(std::isfinite(value));
   if (value == 0.0) {
-    text += "0.0";
-    return;
+    return std::ranges::copy(std::string_view("0.0"), text).out;
   }
-  char digits[kLongestExact];
-  char* end = fmt::format_to(&digits[0], FMT_COMPILE("{}"), value);
-  if (std::none_of(&digits[0], end, [](char c) { return c == '.' || c == 'e'; })) {
+  char* end = fmt::format_to(text, FMT_COMPILE("{}"), value);
+  if (std::none_of(text, end, [](char c) { return c == '.' || c == 'e'; })) {
     *end++ = '.';
     *end++ = '0';
   }
-  text.append(&digits[0], end);
+  return end;
+}
+
+void append_exact(double value, std::string& text) {
+  char digits[kLongestExact];
+  text.append(&digits[0], write_exact(value, &digits[0]));
 }
 
 }  // namespace kinestat

@@ -1,12 +1,14 @@
 // The rows of a sweep as text: wide CSV, or one JSON object a line.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/exact_text.hpp"
 #include "studies/sweep/report/sweep_column.hpp"
 #include "studies/sweep/sweep_plan.hpp"
 
@@ -63,7 +65,11 @@ class SweepRowText {
   // A value with its text: in the next row of the case it is often the same.
   struct Cell {
     double value = 0.0;
-    std::string text;
+    std::array<char, kLongestExact> text = {};
+    std::ptrdiff_t length = 0;
+
+    /// Where the text of the next value ends, which there is room for.
+    char* append(double next, char* end);
   };
 
   void append_parameter(std::size_t axis, std::uint64_t place);
@@ -76,6 +82,7 @@ class SweepRowText {
   std::vector<std::uint64_t> places_;  ///< of the state
   std::vector<std::size_t> ends_;      ///< of the text of each axis in the beginning
   std::vector<Cell> cells_;            ///< of each case the quantities, as its last row has them
+  std::vector<char> numbers_;          ///< of the row that is being written, with room for any
 };
 
 }  // namespace kinestat
