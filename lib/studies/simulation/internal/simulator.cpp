@@ -21,9 +21,10 @@ constexpr double kBetterCoordinates = 10.0;
 // Where something may happen between steps, there are so many of them at least.
 constexpr int kLeastWatched = 100;
 
-// So many events at one time, and steps of the integration, are too many.
+// So many events at one time, and in all, are too many, and so many accelerations: they take half a
+// minute.
 constexpr int kMostAtOnce = 1000;
-constexpr int kMostSteps = 20'000'000;
+constexpr int kMostEvaluations = 2'000'000;
 constexpr std::size_t kMostEvents = 100'000;
 
 // No more points of curves are sought.
@@ -123,7 +124,7 @@ bool Simulator::makes_progress(double before, std::size_t told) {
     obstacle_ = {.kind = SimulationObstacle::Kind::no_progress};
     return false;
   }
-  if (result_.integrated > kMostSteps || result_.events.size() > kMostEvents) {
+  if (evaluations_ > kMostEvaluations || result_.events.size() > kMostEvents) {
     obstacle_ = {.kind = SimulationObstacle::Kind::too_many_steps};
     return false;
   }

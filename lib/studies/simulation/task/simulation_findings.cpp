@@ -61,7 +61,8 @@ std::string name_of(const SimulationObstacle& obstacle, const Mechanism& mechani
     case no_step:
       return "the steps of the integration vanish there";
     case too_many_steps:
-      return "its steps are too many; so fast is something against 'time'";
+      return "it has come there only after two million accelerations; so fast is something against "
+             "'time'";
   }
   return "";
 }
