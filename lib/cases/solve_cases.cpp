@@ -118,8 +118,7 @@ CoordinateBasis basis_for(const Mechanism& mechanism,
   for (const FrictionLaw& law : laws) {
     outside.push_back({.body = mechanism.topology.coupling(law.coupling).head, .wrench = law.unit});
   }
-  return outside.empty() ? common
-                         : action_basis(mechanism.geometry, mechanism.static_order, outside);
+  return action_basis(common, mechanism.geometry, outside);
 }
 
 // How much of a case is worked out.

@@ -45,13 +45,20 @@ CoordinateBasis motion_basis(const Geometry& geometry, OrderChoice order) {
 CoordinateBasis action_basis(const Geometry& geometry,
                              OrderChoice order,
                              std::span<const BodyWrench> loads) {
-  const Mat6X actions = columns_of(geometry.actions);
-  CoordinateBasis basis = basis_of(actions, ScrewKind::wrench, order, geometry.length);
-  if (holds(basis, loads)) {
-    return basis;
+  return action_basis(
+      basis_of(columns_of(geometry.actions), ScrewKind::wrench, order, geometry.length),
+      geometry,
+      loads);
+}
+
+CoordinateBasis action_basis(CoordinateBasis of_actions,
+                             const Geometry& geometry,
+                             std::span<const BodyWrench> loads) {
+  if (holds(of_actions, loads)) {
+    return of_actions;
   }
   CoordinateBasis planar = planar_basis(ScrewKind::wrench, geometry.length);
-  return is_planar(actions) && holds(planar, loads)
+  return is_planar(columns_of(geometry.actions)) && holds(planar, loads)
              ? planar
              : spatial_basis(ScrewKind::wrench, geometry.length);
 }

@@ -19,4 +19,9 @@ CoordinateBasis action_basis(const Geometry& geometry,
                              OrderChoice order,
                              std::span<const BodyWrench> loads = {});
 
+/// The same from the basis of the actions alone.
+CoordinateBasis action_basis(CoordinateBasis of_actions,
+                             const Geometry& geometry,
+                             std::span<const BodyWrench> loads);
+
 }  // namespace kinestat

@@ -67,12 +67,13 @@ CoordinateBasis find_minimal_basis(const Mat6X& screws, ScrewKind kind, double l
     return from_coordinates({}, unit);  // Eigen must not take a row of nothing
   }
   std::vector<int> rows = nonzero_rows(screws);
-  const MatX span = orthonormal_range(in_units(screws, kind, unit));
-  if (span.cols() == static_cast<Eigen::Index>(rows.size())) {
+  const MatX span = orthonormal_range(in_units(screws, kind, unit)(rows, Eigen::all));
+  if (span.cols() == span.rows()) {
     return from_coordinates(std::move(rows), unit);
   }
   CoordinateBasis result;
-  result.basis = span;
+  result.basis = Mat6X::Zero(6, span.cols());
+  result.basis(rows, Eigen::all) = span;
   result.unit = unit;
   return result;
 }
