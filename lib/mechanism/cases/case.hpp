@@ -22,6 +22,7 @@ struct Primary {
   bool is_assumed = false;  ///< not of the file: the rate of a freedom that no other body feels
   std::shared_ptr<const NumberLaw<double>> law =
       nullptr;  ///< of an action that follows curves: its value is known once the case is solved
+  double relative_bound = 0.0;  ///< by what share of itself the value may be off: one searched for
 
   bool moves() const { return law != nullptr; }
 };
