@@ -210,7 +210,8 @@ class GearDescriber {
                            .actions = {},
                            .loads = {},
                            .inputs = shift_.inputs,
-                           .outputs = shift_.outputs};
+                           .outputs = shift_.outputs,
+                           .is_gear = true};
     add_motions(gear, result);
     if (!shift_.input_acceleration.empty()) {
       add_accelerations(gear, result);

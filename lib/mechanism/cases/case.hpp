@@ -46,6 +46,7 @@ struct Case {
   std::vector<std::size_t> output_loads = {};
   std::vector<MovingLoad> moving_loads = {};  ///< of the file, on moving bodies
   SourceRange where;
+  bool is_gear = false;  ///< of `shift`: it may leave open what neither inputs nor outputs feel
 
   bool has_inertia() const { return accelerations.has_value(); }
 
