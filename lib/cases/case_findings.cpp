@@ -27,12 +27,6 @@ const ShiftState* find_state(const JudgedFile& file, const CaseAnalysis& one) {
   return is_gear ? &state->state : nullptr;
 }
 
-// A gear may leave freedoms beside it: the shift table says so.
-bool is_idle_gear(const JudgedFile& file, const CaseAnalysis& one) {
-  const ShiftState* state = find_state(file, one);
-  return state != nullptr && state->idle > 0;
-}
-
 // Elements that follow from each other leave their torques open: the shift table says so.
 bool is_open_gear(const JudgedFile& file, const CaseAnalysis& one) {
   const ShiftState* state = find_state(file, one);
@@ -51,7 +45,16 @@ void add_idle_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFind
       }
     }
   }
-  if (!names.empty()) {
+  if (!names.empty() && one.which.is_gear) {
+    found.warning(
+        "W0506",
+        one.which.where,
+        fmt::format("gear '{}' leaves the speed of {} open, which neither its input nor its output "
+                    "feels",
+                    one.which.label,
+                    plain_list(names)),
+        "what moves with it has no value; hold it by an element or a coupling if it should have");
+  } else if (!names.empty()) {
     found.warning(
         "W0506",
         one.which.where,
@@ -297,7 +300,7 @@ void add_motion_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFi
                 one.which.where,
                 fmt::format("case '{}': velocities are too large to compute with", one.which.label),
                 "give smaller motions; the answer is proportional to them");
-  } else if (motion.status == SolveStatus::underdetermined && !is_idle_gear(file, one)) {
+  } else if (motion.status == SolveStatus::underdetermined) {
     found.error("E0501",
                 one.which.where,
                 fmt::format("case '{}' gives {} of the {} motions needed (net degree of freedom "

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/rounding.hpp"
 #include "kinematics/velocity.hpp"
 #include "mechanism/couplings/speed_ratio_scan.hpp"
 #include "statics/friction_law.hpp"
@@ -49,14 +50,17 @@ class SlipSearch {
     return {.index = freedom_,
             .value = rate,
             .given = mechanism_.topology.coupling(friction_.coupling).name + "." + freedom.name,
-            .where = which_.where};
+            .where = which_.where,
+            .relative_bound = kSolvedRounding};
   }
 
-  // Everything is linear in the slip.
+  // Everything is linear in the slip. To the last digit: the speeds of turbine and pump are what is
+  // left between this and the slip.
   std::optional<double> pump_speed(double rate) const {
     std::vector<Primary> known = which_.motions;
     known.push_back(slip(rate));
-    const KinematicSolution motion = solve_velocity(mechanism_, motions_, known);
+    const KinematicSolution motion =
+        solve_velocity(mechanism_, motions_, known, {.accuracy = Accuracy::high});
     if (motion.status != SolveStatus::solved) {
       return std::nullopt;
     }
@@ -88,7 +92,7 @@ class SlipSearch {
       return std::nullopt;
     }
     const auto& found = solved.action->magnitudes[static_cast<std::size_t>(given.index)];
-    return found ? std::optional(*found - given.value) : std::nullopt;
+    return found ? std::optional(torque_miss(*found, given.value)) : std::nullopt;
   }
 
   std::optional<ConverterSearch> search() const {

@@ -1,5 +1,8 @@
 #include "cases/idle_freedoms.hpp"
 
+#include <algorithm>
+
+#include "kinematics/velocity.hpp"
 #include "studies/mobility/passive_freedom.hpp"
 
 namespace kinestat {
@@ -19,6 +22,27 @@ std::vector<int> felt_freedoms(const Mechanism& mechanism, const Case& which) {
     }
   }
   return felt;
+}
+
+Primary assumed(int freedom, double rate, const Case& which) {
+  return {.index = freedom, .value = rate, .given = {}, .where = which.where, .is_assumed = true};
+}
+
+// What moves in one motion.
+IdleFreedom moved_in(const KinematicSolution& motion) {
+  IdleFreedom idle;
+  for (std::size_t b = 0; b < motion.bodies.size(); ++b) {
+    const Twist& twist = motion.bodies[b];
+    if (!twist.angular.isZero(0.0) || !twist.linear.isZero(0.0)) {
+      idle.bodies.push_back(BodyId{static_cast<int>(b)});
+    }
+  }
+  for (std::size_t f = 0; f < motion.rates.size(); ++f) {
+    if (motion.rates[f] != 0.0) {
+      idle.freedoms.push_back(static_cast<int>(f));
+    }
+  }
+  return idle;
 }
 
 std::vector<int> moved_freedoms(const PassiveFreedom& one) {
@@ -48,8 +72,41 @@ std::vector<IdleFreedom> hold_idle_freedoms(const Mechanism& mechanism,
     idle.push_back({.bodies = one.bodies, .freedoms = moved_freedoms(one)});
   }
   for (const int f : held) {
-    which.motions.push_back(
-        {.index = f, .value = 0.0, .given = {}, .where = which.where, .is_assumed = true});
+    which.motions.push_back(assumed(f, 0.0, which));
+  }
+  return idle;
+}
+
+std::vector<IdleFreedom> hold_beside_gear(const Mechanism& mechanism,
+                                          const CoordinateBasis& basis,
+                                          const KinematicSolution& open,
+                                          Case& which) {
+  const std::vector<std::vector<int>>& completions = open.check.completions;
+  const std::vector<int> felt = felt_freedoms(mechanism, which);
+  const bool is_felt = std::ranges::any_of(open.check.undetermined,
+                                           [&](int f) { return std::ranges::count(felt, f) > 0; });
+  if (!which.is_gear || completions.empty() || is_felt) {
+    return {};
+  }
+  std::vector<Primary> known = which.motions;
+  for (Primary& one : known) {
+    one.value = 0.0;
+  }
+  for (const int f : completions.front()) {
+    known.push_back(assumed(f, 0.0, which));
+  }
+  std::vector<IdleFreedom> idle;
+  for (std::size_t i = which.motions.size(); i < known.size(); ++i) {
+    known[i].value = 1.0;
+    const KinematicSolution motion = solve_velocity(mechanism, basis, known);
+    if (motion.status != SolveStatus::solved) {
+      return {};
+    }
+    idle.push_back(moved_in(motion));
+    known[i].value = 0.0;
+  }
+  for (const int f : completions.front()) {
+    which.motions.push_back(assumed(f, 0.0, which));
   }
   return idle;
 }

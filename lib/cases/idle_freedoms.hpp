@@ -16,4 +16,11 @@ std::vector<IdleFreedom> hold_idle_freedoms(const Mechanism& mechanism,
                                             const KinematicSolution& open,
                                             Case& which);
 
+/// Likewise of a gear, which may leave open more than that: whatever moves while its inputs and
+/// engaged elements rest, as another shaft on which nothing turns that is engaged.
+std::vector<IdleFreedom> hold_beside_gear(const Mechanism& mechanism,
+                                          const CoordinateBasis& basis,
+                                          const KinematicSolution& open,
+                                          Case& which);
+
 }  // namespace kinestat

@@ -240,6 +240,9 @@ KinematicSolution solve_motion_of(const Mechanism& mechanism,
     return motion;
   }
   std::vector<IdleFreedom> idle = hold_idle_freedoms(mechanism, basis, motion, which);
+  if (idle.empty()) {
+    idle = hold_beside_gear(mechanism, basis, motion, which);
+  }
   if (!idle.empty()) {
     motion = solve_velocity(mechanism, basis, which.motions, accuracy);
     motion.idle = std::move(idle);

@@ -25,6 +25,7 @@ struct CaseDescription {
   std::vector<LoadDescription> loads;  ///< beside those of the top level, or in their place
   std::vector<Name> inputs;            ///< actuators
   std::vector<Name> outputs;           ///< actuators
+  bool is_gear = false;                ///< made of `shift`
 };
 
 }  // namespace kinestat

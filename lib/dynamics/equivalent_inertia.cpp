@@ -18,6 +18,9 @@ std::optional<std::vector<double>> equivalent_inertias(const Mechanism& mechanis
   const double rate = motion.rates[at(freedom)];
   std::vector<double> inertias;
   for (std::size_t b = 0; b < mechanism.masses.size(); ++b) {
+    if (mechanism.masses[b].counts() && !motion.knows_body(BodyId{static_cast<int>(b)})) {
+      return std::nullopt;
+    }
     const BodyInertia body = inertia_at(mechanism.masses[b], BodyPose{});
     inertias.push_back(2.0 * kinetic_energy(body, motion.bodies[b]) / (rate * rate));
   }

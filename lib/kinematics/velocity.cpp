@@ -42,6 +42,39 @@ void fill(const Mechanism& mechanism,
   finish_motions(mechanism, solution);
 }
 
+// What follows from a magnitude that was searched for is asked for its bound.
+AccuracyRequest request_for(std::span<const Primary> primaries, AccuracyRequest request) {
+  const bool is_searched =
+      std::ranges::any_of(primaries, [](const Primary& one) { return one.relative_bound != 0.0; });
+  if (is_searched && request.accuracy == Accuracy::fast) {
+    request.accuracy = Accuracy::automatic;
+  }
+  return request;
+}
+
+// What primaries may be off by moves all that follows from them: what that does not tell from zero
+// is zero.
+void add_bounds_of(std::span<const Primary> primaries,
+                   std::span<const double> known,
+                   const Elimination& elimination,
+                   BoundedSolution& solved) {
+  for (std::size_t i = 0; i < primaries.size(); ++i) {
+    if (primaries[i].relative_bound == 0.0) {
+      continue;
+    }
+    std::vector<double> off(known.size(), 0.0);
+    off[i] = primaries[i].relative_bound * known[i];
+    const VecX moved = elimination.solve(off, {}).x.cwiseAbs();
+    VecX bound = moved;
+    if (solved.bound) {
+      *solved.bound += moved;
+      bound = *solved.bound;
+    }
+    VecX& x = solved.solution.x;
+    x = (x.array().abs() <= bound.array()).select(0.0, x);
+  }
+}
+
 // What is known of the error of the rates.
 AnswerEvidence evidence_of(const Topology& topology,
                            const CoordinateBasis& basis,
@@ -109,7 +142,9 @@ KinematicSolution solve_velocity(const Mechanism& mechanism,
   }
   const std::vector<bool> counts(
       static_cast<std::size_t>(velocity_column(topology, basis, topology.freedom_count())), true);
-  BoundedSolution solved = solve_to_digits(elimination, known, {}, request, counts);
+  BoundedSolution solved =
+      solve_to_digits(elimination, known, {}, request_for(primaries, request), counts);
+  add_bounds_of(primaries, known, elimination, solved);
   inexact.share = std::max(position_error(mechanism), drawing_error(mechanism));
   if (inexact.share > 0.0) {
     settle_inexact(elimination, {}, inexact, solved.solution.x);

@@ -210,7 +210,8 @@ class GearDescriber {
                            .actions = {},
                            .loads = {},
                            .inputs = shift_.inputs,
-                           .outputs = shift_.outputs};
+                           .outputs = shift_.outputs,
+                           .is_gear = true};
     add_motions(gear, result);
     if (!shift_.input_acceleration.empty()) {
       add_accelerations(gear, result);
@@ -311,7 +312,9 @@ std::vector<Case> bind_described_cases(const MechanismDescription& description,
   std::vector<Case> cases =
       bind_cases(description, mechanism.topology, mechanism.curves, evaluator, said_before);
   KINESTAT_EXPECTS(!said_before.has_errors());
-  add_loads(bind_loads(context, bind_masses(context), mechanism.curves), cases);
+  std::vector<CaseLoads> loads = bind_loads(context, bind_masses(context), mechanism.curves);
+  carry_planet_weights(context, mechanism.masses, loads);
+  add_loads(std::move(loads), cases);
   return cases;
 }
 

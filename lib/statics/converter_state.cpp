@@ -1,5 +1,7 @@
 #include "statics/converter_state.hpp"
 
+#include <algorithm>
+
 #include "statics/friction_law.hpp"
 
 namespace kinestat {
@@ -10,7 +12,7 @@ std::optional<double> ConverterState::efficiency() const {
   if (in == 0.0) {
     return std::nullopt;
   }
-  return in > 0.0 ? out / in : in / out;
+  return in < 0.0 ? in / out : std::max(0.0, out / in);
 }
 
 std::vector<ConverterState> find_converter_states(const Mechanism& mechanism,

@@ -22,8 +22,8 @@ struct ConverterState {
   double stator_torque = 0.0;  ///< of the stator on the turbine
   double lost = 0.0;           ///< power that heats the fluid [W]
 
-  /// What it gives by what it takes, by speed and torque ratio while the pump drives; empty where
-  /// nothing flows.
+  /// What it gives by what it takes, by speed and torque ratio while the pump drives; zero at
+  /// stall and where both shafts drive it, empty where nothing flows.
   std::optional<double> efficiency() const;
 };
 

@@ -21,8 +21,11 @@ def near(value: float | None, true: float | None, largest: float) -> bool:
 def compare_gear(state: dict, case: dict, gear: dict, train: RandomTrain) -> list[str]:
     """`case` is written by hand; `gear` the one that the program made of the table."""
     if case["kinematics"]["status"] != "solved":
-        return ([] if state["freedom"] > 1 else
-                [f"gear, but its motions are {case['kinematics']['status']}"])
+        if state["freedom"] <= 1:
+            return [f"gear, but its motions are {case['kinematics']['status']}"]
+        # What turns freely beside the gear is open by hand, and as a case has no value.
+        return [f"{name} is {state[name]}, as a case {gear.get(name)}"
+                for name in ("ratio", "torque_ratio") if not near(state[name], gear.get(name), 0.0)]
     said = []
     for name in ("ratio", "torque_ratio"):
         for what, one in (("by hand", case), ("as a case", gear)):

@@ -7,6 +7,7 @@ Usage: converter_test.py PROGRAM [unittest arguments]
 from __future__ import annotations
 
 import csv
+import json
 import math
 import random
 import re
@@ -272,6 +273,119 @@ class FoundSlip(unittest.TestCase):
             case("c", 2000, None, "engine: 120, L: 0")).replace(flow(CHARACTERISTIC), form))
         self.assertIn("E0501", done.stderr)
         self.assertIn("at speed ratios of", done.stderr)
+
+
+# Engine and output by gears beside the axis of the converter: 31 teeth drive 17, 13 drive 37.
+GEARED = f"""kinestat: 1
+space: planar
+units: {{length: mm, angular_velocity: rpm, power: W}}
+ground: housing
+bodies: [crank, pump, turbine, shaft]
+couplings:
+  E: {{type: revolute, bodies: [housing, crank]}}
+  P: {{type: revolute, bodies: [housing, pump]}}
+  T: {{type: revolute, bodies: [housing, turbine]}}
+  O: {{type: revolute, bodies: [housing, shaft]}}
+  TC: {{type: torque_converter, bodies: [pump, turbine]{flow(CHARACTERISTIC)}}}
+gears:
+  module: 2 mm
+  members:
+    p: {{body: pump, teeth: 17}}
+    e: {{body: crank, teeth: 31, centre_distance: 48 mm}}
+    t: {{body: turbine, teeth: 13}}
+    o: {{body: shaft, teeth: 37, centre_distance: 50 mm}}
+  meshes: {{first: {{members: [p, e]}}, last: {{members: [t, o]}}}}
+actuators: {{engine: {{coupling: E}}, out: {{coupling: O}}}}
+cases:
+"""
+
+
+class Stall(unittest.TestCase):
+    """The turbine rests: all power is lost, and there is no ratio of speeds."""
+
+    def check(self, one: dict, pump: float, freedom: str, torque_ratio: float = 2.1) -> None:
+        torque = 150 * (pump / 2000) ** 2
+        self.assertEqual(one["kinematics"]["freedoms"][freedom], 0.0)
+        self.assertIsNone(one["ratio"])
+        converter = one["statics"]["converters"]["TC"]
+        self.assertEqual(converter["speed_ratio"], 0.0)
+        self.assertEqual(converter["efficiency"], 0.0)
+        self.assertAlmostEqual(abs(converter["turbine_torque"]), torque_ratio * torque,
+                               delta=1e-12 * torque)
+        self.assertAlmostEqual(converter["loss"], torque * abs(pump) * math.pi / 30,
+                               delta=1e-10 * torque * abs(pump))
+        self.assertEqual(one["power"]["efficiency"]["friction"], 0.0)
+
+    def test_given_speeds(self) -> None:
+        for i, one in analyze(model("".join(case(f"p{n}", n, 0) for n in (700, -1300)))).items():
+            self.check(one, float(i[1:]), "T.wz")
+
+    def test_torque_of_the_engine(self) -> None:
+        """Whatever the last digits of that torque are."""
+        rng = random.Random(12)
+        speeds = [rng.uniform(500, 3000) * rng.choice((-1, 1)) for _ in range(40)]
+        text = "".join(
+            case(f"p{i}", n, None, f"engine: {150 * (n / 2000) ** 2 * math.copysign(1, n)!r}, L: 0")
+            for i, n in enumerate(speeds))
+        cases = analyze(model(text))
+        for i, n in enumerate(speeds):
+            self.check(cases[f"p{i}"], n, "T.wz")
+
+    def test_behind_gears(self) -> None:
+        rng = random.Random(13)
+        speeds = [rng.uniform(500, 2000) * rng.choice((-1, 1)) for _ in range(40)]
+        text = ""
+        for i, n in enumerate(speeds):
+            torque = 150 * (n * 31 / 17 / 2000) ** 2 * 31 / 17 * math.copysign(1, n)
+            text += case(f"p{i}", n, None, f"engine: {torque!r}")
+        cases = analyze(GEARED + text)
+        for i, n in enumerate(speeds):
+            self.check(cases[f"p{i}"], n * 31 / 17, "O.wz")
+
+    def test_fluid_coupling(self) -> None:
+        rng = random.Random(14)
+        speeds = [rng.uniform(500, 3000) for _ in range(20)]
+        text = "".join(case(f"p{i}", n, None, f"engine: {150 * (n / 2000) ** 2!r}, L: 0")
+                       for i, n in enumerate(speeds))
+        cases = analyze(model(text, FLUID_COUPLING))
+        for i, n in enumerate(speeds):
+            self.check(cases[f"p{i}"], n, "T.wz", 1.0)
+
+    def test_swept(self) -> None:
+        text = GEARED.replace("bodies: [crank", "parameters: {n: 1000}\nbodies: [crank") + (
+            "  c: {motion: {engine: n}, action: {engine: 150 N*m*(n*31/17/2000)^2*31/17}, "
+            "input: engine, output: out}\n")
+        done = program.call("sweep", "-", text=text + "sweep: {vary: {n: {from: 500, to: 1500, "
+                            "step: 20}}, report: [ratio, out, O.wz, efficiency]}\n")
+        rows = [json.loads(line) for line in done.stdout.splitlines()]
+        self.assertEqual(len(rows), 51)
+        for row in rows:
+            self.assertEqual(row["status"], "no_ratio", row)
+            self.assertEqual((row["O.wz [rpm]"], row["ratio"]), (0.0, None))
+            self.assertAlmostEqual(abs(row["out [N*m]"]),
+                                   2.1 * 150 * (row["n"] * 31 / 17 / 2000) ** 2 * 37 / 13, delta=1e-9)
+
+    def test_points_of_a_duty(self) -> None:
+        more = "duty:\n  case: c\n  points:\n"
+        given = 0.0
+        for n in (1700, 900, 2100):
+            torque = 150 * (n / 2000) ** 2
+            given += torque * n * math.pi / 30 * 5
+            more += f"    - {{input_motion: {n}, input_action: {torque!r}, duration: 5}}\n"
+        text = model(case("c", 1000, None, "engine: 30, L: 0"))
+        duty = program.run("duty", "-", text=text.replace("cases:\n", more + "cases:\n"))["duty"]
+        self.assertAlmostEqual(duty["given"], given, delta=1e-9 * given)
+        self.assertEqual((duty["taken"], duty["efficiency"]), (0.0, 0.0))
+
+    def test_a_turbine_that_is_driven_backwards(self) -> None:
+        """Both shafts give power: nothing comes out."""
+        form = (", stator: housing, characteristic: {speed_ratio: [-0.5, 0, 1], torque_ratio: "
+                "[2.5, 2, 1], pump_torque: [150, 150, 0], pump_speed: 2000 rpm}")
+        one = analyze(model(case("c", 2000, -1000)).replace(flow(CHARACTERISTIC), form))["c"]
+        converter = one["statics"]["converters"]["TC"]
+        self.assertEqual(converter["efficiency"], 0.0)
+        self.assertAlmostEqual(converter["loss"], 150 * (2000 + 2.5 * 1000) * math.pi / 30,
+                               delta=1e-8)
 
 
 class Studies(unittest.TestCase):

@@ -7,6 +7,7 @@
 #include "core/contract.hpp"
 #include "couplings/coupling_catalogue.hpp"
 #include "mechanism/check/expect.hpp"
+#include "mechanism/gears/planet_weight.hpp"
 #include "mechanism/label_kind.hpp"
 #include "screw/exact_input_vector.hpp"
 
@@ -97,14 +98,22 @@ WrenchOf<Scalar> NumberRebinder<Scalar>::bind_load(const Load& load,
       }
     }
   }
-  const std::string body = mechanism_.topology.body(load.acts.body).name;
+  const std::string body = load.name.substr(kWeightPrefix.size());
   const auto at = std::ranges::find(
       description_.bodies, body, [](const BodyDescription& one) { return one.name.text; });
   KINESTAT_EXPECTS(at != description_.bodies.end());
-  const Scalar mass = number(*at->mass, QuantityKind::mass);
+  const auto& bodies = mechanism_.topology.bodies;
+  const auto b = std::ranges::find(bodies, body, &BodyTopology::name) - bodies.begin();
+  const int count = mechanism_.masses[static_cast<std::size_t>(b)].count;
+  const Scalar mass = Scalar(count) * number(*at->mass, QuantityKind::mass);
   const Vec3Of<Scalar> gravity =
       vector(description_.gravity->coordinates, QuantityKind::acceleration);
-  return force_at(expect(evaluator_.point(*at->centre_of_mass)), mass * gravity);
+  Vec3Of<Scalar> place = expect(evaluator_.point(*at->centre_of_mass));
+  if (count > 1) {
+    KINESTAT_EXPECTS(gears_.has_value());
+    place = place_of_planet_weights<Scalar>(gears_->layout, body, evaluator_, place);
+  }
+  return force_at(place, mass * gravity);
 }
 
 template <class Scalar>

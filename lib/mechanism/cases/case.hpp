@@ -22,6 +22,7 @@ struct Primary {
   bool is_assumed = false;  ///< not of the file: the rate of a freedom that no other body feels
   std::shared_ptr<const NumberLaw<double>> law =
       nullptr;  ///< of an action that follows curves: its value is known once the case is solved
+  double relative_bound = 0.0;  ///< by what share of itself the value may be off: one searched for
 
   bool moves() const { return law != nullptr; }
 };
@@ -45,6 +46,7 @@ struct Case {
   std::vector<std::size_t> output_loads = {};
   std::vector<MovingLoad> moving_loads = {};  ///< of the file, on moving bodies
   SourceRange where;
+  bool is_gear = false;  ///< of `shift`: it may leave open what neither inputs nor outputs feel
 
   bool has_inertia() const { return accelerations.has_value(); }
 

@@ -72,7 +72,8 @@ class CaseBinder {
                 .loads = {},
                 .inputs = bind_actuators(description.inputs),
                 .outputs = bind_actuators(description.outputs),
-                .where = description.label.where};
+                .where = description.label.where,
+                .is_gear = description.is_gear};
     if (result.accelerations) {
       check_accelerations(description, result);
     }

@@ -43,4 +43,11 @@ void bind_load_ends(const SectionContext& context, std::vector<Case>& cases);
 std::vector<Load> bind_weights(const SectionContext& context,
                                const std::vector<DescribedMass>& masses);
 
+/// Gives the weights of equal planets, which turn about their carrier at equal angles, to that
+/// carrier: the sum of all of them, on its axis. Those that the ground carries are left out.
+/// `masses` are those of the bodies of the topology.
+void carry_planet_weights(const SectionContext& context,
+                          const std::vector<BodyMass>& masses,
+                          std::vector<CaseLoads>& cases);
+
 }  // namespace kinestat

@@ -2,8 +2,12 @@
 
 #include <fmt/format.h>
 
+#include "core/contract.hpp"
+#include "core/index.hpp"
 #include "mechanism/cases/load_binder.hpp"
 #include "mechanism/cases/load_moment.hpp"
+#include "mechanism/gears/internal/gear_binder.hpp"
+#include "mechanism/gears/planet_weight.hpp"
 
 namespace kinestat {
 
@@ -80,6 +84,40 @@ std::vector<Load> bind_weights(const SectionContext& context,
     }
   }
   return weights;
+}
+
+namespace {
+
+// The weight of one planet as that of all on their carrier.
+void carry(const SectionContext& context, const GearFrame& frame, int count, Load& weight) {
+  const std::string body = weight.name.substr(kWeightPrefix.size());
+  const GearTrain& train = frame.layout.train;
+  const std::string& carrier = train.axes[at(train.axis_on(body))].carrier;
+  weight.point = place_of_planet_weights(frame.layout, body, context.evaluator, *weight.point);
+  weight.acts.body = BodyId{context.names.bodies.find(carrier)};
+  weight.acts.wrench.force *= count;
+  weight.acts.wrench.moment = moment_of_load(*weight.point, weight.acts.wrench.force, Vec3::Zero());
+}
+
+}  // namespace
+
+void carry_planet_weights(const SectionContext& context,
+                          const std::vector<BodyMass>& masses,
+                          std::vector<CaseLoads>& cases) {
+  if (std::ranges::none_of(masses, [](const BodyMass& one) { return one.count > 1; })) {
+    return;
+  }
+  const auto frame = bind_gear_frame<double>(context.description, context.evaluator);
+  KINESTAT_EXPECTS(frame.has_value());
+  for (CaseLoads& one : cases) {
+    for (Load& load : one.loads) {
+      const int count = masses[at(load.acts.body.value)].count;
+      if (load.name.starts_with(kWeightPrefix) && count > 1) {
+        carry(context, *frame, count, load);
+      }
+    }
+    std::erase_if(one.loads, [](const Load& load) { return load.acts.body.value == 0; });
+  }
 }
 
 }  // namespace kinestat

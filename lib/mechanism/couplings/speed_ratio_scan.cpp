@@ -6,6 +6,7 @@
 
 #include "core/tolerance.hpp"
 #include "math/dense/root_search.hpp"
+#include "math/numbers/zero_within_bound.hpp"
 
 namespace kinestat {
 
@@ -52,6 +53,10 @@ std::optional<double> find_root(const Sample& low,
 }
 
 }  // namespace
+
+double torque_miss(double torque, double asked) {
+  return zero_within_bound(torque - asked, kCancellation * (std::abs(torque) + std::abs(asked)));
+}
 
 SpeedRatioScan::SpeedRatioScan(const ConverterLaw& law) {
   const auto [low, high] = range_of(law);

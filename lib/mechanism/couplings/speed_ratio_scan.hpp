@@ -18,6 +18,10 @@ struct FittingRatios {
   std::vector<double> ratios = {};
 };
 
+/// What a torque is less what it should be; zero where that is rounding, so that ratios at which a
+/// characteristic ends are found, as that of stall is.
+double torque_miss(double torque, double asked);
+
 /// Looks at nodes all over the characteristic, and between neighbours of other sign more closely.
 class SpeedRatioScan {
  public:

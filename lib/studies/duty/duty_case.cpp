@@ -115,6 +115,31 @@ bool has_plain_statics(const Mechanism& mechanism) {
          });
 }
 
+namespace {
+
+// What turns freely has no speed, be it assumed to be at rest or not.
+void forget_idle(const Topology& topology,
+                 const KinematicSolution& motion,
+                 std::span<const Mesh> meshes,
+                 DutyState& state) {
+  for (int f = 0; f < topology.freedom_count(); ++f) {
+    if (!motion.knows_rate(f)) {
+      state.rates[static_cast<std::size_t>(f)] = kUnknownSpeed;
+    }
+  }
+  for (std::size_t m = 0; m < meshes.size(); ++m) {
+    const CouplingTopology& coupling = topology.coupling(meshes[m].coupling);
+    const bool knows_carrier = !meshes[m].carrier || motion.knows_body(*meshes[m].carrier);
+    for (const bool is_head : {false, true}) {
+      if (!knows_carrier || !motion.knows_body(is_head ? coupling.head : coupling.tail)) {
+        (is_head ? state.teeth[m].head : state.teeth[m].tail).speed = kUnknownSpeed;
+      }
+    }
+  }
+}
+
+}  // namespace
+
 std::optional<DutyState> state_of(const Mechanism& mechanism,
                                   const CaseAnalysis& one,
                                   std::span<const Mesh> meshes) {
@@ -162,6 +187,7 @@ std::optional<DutyState> state_of(const Mechanism& mechanism,
              find_mesh_twists(mechanism.topology, *one.motion, meshes),
              result);
   result.drives_from_both_ends = drives_from_both_ends(one.which, result.actuators);
+  forget_idle(mechanism.topology, *one.motion, meshes, result);
   return result;
 }
 

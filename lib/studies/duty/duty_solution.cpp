@@ -32,7 +32,11 @@ class WearSum {
   }
 
   DutyWear wear(double repetitions) const {
-    DutyWear result{.revolutions = repetitions * turns_, .largest = largest_, .equivalent = {}};
+    DutyWear result{.revolutions = {}, .largest = largest_, .equivalent = {}};
+    if (std::isnan(turns_)) {
+      return result;
+    }
+    result.revolutions = repetitions * turns_;
     if (exponent_ && turns_ > 0.0) {
       result.equivalent = largest_ * std::pow(sum_ / turns_, 1.0 / *exponent_);
     }

@@ -1,11 +1,15 @@
 // What a mechanism does at one point of a duty.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "core/types.hpp"
 
 namespace kinestat {
+
+/// Of what turns freely beside a gear.
+inline constexpr double kUnknownSpeed = std::numeric_limits<double>::quiet_NaN();
 
 /// A gear of a mesh, seen from its carrier; neither number is negative.
 struct GearState {
@@ -21,7 +25,7 @@ struct MeshState {
 /// Magnitudes with all losses, SI. Powers are those that the mechanism is given: what is lost is
 /// negative.
 struct DutyState {
-  std::vector<double> rates = {};      ///< of each freedom
+  std::vector<double> rates = {};      ///< of each freedom, or kUnknownSpeed
   std::vector<double> actions = {};    ///< of each action
   std::vector<double> actuators = {};  ///< power of each [W]
   std::vector<double> loads = {};      ///< of each load of the case [W]

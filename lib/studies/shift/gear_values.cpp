@@ -50,7 +50,7 @@ class GearReader {
            plan_.inputs.size() == 1 && plan_.outputs.size() == 1 && plan_.reacting.empty();
   }
 
-  // Where a gear leaves freedoms beside it, its case has no velocities; the state has the ratio.
+  // Where its case has no velocities, the state has the ratio.
   void add_ratios(std::size_t o) {
     const ShiftState& state = gear_.state;
     Case which = gear_.which;

@@ -263,8 +263,7 @@ class SlipSolver {
 
   double output_in(Eigen::Index motion) const { return rate_in(motion, plan_.outputs.front()); }
 
-  // What acts on the freedoms beside the element that slips. Weights of planets that stand for
-  // several cancel.
+  // What acts on the freedoms beside the element that slips.
   bool check_loads() {
     if (!mechanism_.springs.empty() || loads_.follows_curves()) {
       return refuse(asked_.name.where,
@@ -280,11 +279,8 @@ class SlipSolver {
       sums[j].add(asked_.output_action * output_in(motion));
     }
     for (const Load& load : loads_.loads) {
-      const int body = load.acts.body.value;
-      const bool cancels =
-          load.name.starts_with(kWeightPrefix) && mechanism_.masses[at(body)].count > 1;
-      for (std::size_t j = 0; j < count && !cancels; ++j) {
-        const Twist& twist = motions_[j].bodies[at(body)];
+      for (std::size_t j = 0; j < count; ++j) {
+        const Twist& twist = motions_[j].bodies[at(load.acts.body.value)];
         RoundedSum of_force;
         for (Eigen::Index i = 0; i < 3; ++i) {
           of_force.add(load.acts.wrench.force[i] * twist.linear[i]);

@@ -14,7 +14,12 @@ const ActuatorTopology& actuator_of(const SolvedGear& gear, std::size_t element)
 std::optional<double> slip_of(const SolvedGear& gear, std::size_t element) {
   const bool is_solved = gear.motion != nullptr && gear.motion->status == SolveStatus::solved;
   const auto freedom = static_cast<std::size_t>(actuator_of(gear, element).freedom);
-  return is_solved ? std::optional(gear.motion->rates[freedom]) : gear.state.slips[element];
+  if (!is_solved) {
+    return gear.state.slips[element];
+  }
+  return gear.motion->knows_rate(static_cast<int>(freedom))
+             ? std::optional(gear.motion->rates[freedom])
+             : std::nullopt;
 }
 
 std::optional<double> torque_of(const SolvedGear& gear, std::size_t element) {

@@ -22,8 +22,9 @@ struct SolvedGear {
   const std::vector<std::optional<double>>* lossy_actions = nullptr;  ///< with them; null: none
 };
 
-/// Speed of an element, head minus tail [rad/s]. Where a gear leaves freedoms beside it, its case
-/// has no velocities, and the state has what there is.
+/// Speed of an element, head minus tail [rad/s]; empty where the gear leaves it open. Where its
+/// case has no velocities, as friction of what turns freely beside it is not known, the state has
+/// them.
 std::optional<double> slip_of(const SolvedGear& gear, std::size_t element);
 
 /// Action of an element, tail on head [N·m], without and with losses of meshes.

@@ -57,10 +57,10 @@ const Record<CouplingLoss>& loss_record() {
 
 template <class View, class WearOf>
 void add_wear(Record<View>& keys, QuantityKind load, const WearOf& wear_of) {
-  keys.number(
-      "revolutions", Bare::number, "Revolutions, of all repetitions.", [wear_of](const View& v) {
-        return wear_of(v).revolutions;
-      });
+  keys.number("revolutions",
+              Bare::number,
+              "Revolutions, of all repetitions; null where a gear leaves its speed open.",
+              [wear_of](const View& v) { return wear_of(v).revolutions; });
   keys.quantity("largest", load, "The largest of all points.", [wear_of](const View& v) {
     return wear_of(v).largest;
   });

@@ -161,9 +161,10 @@ class DutyText {
                                     int planets,
                                     const DutyWear& wear,
                                     QuantityKind load) const {
-    names.insert(
-        names.end(),
-        {std::to_string(planets), format_short(wear.revolutions), number(load, wear.largest)});
+    names.insert(names.end(),
+                 {std::to_string(planets),
+                  wear.revolutions ? format_short(*wear.revolutions) : "-",
+                  number(load, wear.largest)});
     const bool has_exponent = load == QuantityKind::moment ? v_.plan.gear_exponent.has_value()
                                                            : v_.plan.bearing_exponent.has_value();
     if (has_exponent) {

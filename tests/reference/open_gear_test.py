@@ -1,0 +1,148 @@
+#!/usr/bin/env python3
+"""A gear beside which a planetary set turns freely: what it determines is solved, and the same in
+every command; what it leaves open has no value, and a message names it.
+
+Usage: open_gear_test.py PROGRAM [unittest arguments]
+"""
+
+from __future__ import annotations
+
+import math
+import sys
+import unittest
+
+import program
+from swept_case import swept
+
+# In 'direct' the set on the input shaft carries nothing: carrier and ring turn as they like.
+TRAIN = """
+kinestat: 1
+space: planar
+units: {length: mm}
+parameters: {a: 20, T: 100 N*m}
+ground: housing
+bodies: [shaft, idler, wheel, ring, carrier, planet]
+couplings:
+  I: {type: revolute, bodies: [housing, shaft]}
+  J: {type: revolute, bodies: [housing, idler]}
+  O: {type: revolute, bodies: [housing, wheel]}
+  R: {type: revolute, bodies: [housing, ring]}
+  K: {type: revolute, bodies: [housing, carrier]}
+  P: {type: revolute, bodies: [carrier, planet]}
+  C1: {type: clutch, bodies: [shaft, idler]}
+  C2: {type: clutch, bodies: [carrier, idler]}
+  B: {type: brake, bodies: [housing, ring]}
+gears:
+  module: 2 mm
+  members:
+    sun: {body: shaft, teeth: 24}
+    planet: {body: planet, teeth: 18, count: 3}
+    ring: {body: ring, teeth: 60, internal: true}
+    a: {body: idler, teeth: a}
+    b: {body: wheel, teeth: 50}
+  meshes:
+    sp: {members: [sun, planet], carrier: carrier}
+    rp: {members: [ring, planet], carrier: carrier}
+    ab: {members: [a, b]}
+actuators: {in: {coupling: I}, out: {coupling: O}}
+shift:
+  input: in
+  output: out
+  elements: [C1, C2, B]
+  input_motion: 10 rad/s
+  input_action: T
+  names: {direct: [C1], low: [C2, B]}
+"""
+
+KNOWN = {"I.wz": 10.0, "J.wz": 10.0, "O.wz": -4.0, "C1.wz": 0.0}
+OPEN = ("R.wz", "K.wz", "P.wz", "C2.wz", "B.wz")
+
+
+class OpenGear(unittest.TestCase):
+    def test_every_command_says_the_same(self) -> None:
+        done = program.call("analyze", "-", text=TRAIN)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        report = program.report(done)
+        one = report["cases"]["direct"]
+        freedoms = one["kinematics"]["freedoms"]
+        for name, rate in KNOWN.items():
+            self.assertAlmostEqual(freedoms[name], rate, delta=1e-13)
+        for name in OPEN:
+            self.assertIsNone(freedoms[name], name)
+        gear = report["shift"]["states"]["direct"]
+        self.assertAlmostEqual(one["ratio"], -2.5, delta=1e-14)
+        self.assertEqual(gear["ratio"], one["ratio"])
+        self.assertAlmostEqual(one["torque_ratio"], 0.4, delta=1e-14)
+        actions = one["statics"]["actions"]
+        self.assertAlmostEqual(actions["out"], 250.0, delta=1e-11)
+        self.assertAlmostEqual(abs(actions["C1"]), 100.0, delta=1e-11)
+        self.assertEqual((actions["C2"], actions["B"]), (0.0, 0.0))
+        self.assertEqual({name: one["slip"] for name, one in gear["elements"].items()},
+                         {"C1": 0.0, "C2": None, "B": None})
+        self.assertIn("besides, one freedom remains, moving ring, carrier, planet", gear["reason"])
+        self.assertIn("W0506", done.stderr)
+        self.assertIn("gear 'direct' leaves the speed of 'ring', 'carrier', 'planet' open",
+                      done.stderr)
+        low = report["cases"]["low"]
+        self.assertAlmostEqual(low["ratio"], -8.75, delta=1e-13)
+        self.assertNotIn("'low'", done.stderr)
+
+    def test_shift_says_it_too(self) -> None:
+        done = program.call("shift", "-", text=TRAIN)
+        self.assertAlmostEqual(program.report(done)["shift"]["states"]["direct"]["ratio"], -2.5,
+                               delta=1e-14)
+        self.assertIn("W0506", done.stderr)
+
+    def test_swept(self) -> None:
+        rows, _ = swept(TRAIN, "{vary: {a: [20, 25, 40]}, cases: [direct, low], "
+                               "report: [ratio, O.wz, out]}")
+        self.assertEqual(len(rows), 6)
+        for row in rows:
+            ratio = -50 / row["a"] * (3.5 if row["case"] == "low" else 1.0)
+            self.assertEqual(row["status"], "solved")
+            self.assertAlmostEqual(row["ratio"], ratio, delta=1e-13)
+            self.assertAlmostEqual(row["O.wz [rad/s]"], 10 / ratio, delta=1e-13)
+            self.assertAlmostEqual(row["out [N*m]"], -100 * ratio, delta=1e-10)
+        rows, _ = swept(TRAIN, "{vary: {a: [20]}, cases: [direct], report: [ratio, R.wz]}")
+        self.assertIsNone(rows[0]["R.wz [rad/s]"])
+        self.assertAlmostEqual(rows[0]["ratio"], -2.5, delta=1e-14)
+
+    def test_inertia_that_turns_freely(self) -> None:
+        """The input feels what is determined, and of the rest nobody knows."""
+        text = TRAIN.replace("[shaft, idler, wheel, ring,",
+                             "{shaft: {inertia: 0.1}, idler: {inertia: 0.2}, wheel: {inertia: 0.5}, "
+                             "ring:").replace("ring: carrier, planet]",
+                                              "ring: , carrier: , planet: }")
+        states = program.run("shift", "-", text=text)["shift"]["states"]
+        self.assertAlmostEqual(states["direct"]["equivalent_inertia"], 0.1 + 0.2 + 0.5 * 0.16,
+                               delta=1e-14)
+        text = text.replace("ring: ,", "ring: {inertia: 0.3},")
+        states = program.run("shift", "-", text=text)["shift"]["states"]
+        self.assertIsNone(states["direct"].get("equivalent_inertia"))
+
+    def test_in_a_duty(self) -> None:
+        """Energies are those of the gear; nobody knows how often the rest turns."""
+        text = TRAIN + "duty: {gear_exponent: 6, points: [{case: direct, duration: 5 s}]}\n"
+        duty = program.run("duty", "-", text=text)["duty"]
+        self.assertAlmostEqual(duty["given"], 100 * 10 * 5, delta=1e-9)
+        self.assertAlmostEqual(duty["taken"], 100 * 10 * 5, delta=1e-9)
+        turns = {name: one["revolutions"] for name, one in duty["bearings"].items()}
+        self.assertAlmostEqual(turns["I"], 50 / (2 * math.pi), delta=1e-12)
+        self.assertAlmostEqual(turns["O"], 20 / (2 * math.pi), delta=1e-12)
+        self.assertEqual({turns[name] for name in ("R", "K", "P")}, {None})
+        gears = {name: one["revolutions"] for name, one in duty["gears"].items()}
+        self.assertEqual((gears["sp.shaft"], gears["rp.planet"]), (None, None))
+        self.assertAlmostEqual(gears["ab.wheel"], 20 / (2 * math.pi), delta=1e-12)
+
+    def test_drag_on_what_turns_freely_is_an_error(self) -> None:
+        text = TRAIN.replace("R: {type: revolute, bodies: [housing, ring]}",
+                             "R: {type: revolute, bodies: [housing, ring], friction: {tau: 1 N*m}}")
+        done = program.call("analyze", "-", text=text)
+        self.assertIn("E0501", done.stderr)
+        self.assertIn("not determined: R.wz", done.stderr)
+        self.assertIsNone(program.report(done)["cases"]["direct"].get("ratio"))
+
+
+if __name__ == "__main__":
+    program.use(sys.argv.pop(1))
+    unittest.main()
