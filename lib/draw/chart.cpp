@@ -12,6 +12,7 @@
 #include "core/contract.hpp"
 #include "draw/chart_frame.hpp"
 #include "draw/labels.hpp"
+#include "draw/symbols.hpp"
 
 namespace kinestat {
 
@@ -197,6 +198,17 @@ void draw_guides(const std::vector<ChartGuide>& guides,
   }
 }
 
+// Series that run on each other have the same extremes, which one label tells.
+bool is_said(const Chart& chart, const std::vector<PixelPoint>& places, std::size_t mark) {
+  for (std::size_t i = 0; i < mark; ++i) {
+    const PixelPoint between = places[i] - places[mark];
+    if (chart.marks[i].label == chart.marks[mark].label && std::hypot(between.x, between.y) < 2.0) {
+      return true;
+    }
+  }
+  return false;
+}
+
 void draw_marks(const Chart& chart, const ChartFrame& frame, PointLabels& placer, Svg& svg) {
   std::vector<PixelPoint> places;
   for (const ChartMark& mark : chart.marks) {
@@ -211,9 +223,24 @@ void draw_marks(const Chart& chart, const ChartFrame& frame, PointLabels& placer
   }
   const std::size_t count = std::min<std::size_t>(places.size(), kMostLabelled);
   for (std::size_t i = 0; i < count; ++i) {
-    if (frame.holds(places[i])) {
+    if (frame.holds(places[i]) && !is_said(chart, places, i)) {
       placer.write(places[i], chart.marks[i].label, {.size = kTickText, .has_halo = true}, svg);
     }
+  }
+}
+
+// Those across the frame: guides, and where values are zero.
+void avoid_lines(const std::vector<ChartGuide>& guides,
+                 const ChartFrame& frame,
+                 PointLabels& placer) {
+  const PixelBox& box = frame.box;
+  for (const ChartGuide& guide : guides) {
+    const double x = frame.place(guide.x, frame.y.low).x;
+    placer.avoid({{.x = x, .y = box.top}, {.x = x, .y = box.bottom}});
+  }
+  if (frame.y.kind == ScaleKind::linear && frame.y.low < 0.0 && frame.y.high > 0.0) {
+    const double y = frame.place(frame.x.low, 0.0).y;
+    placer.avoid({{.x = box.left, .y = y}, {.x = box.right, .y = y}});
   }
 }
 
@@ -230,14 +257,22 @@ std::array<Attribute, 3> plot_marks(const ChartFrame& frame) {
            {"data-y", range_text(frame.y)}}};
 }
 
-void draw_data(const Chart& chart, const ChartFrame& frame, Svg& svg) {
+void draw_data(const Chart& chart,
+               const std::vector<ChartGuide>& guides,
+               const ChartFrame& frame,
+               Svg& svg) {
   svg.open_group({}, plot_marks(frame));
   PointLabels placer(frame.box.grown(-2.0));
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
     const std::vector<PixelPoint> points = visible_points(frame, chart.series[i]);
     draw_series(chart.series[i], i, look_of(chart, i), points, svg);
-    placer.avoid(points);
+    if (chart.series[i].style == SeriesStyle::line) {
+      placer.avoid(points);
+    } else {
+      placer.avoid_each(points);
+    }
   }
+  avoid_lines(guides, frame, placer);
   draw_marks(chart, frame, placer, svg);
   svg.close_group();
 }
@@ -262,7 +297,7 @@ double draw_chart(const Chart& chart, double top, Svg& svg) {
   frame.box.bottom += frame.words_above;
   draw_grid(frame, svg);
   draw_guides(guides, frame, layout, svg);
-  draw_data(chart, frame, svg);
+  draw_data(chart, guides, frame, svg);
   draw_axes(chart, frame, svg);
   return frame.box.bottom + 40.0;
 }

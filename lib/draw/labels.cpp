@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "draw/symbols.hpp"
+
 namespace kinestat {
 
 namespace {
@@ -43,6 +45,18 @@ PixelPoint nearest(const PixelBox& box, PixelPoint point) {
 }  // namespace
 
 void PointLabels::avoid(const std::vector<PixelPoint>& points) {
+  constexpr double kApart = 3.0;
+  avoid_each(points);
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const PixelPoint between = points[i] - points[i - 1];
+    const double length = length_of(between);
+    for (double at = kApart; at < length; at += kApart) {  // never of a gap
+      avoided_.push_back(points[i - 1] + (at / length) * between);
+    }
+  }
+}
+
+void PointLabels::avoid_each(const std::vector<PixelPoint>& points) {
   for (const PixelPoint& point : points) {
     if (std::isfinite(point.x) && std::isfinite(point.y)) {
       avoided_.push_back(point);

@@ -18,8 +18,11 @@ class PointLabels {
 
   void take(const PixelBox& box) { taken_.push_back(box); }
 
-  /// Adds the points of a curve, which labels avoid.
+  /// Adds a curve through the points, which labels avoid; a point that is not finite is a gap.
   void avoid(const std::vector<PixelPoint>& points);
+
+  /// Adds points that stand alone.
+  void avoid_each(const std::vector<PixelPoint>& points);
 
   /// Writes the label beside the point, at the nearest of places in a ring around it that is free,
   /// and takes that place; a thin line leads to a label that is not beside its point. False, with

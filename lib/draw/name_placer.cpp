@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace kinestat {
 
@@ -21,6 +22,12 @@ constexpr double kCrossedLabelCost = 40.0;
 // What is nearer to a label than this seems to touch it, which costs less than to cover it.
 constexpr double kAir = 2.0;
 constexpr double kNearCost = 1.0;
+
+// What a pixel of distance from the anchor costs.
+constexpr double kFarCost = 4.0;
+
+// From there on a line leads to the label [px].
+constexpr double kNearEnough = 14.0;
 
 constexpr int kDirections = 16;
 
@@ -96,22 +103,28 @@ void NamePlacer::keep_off_circle(PixelPoint centre, double radius) {
 }
 
 double NamePlacer::cost(const PixelBox& box, double price, double limit) const {
-  double sum = 0.0;
+  double sum = price;
+  double covering = kFarCost * detour_;  // until something is covered
+  const auto add = [&](double cost) {
+    if (cost > 0.0) {
+      sum += cost + std::exchange(covering, 0.0);
+    }
+  };
   for (const PixelBox& label : labels_) {
     sum += kLabelCost * overlap(box, label);
   }
   const PixelBox around = box.grown(kAir);
   for (const PixelBox& other : boxes_) {
-    sum += kBoxCost * overlap(box, other);
+    add(kBoxCost * overlap(box, other));
   }
   for (const Segment& segment : segments_) {
-    if (sum + price >= limit) {
+    if (sum >= limit) {
       break;
     }
-    sum += kLineCost * length_within(box, segment.from, segment.to) +
-           kNearCost * length_within(around, segment.from, segment.to);
+    add(kLineCost * length_within(box, segment.from, segment.to));
+    sum += kNearCost * length_within(around, segment.from, segment.to);
   }
-  return sum + price;
+  return sum;
 }
 
 double NamePlacer::line_cost(PixelPoint from, PixelPoint to) const {
@@ -131,45 +144,50 @@ PlacedName NamePlacer::take(const PixelBox& box, const TextStyle& style) {
   return {.place = {.x = x, .y = base}, .box = box, .needs_line = false, .line_end = {}};
 }
 
-PlacedName NamePlacer::place(PixelPoint anchor,
-                             std::string_view text,
-                             const TextStyle& style,
-                             double distance) {
-  constexpr double kFarther[] = {0.0, 6.0, 14.0, 26.0, 42.0, 64.0, 92.0, 126.0, 168.0};
-  constexpr double kNearEnough = kFarther[2];  // from there on a line leads to the label
-  constexpr double kCostOfPixel = 4.0;
+NamePlacer::Found NamePlacer::find_around(PixelPoint anchor,
+                                          std::string_view text,
+                                          const TextStyle& style,
+                                          double distance) const {
   const double width = text_width(text, style.size, style.weight);
   const PixelPoint half = {.x = width / 2, .y = style.size / 2};
-  double least = std::numeric_limits<double>::infinity();
-  PixelBox best;
-  double best_more = 0.0;
-  for (const double more : kFarther) {
+  Found best = {.box = {}, .cost = std::numeric_limits<double>::infinity(), .farther = 0.0};
+  for (const double more : {0.0, 6.0, kNearEnough, 26.0, 42.0, 64.0, 92.0, 126.0, 168.0}) {
     for (int i = 0; i < kDirections; ++i) {
       // From the upper right on, which readers expect first.
       const double angle = std::numbers::pi / 4 + 2 * std::numbers::pi * i / kDirections;
       const PixelPoint middle = middle_at(anchor, angle, distance + more, half);
       const PixelBox box = box_around(middle, width, style.size);
-      double total = cost(box, kCostOfPixel * more, least);
-      if (total < least && more > kNearEnough) {
+      double total = cost(box, kFarCost * more, best.cost);
+      if (total < best.cost && more > kNearEnough) {
         total += line_cost(anchor, nearest_point(box, anchor));
       }
-      if (total < least) {
-        least = total;
-        best = box;
-        best_more = more;
+      if (total < best.cost) {
+        best = {.box = box, .cost = total, .farther = more};
       }
     }
   }
-  PlacedName result = take(best, style);
-  result.needs_line = best_more > kNearEnough;
-  result.line_end = nearest_point(best, anchor);
+  return best;
+}
+
+PlacedName NamePlacer::take(const Found& found, PixelPoint anchor, const TextStyle& style) {
+  PlacedName result = take(found.box, style);
+  result.needs_line = found.farther > kNearEnough;
+  result.line_end = nearest_point(found.box, anchor);
   if (result.needs_line) {
     keep_off(anchor, result.line_end);
   }
   return result;
 }
 
+PlacedName NamePlacer::place(PixelPoint anchor,
+                             std::string_view text,
+                             const TextStyle& style,
+                             double distance) {
+  return take(find_around(anchor, text, style, distance), anchor, style);
+}
+
 PlacedName NamePlacer::place_at(const std::vector<PixelPoint>& middles,
+                                PixelPoint anchor,
                                 std::string_view text,
                                 const TextStyle& style) {
   const double width = text_width(text, style.size, style.weight);
@@ -183,8 +201,11 @@ PlacedName NamePlacer::place_at(const std::vector<PixelPoint>& middles,
       best = box;
     }
   }
-  if (least >= kLabelCost) {
-    return place(middles.front(), text, style, 4.0);
+  if (least >= kLabelCost || (detour_ > 0.0 && least >= kFarCost * detour_)) {
+    const Found around = find_around(anchor, text, style, 4.0);
+    if (around.cost < least) {
+      return take(around, anchor, style);
+    }
   }
   return take(best, style);
 }

@@ -20,6 +20,9 @@ struct PlacedName {
 /// same in every run. What is drawn is announced before, so that labels keep off it.
 class NamePlacer {
  public:
+  /// By how many pixels a label is rather put farther away than upon anything that is drawn.
+  explicit NamePlacer(double detour = 0.0) : detour_(detour) {}
+
   void keep_off(const PixelBox& box) { boxes_.push_back(box); }
 
   /// As a label: nothing else may stand there.
@@ -37,9 +40,10 @@ class NamePlacer {
                    const TextStyle& style,
                    double distance);
 
-  /// The best of given places, each the middle of the text; where each covers another label, one
-  /// around the first.
+  /// The best of given places, each the middle of the text; where each covers another label, or
+  /// what a detour would leave free, one around the anchor.
   PlacedName place_at(const std::vector<PixelPoint>& middles,
+                      PixelPoint anchor,
                       std::string_view text,
                       const TextStyle& style);
 
@@ -54,6 +58,20 @@ class NamePlacer {
   double line_cost(PixelPoint from, PixelPoint to) const;
   PlacedName take(const PixelBox& box, const TextStyle& style);
 
+  // A place around an anchor.
+  struct Found {
+    PixelBox box;
+    double cost = 0.0;
+    double farther = 0.0;  // than the distance
+  };
+
+  Found find_around(PixelPoint anchor,
+                    std::string_view text,
+                    const TextStyle& style,
+                    double distance) const;
+  PlacedName take(const Found& found, PixelPoint anchor, const TextStyle& style);
+
+  double detour_ = 0.0;
   std::vector<PixelBox> boxes_;
   std::vector<PixelBox> labels_;
   std::vector<Segment> segments_;

@@ -41,11 +41,13 @@ class FileSection {
       html_.element("h2", page_title(page_), {{"class", "file-title"}});
     }
     add_source();
-    add_summary_part(section_, main_picture());
-    if (!page_.found.items().empty()) {
-      section_.open_part("found", "Findings");
-      add_findings(page_.source, page_.found, html_);
-      html_.close();
+    // Whatever else is shown, errors come first.
+    if (page_.found.has_errors()) {
+      add_found();
+      add_summary_part(section_, main_picture());
+    } else {
+      add_summary_part(section_, main_picture());
+      add_found();
     }
     add_motion_part(section_);
     add_simulation_part(section_);
@@ -65,6 +67,15 @@ class FileSection {
   }
 
  private:
+  void add_found() {
+    if (page_.found.items().empty()) {
+      return;
+    }
+    section_.open_part("found", "Findings");
+    add_findings(page_.source, page_.found, html_);
+    html_.close();
+  }
+
   // Of a train the section along its axis says more than a view in space.
   const std::optional<Picture>& main_picture() const { return scheme_ ? scheme_ : linkage_; }
 

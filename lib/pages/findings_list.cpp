@@ -21,7 +21,11 @@ void add_finding(std::string_view text, Html& html) {
     while (end < text.size() && is_quotation(text.substr(end)) == is_quoted) {
       end = std::min(text.find('\n', end), text.size() - 1) + 1;
     }
-    html.open("pre", {{"class", is_quoted ? "quoted" : "words"}});
+    if (is_quoted) {  // may be wider than a telephone, and must not be broken
+      html.open("pre", {{"class", "quoted"}, {"tabindex", "0"}});
+    } else {
+      html.open("pre", {{"class", "words"}});
+    }
     html.lines(text.substr(0, end));
     html.close();
     text.remove_prefix(end);

@@ -1,6 +1,7 @@
 #include "pages/section_writer.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -27,21 +28,38 @@ double height_of(const TextBlocks& blocks) {
   return kRow * static_cast<double>(most);
 }
 
-// Of pictures those that stand beside the blocks: a column of them that is much higher would leave
-// the page empty below the tables.
-std::size_t count_beside(const std::vector<Picture>& pictures, const TextBlocks& blocks) {
+double height_of(const Picture& picture) {
   constexpr double kCaption = 40.0;
-  constexpr double kOver = 140.0;
-  double left = height_of(blocks) + kOver;
-  std::size_t count = 0;
-  while (count < pictures.size() && !is_broad(pictures[count])) {
-    left -= pictures[count].view.height() + kCaption;
-    if (left < 0.0) {
-      break;
+  return picture.view.height() + kCaption;
+}
+
+// Of pictures, narrow ones first, how many stand beside the blocks in a column, so that with the
+// others below, two in a row, the whole is as low as can be.
+std::size_t count_beside(const std::vector<Picture>& pictures, const TextBlocks& blocks) {
+  double least = std::numeric_limits<double>::infinity();
+  double column = 0.0;
+  std::size_t best = 0;
+  for (std::size_t beside = 0; beside <= pictures.size(); ++beside) {
+    double height = std::max(height_of(blocks), column);
+    for (std::size_t i = beside; i < pictures.size(); ++i) {
+      const bool is_first =
+          !is_broad(pictures[i]) && i + 1 < pictures.size() && !is_broad(pictures[i + 1]);
+      height += is_first ? std::max(height_of(pictures[i]), height_of(pictures[i + 1]))
+                         : height_of(pictures[i]);
+      i += is_first ? 1 : 0;
     }
-    ++count;
+    if (height < least) {
+      least = height;
+      best = beside;
+    }
+    if (beside < pictures.size()) {
+      if (is_broad(pictures[beside])) {
+        break;
+      }
+      column += height_of(pictures[beside]);
+    }
   }
-  return count;
+  return best;
 }
 
 }  // namespace

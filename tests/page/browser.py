@@ -108,6 +108,7 @@ class Browser:
                         "goog:chromeOptions": {"binary": browser, "args": arguments},
                         "goog:loggingPrefs": {"browser": "ALL", "performance": "ALL"},
                         "unhandledPromptBehavior": "ignore",
+                        "timeouts": {"script": 120000},  # a checker of a long page takes its time [ms]
                     }
                 }
             },

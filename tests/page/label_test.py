@@ -133,6 +133,7 @@ def axe_core() -> Path | None:
 class LabelTest(PageCase):
     def expect_free(self, path: Path, *pictures: str, which: int = 0) -> None:
         self.open(path, prefers_reduced_motion="reduce")
+        self.ask("for (const one of document.querySelectorAll('details')) one.open = true;")
         for picture in pictures:
             with self.subTest(path.stem, picture=picture):
                 count, covered = self.ask(COVERED, picture, which)
@@ -143,6 +144,37 @@ class LabelTest(PageCase):
         for name in ("sweeps/press_stroke.yaml", "planar/toggle_press.yaml",
                      "planar/engine_balance.yaml"):
             self.expect_free(self.page(name), "power-flow")
+
+    def test_the_edges_of_graphs(self) -> None:
+        # Bundles of lines with long labels, an arrow for a load, and bodies that edges lead around.
+        for name, *pictures in (
+                ("planar/gripper.yaml", "motion-graph", "action-graph", "circuits", "cut-sets"),
+                ("spatial/kelvin_clamp.yaml", "motion-graph"),
+                ("spatial/three_vee_mount.yaml", "motion-graph"),
+                ("spatial/ups_platform.yaml", "power-flow"),
+                ("transmissions/mercedes_w5a_580.yaml", "power-flow", "motion-graph"),
+                ("transmissions/vw_02j.yaml", "power-flow", "action-graph")):
+            self.expect_free(self.page(name), *pictures)
+
+    def test_the_extremes_in_charts(self) -> None:
+        # Each keeps off the curve between its points, and off the guides of events.
+        self.open(self.page("planar/watt_six_bar.yaml"), prefers_reduced_motion="reduce")
+        for chart in (1, 3, 4, 5):
+            with self.subTest(chart=chart):
+                count, covered = self.ask(COVERED, "motion-curves", chart)
+                self.assertGreater(count, 3)
+                self.assertEqual(
+                    [words for words in covered if words.startswith(("max", "min"))], [])
+
+    def test_series_upon_each_other_have_one_label(self) -> None:
+        # The moment on the ground and the shaking moment of an engine are the same.
+        self.open(self.page("planar/four_stroke_engine.yaml"), prefers_reduced_motion="reduce")
+        labels = self.ask(
+            "const chart = [...document.querySelectorAll('figure.chart')].find((one) =>"
+            "  one.querySelector('figcaption').textContent.endsWith('Motion, moment z'));"
+            "return [...chart.querySelectorAll('.picture text')].map((one) => one.textContent)"
+            "  .filter((one) => /^(max|min)/.test(one));")
+        self.assertEqual(len(labels), 2, labels)
 
     def test_the_names_of_cases_beside_levers(self) -> None:
         page = self.page("gears/simple_planetary.yaml")

@@ -148,6 +148,77 @@ class PageTest(PageCase):
 
                 self.assertEqual(shrunk, [])
 
+    def test_extremes_are_seen_beside_the_mechanism(self) -> None:
+        # What is least and greatest, and where; ranges and means may be scrolled to.
+        for name in ("planar/watt_six_bar.yaml", "planar/four_stroke_engine.yaml",
+                     "spatial/ups_platform.yaml"):
+            with self.subTest(name):
+                self.open(self.page(name))
+                heads, beyond = self.ask(
+                    "const box = [...document.querySelectorAll('.results .box')].at(-1);"
+                    "const right = box.getBoundingClientRect().right;"
+                    "const heads = [...box.querySelectorAll('thead th')].slice(0, 5);"
+                    "return [heads.map((one) => one.textContent),"
+                    "  heads.map((one) => one.getBoundingClientRect().right - right)];")
+                self.assertEqual([heads[1], heads[3]], ["least", "greatest"])
+                self.assertLess(max(beyond), 1)
+
+    def test_bars_of_a_case_leave_no_page_empty(self) -> None:
+        # Those of velocities stand beside their tables, those of forces and moments beside each
+        # other, forces first.
+        self.open(self.page("planar/four_stroke_engine.yaml"))
+        tables, speeds, forces, torques = self.ask(
+            "const panel = document.querySelector('section.panel');"
+            "const box = (one) => { const p = one.getBoundingClientRect();"
+            "  return [p.left, p.right, p.top]; };"
+            "const figure = (name) => box(panel.querySelector(`[data-picture=${name}]`));"
+            "return [box(panel.querySelector('.pair table')), ...['speeds', 'forces', 'torques'].map(figure)];")
+        self.assertGreater(speeds[0], tables[1])
+        self.assertGreaterEqual(torques[0], forces[1])
+        self.assertAlmostEqual(torques[2], forces[2], delta=1)
+
+    def test_errors_come_first_and_their_lines_can_be_reached(self) -> None:
+        text = (ROOT / "mechanisms/planar/four_bar.yaml").read_text(encoding="utf-8")
+        cases = text.index("cases:")
+        file = self.folder / "wrong.yaml"
+        file.write_text(text[:cases] + "cases:\n  a case with a motion too many, which no linkage can have: "
+                        "{motion: {a.wz: 60 rpm, d.wz: 3 rpm}}\n", encoding="utf-8")
+        page = self.folder / "wrong.html"
+        self.assertEqual(write_page(page, file).returncode, 3)
+        self.open(page, width=400)
+
+        titles, quoted = self.ask(
+            "return [[...document.querySelectorAll('.part-title')].map((one) => one.textContent),"
+            "  [...document.querySelectorAll('pre.quoted')].map((one) => [one.tabIndex,"
+            "    one.scrollWidth > one.clientWidth,"
+            "    getComputedStyle(one).backgroundImage !== 'none'])];")
+        self.assertEqual(titles[:2], ["Findings", "Summary"])
+        self.assertEqual(quoted, [[0, True, True]])
+
+    def test_tables_on_paper_cover_nothing(self) -> None:
+        # On a screen some are scrolled; on paper they have room for all rows.
+        for name in ("planar/watt_six_bar.yaml", "planar/four_stroke_engine.yaml"):
+            with self.subTest(name):
+                self.browser.set_width(720)
+                self.browser.set_media("print")
+                self.browser.open(self.page(name))
+                beyond = self.ask(
+                    "return [...document.querySelectorAll('.box')]"
+                    ".filter((one) => one.getClientRects().length)"
+                    ".map((one) => one.querySelector('table').getBoundingClientRect().bottom"
+                    "  - one.getBoundingClientRect().bottom);")
+                self.assertGreater(len(beyond), 5)
+                self.assertLess(max(beyond), 1)
+
+    def test_charts_stand_in_two_columns_on_paper(self) -> None:
+        self.browser.set_width(720)
+        self.browser.set_media("print")
+        self.browser.open(self.page("planar/four_stroke_engine.yaml"))
+        lefts = self.ask(
+            "return [...new Set([...document.querySelectorAll('.charts figure')]"
+            ".map((one) => Math.round(one.getBoundingClientRect().left)))];")
+        self.assertEqual(len(lefts), 2)
+
     def test_captions_keep_names_as_the_file_writes_them(self) -> None:
         text = (ROOT / "mechanisms/sweeps/four_bar_height.yaml").read_text(encoding="utf-8")
         text = text[:text.index("published:")].replace("Tin", "tin").replace("crank turns:", "'a: b':")

@@ -184,7 +184,7 @@ BarMap force_map(const Analysis& analysis) {
   MapBuilder builder(analysis, has_action);
   builder.add(
       {.words = "force",
-       .symbol = "R",
+       .symbol = "F",
        .unit = unit_text(analysis, QuantityKind::force),
        .value =
            [](const CaseAnalysis& one, std::size_t e, const InUnits& in) {

@@ -19,6 +19,8 @@ constexpr double kMostBetweenEdges = 70.0;
 constexpr double kBetweenLines = 5.0;  // the lines of one edge
 constexpr double kWidest = 11.0;
 constexpr double kHair = 1.2;
+constexpr double kDetour = 100.0;  // of a label, rather than upon an edge [px]
+constexpr double kHatching = 9.0;  // below the ground [px]
 
 bool holds(const PixelBox& box, PixelPoint p) {
   return p.x > box.left && p.x < box.right && p.y > box.top && p.y < box.bottom;
@@ -51,6 +53,12 @@ class GraphWriter {
                         .right = places[v].x + half.x,
                         .bottom = places[v].y + half.y});
       placer_.keep_free(boxes_.back());
+      if (model.nodes[v].is_ground) {
+        PixelBox hatching = boxes_.back();
+        hatching.top = hatching.bottom;
+        hatching.bottom += kHatching;
+        placer_.keep_off(hatching);
+      }
     }
     for (const ModelPower& power : model.power) {
       largest_ = std::max(largest_, power.size);
@@ -143,7 +151,7 @@ class GraphWriter {
       const ModelEdge& edge = model_.edges[e];
       parallel[std::minmax(edge.tail, edge.head)].push_back(e);
     }
-    offsets_.resize(model_.edges.size(), 0.0);
+    offsets_.assign(model_.edges.size(), 0.0);
     for (const auto& [pair, edges] : parallel) {
       const double between = room_between(pair.first, pair.second, edges);
       double width = -between;
@@ -156,6 +164,37 @@ class GraphWriter {
         at += bundle_width(e) + between;
       }
     }
+    for (std::size_t e = 0; e < model_.edges.size(); ++e) {
+      lead_around_nodes(e);
+    }
+  }
+
+  // Bends an edge that would run behind a node that it does not join, as little as need be.
+  void lead_around_nodes(std::size_t e) {
+    constexpr double kStep = 12.0;
+    constexpr int kMostSteps = 10;
+    const double first = offsets_[e];
+    for (int i = 1; i <= 2 * kMostSteps && meets_node(e); ++i) {
+      offsets_[e] = first + (i % 2 == 1 ? 1.0 : -1.0) * kStep * ((i + 1) / 2);
+    }
+    if (meets_node(e)) {
+      offsets_[e] = first;
+    }
+  }
+
+  bool meets_node(std::size_t e) const {
+    constexpr double kAir = 4.0;
+    const ModelEdge& edge = model_.edges[e];
+    const Curve curve = curve_of(edge, offsets_[e]);
+    for (std::size_t v = 0; v < boxes_.size(); ++v) {
+      const PixelBox box = boxes_[v].grown(kAir + bundle_width(e) / 2);
+      const bool is_end = static_cast<int>(v) == edge.tail || static_cast<int>(v) == edge.head;
+      if (!is_end &&
+          std::ranges::any_of(curve.points, [&box](PixelPoint p) { return holds(box, p); })) {
+        return true;
+      }
+    }
+    return false;
   }
 
   // So much that the label of each edge fits in, which takes more the steeper the edges are.
@@ -377,14 +416,18 @@ class GraphWriter {
     const TextStyle style = label_style(e);
     const double beside = has_power(e) ? power_width(power_of(e)->size, largest_) / 2 : 1.0;
     std::vector<PixelPoint> middles;
-    for (const double share : {0.5, 0.42, 0.58, 0.34, 0.72, 0.26, 0.8, 0.18}) {
-      const PixelPoint across = left_of(curve.direction(share));
-      const double away = beside + 3.0 + size_across(text, style, across) / 2 + bundle_width(e) / 2;
-      middles.push_back(curve.at(share) + away * across);
-      middles.push_back(curve.at(share) - away * across);
+    for (const double farther : {0.0, 5.0, 10.0}) {
+      for (const double share : {0.5, 0.42, 0.58, 0.34, 0.72, 0.26, 0.8, 0.18, 0.88, 0.12}) {
+        const PixelPoint across = left_of(curve.direction(share));
+        const double away =
+            beside + 3.0 + farther + size_across(text, style, across) / 2 + bundle_width(e) / 2;
+        middles.push_back(curve.at(share) + away * across);
+        middles.push_back(curve.at(share) - away * across);
+      }
     }
-    const PlacedName label = placer_.place_at(middles, text, style);
-    svg_.text(label.place, text, style);
+    const PixelPoint anchor = curve.at(0.5);
+    const PlacedName label = placer_.place_at(middles, anchor, text, style);
+    write_label(svg_, label, anchor, text, style);
   }
 
   Svg& svg_;
@@ -392,7 +435,7 @@ class GraphWriter {
   const std::vector<PixelPoint>& places_;
   std::vector<PixelBox> boxes_;
   std::vector<double> offsets_;
-  NamePlacer placer_;
+  NamePlacer placer_{kDetour};
   double largest_ = 0.0;
 };
 

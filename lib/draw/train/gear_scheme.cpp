@@ -378,7 +378,7 @@ class SchemeWriter {
         places.push_back(place - (near + beyond) * across);
       }
     }
-    const PlacedName label = placer_.place_at(places, name, style);
+    const PlacedName label = placer_.place_at(places, places.front(), name, style);
     write_label(svg_, label, 0.5 * (shaft.from + shaft.to), name, style);
   }
 

@@ -51,6 +51,17 @@ TEST(Labels, AreLeftOutWhereThereIsNoRoom) {
   EXPECT_TRUE(svg.elements().empty());
 }
 
+// The same line by its ends alone.
+TEST(Labels, AvoidCurvesBetweenTheirPoints) {
+  PointLabels placer(kArea);
+  placer.avoid({{.x = 0.0, .y = 92.0}, {.x = 300.0, .y = 92.0}});
+  Svg svg;
+
+  ASSERT_TRUE(placer.write({.x = 150.0, .y = 100.0}, "below", {}, svg));
+
+  EXPECT_GT(svg.bounds().top, 92.0);
+}
+
 TEST(Labels, AvoidCurves) {
   PointLabels placer(kArea);
   std::vector<PixelPoint> curve;

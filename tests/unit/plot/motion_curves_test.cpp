@@ -1,5 +1,7 @@
 #include "studies/motion/picture/motion_curves.hpp"
 
+#include <numbers>
+
 #include <gtest/gtest.h>
 
 #include "files/load_file.hpp"
@@ -85,6 +87,20 @@ INSTANTIATE_TEST_SUITE_P(
         WholeReport{
             .file = "tests/cli/motion_in_time/file.yaml",
             .words = {"position", "velocity", "acceleration", "action", "power", "dynamics"}}));
+
+// A turn of the crank is 2 pi: a chart that went on to 8 rad would be empty for a fifth.
+TEST(MotionCharts, EndWithTheMotion) {
+  const auto motion = motion_with("mechanisms/planar/watt_six_bar.yaml", {"position"});
+  ASSERT_TRUE(motion);
+
+  const Figure figure = motion_figure(*motion, "");
+
+  ASSERT_FALSE(figure.charts.empty());
+  for (const Chart& chart : figure.charts) {
+    EXPECT_NEAR(chart.x.low.value(), 0.0, 1e-12);
+    EXPECT_NEAR(chart.x.high.value(), 2 * std::numbers::pi, 1e-12);
+  }
+}
 
 TEST(MotionGuides, HaveOneLabelAPlaceInTheOrderOfNames) {
   MotionTable table;

@@ -181,10 +181,25 @@ std::vector<Group> groups_of(const MotionTable& motion) {
   return groups;
 }
 
+// From end to end of the motion.
 ChartAxis drive_axis(const MotionTable& motion) {
   const MotionColumn& drive = motion.columns.front();
-  return {.label = drive.element.empty() ? drive.quantity : "position of " + drive.element,
-          .unit = drive.unit};
+  ChartAxis axis = {
+      .label = drive.element.empty() ? drive.quantity : "position of " + drive.element,
+      .unit = drive.unit};
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const double value : values_of(motion, 0)) {
+    if (std::isfinite(value)) {
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+  }
+  if (low < high) {
+    axis.low = low;
+    axis.high = high;
+  }
+  return axis;
 }
 
 Chart chart_of(const Group& group, const MotionTable& motion) {
