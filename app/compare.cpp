@@ -16,8 +16,8 @@ void add_reports(CLI::App& command, TwoReports& reports) {
   add_argument(command,
                "A",
                reports.a,
-               "the expected report: <name>.report.json or a CSV\n"
-               "table")
+               "the expected report: <name>.report.json, or rows or\n"
+               "a table in CSV, of one file or of several")
       .required();
   add_argument(command,
                "B",
@@ -72,11 +72,18 @@ void add_form(CLI::App& command, CompareOptions& options) {
 }  // namespace
 
 void add_compare(CLI::App& command, Job& job) {
-  command.footer(
+  const std::string examples =
       "  kinestat compare golden/train.report.json reports/train.report.json\n"
       "  kinestat analyze --format json train.yaml | kinestat compare golden.json -\n"
       "  kinestat compare --rtol 1e-6 --tolerance 'moment=0.5 N*mm' old.json new.json\n"
-      "  kinestat compare --tolerance '/cases/*/ratio=0.1%' --format json old.json new.json\n");
+      "  kinestat compare --tolerance '/cases/*/ratio=0.1%' --format json old.json new.json\n"
+      "\nKeys that are not compared, because equal results may differ in them:\n";
+  command.footer("");  // not that of the program
+  command.footer([examples] {
+    std::string text = examples + ignored_keys_help();
+    text.pop_back();  // the line end that CLI11 adds
+    return text;
+  });
   auto reports = std::make_shared<TwoReports>();
   add_reports(command, *reports);
   add_tolerances(command, reports->options.tolerances);

@@ -53,7 +53,8 @@ constexpr auto kErrorCodes = std::to_array<Code>({
      "output would replace a foreign file",
      "A file of that name exists, and it is not a report that this program wrote. It is left "
      "unchanged, because it may hold work that exists nowhere else. Choose another folder or name, "
-     "or give --force if it may be replaced."},
+     "or give --force if it may be replaced. A file that the command itself reads is never "
+     "replaced."},
     {"E0154",
      environment,
      "out of memory",

@@ -6,10 +6,17 @@
 
 #include "core/utf8.hpp"
 #include "report/csv.hpp"
+#include "report/table_archive.hpp"
 
 namespace kinestat {
 
 namespace {
+
+// The heads of the columns alone, where there is nothing to tell.
+const std::vector<NamedTable>& no_rows() {
+  static const std::vector<NamedTable> table = {{.pass = {}, .text = std::string(kCsvHeader)}};
+  return table;
+}
 
 // A line end within quotes ends no row.
 std::string with_file_column(const std::string& table, const std::string& path) {
@@ -53,7 +60,7 @@ void add_to_stream(const FileReport& report,
       outcome.out += report.json_line.empty() ? report.json : report.json_line;
       break;
     case StreamFormat::csv:
-      for (const NamedTable& table : report.csv) {
+      for (const NamedTable& table : report.csv.empty() ? no_rows() : report.csv) {
         const std::string text = paths.size() > 1 ? with_file_column(table.text, path) : table.text;
         const std::size_t header = text.find('\n') + 1;
         if (outcome.out.empty()) {

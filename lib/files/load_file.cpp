@@ -105,6 +105,15 @@ std::optional<Loaded> with_gears(MechanismDescription description,
 
 }  // namespace
 
+std::vector<std::string> input_paths(const std::vector<std::string>& paths,
+                                     const LoadOptions& options) {
+  std::vector<std::string> all = paths;
+  for (const std::string& curve : options.curves) {
+    all.push_back(curve.substr(curve.find('=') + 1));
+  }
+  return all;
+}
+
 void apply_overrides(const std::vector<Override>& overrides,
                      MechanismDescription& description,
                      Diagnostics& found) {

@@ -22,6 +22,10 @@ struct LoadOptions {
   ReadLimits limits;                     ///< of --max-file-size
 };
 
+/// The paths of all that is read: the files themselves and the tables of curves.
+std::vector<std::string> input_paths(const std::vector<std::string>& paths,
+                                     const LoadOptions& options);
+
 /// Reads and applies the overrides. `source` keeps the text for messages, also when the result is
 /// empty, which it is iff an error was added.
 std::optional<MechanismDescription> load_description(const std::string& path,

@@ -45,6 +45,7 @@ std::string laid_out(const std::string& tidy, TableLayout layout) {
 bool write_report(const FileReport& report,
                   const std::string& stem,
                   const OutputOptions& options,
+                  InputPaths inputs,
                   Diagnostics& found) {
   std::vector<OutputFile> files;
   files.push_back({.path = fmt::format("{}/{}.report.json", options.folder, stem),
@@ -55,7 +56,7 @@ bool write_report(const FileReport& report,
                      .content = laid_out(table.text, options.layout),
                      .signature = std::string(csv_signature())});
   }
-  return write_files(files, options.overwrite, found);
+  return write_files(files, options.overwrite, inputs, found);
 }
 
 }  // namespace kinestat

@@ -28,10 +28,11 @@ bool check_distinct(const std::vector<std::string>& paths, Diagnostics& found);
 /// A tidy table in that layout.
 std::string laid_out(const std::string& tidy, TableLayout layout);
 
-/// Writes <stem>.report.json and <stem>.<pass>.csv, all or none.
+/// Writes <stem>.report.json and <stem>.<pass>.csv, all or none, and none of the inputs.
 bool write_report(const FileReport& report,
                   const std::string& stem,
                   const OutputOptions& options,
+                  InputPaths inputs,
                   Diagnostics& found);
 
 }  // namespace kinestat

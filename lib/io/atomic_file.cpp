@@ -41,9 +41,23 @@ bool is_own(const OutputFile& file) {
          begins_with(file.path, file.signature);
 }
 
+// By whatever path: a link is an input where it is named, and where it leads to.
+bool is_input(const struct stat& status, InputPaths inputs) {
+  return std::ranges::any_of(inputs, [&](const std::string& path) {
+    struct stat named = {};
+    struct stat meant = {};
+    const auto is_it = [&](const struct stat& one) {
+      return one.st_dev == status.st_dev && one.st_ino == status.st_ino;
+    };
+    return path != "-" && ((::lstat(path.c_str(), &named) == 0 && is_it(named)) ||
+                           (::stat(path.c_str(), &meant) == 0 && is_it(meant)));
+  });
+}
+
 // What stands at the target, if it may be replaced.
 std::optional<Present> find_present(const OutputFile& file,
                                     Overwrite overwrite,
+                                    InputPaths inputs,
                                     Diagnostics& found) {
   struct stat status = {};
   if (::lstat(file.path.c_str(), &status) != 0) {
@@ -59,6 +73,13 @@ std::optional<Present> find_present(const OutputFile& file,
                    found);
     return {};
   }
+  if (is_input(status, inputs)) {
+    found.error("E0153",
+                {},
+                fmt::format("'{}' is read by this command, and stays as it is", file.path),
+                "choose another name");
+    return {};
+  }
   if (overwrite == Overwrite::own_only && !is_own(file)) {
     found.error("E0153",
                 {},
@@ -72,11 +93,12 @@ std::optional<Present> find_present(const OutputFile& file,
 // All complaints about the targets, before anything is written.
 std::vector<TemporaryFile> plan_files(std::span<const OutputFile> files,
                                       Overwrite overwrite,
+                                      InputPaths inputs,
                                       Diagnostics& found) {
   std::vector<TemporaryFile> plan;
   plan.reserve(files.size());
   for (const OutputFile& file : files) {
-    if (const auto present = find_present(file, overwrite, found)) {
+    if (const auto present = find_present(file, overwrite, inputs, found)) {
       plan.push_back(TemporaryFile(file.path, *present, file.scratch, file.survives_crash));
     }
   }
@@ -103,8 +125,11 @@ bool take_places(std::vector<TemporaryFile>& plan, Diagnostics& found) {
 
 }  // namespace
 
-bool write_files(std::span<const OutputFile> files, Overwrite overwrite, Diagnostics& found) {
-  std::vector<TemporaryFile> plan = plan_files(files, overwrite, found);
+bool write_files(std::span<const OutputFile> files,
+                 Overwrite overwrite,
+                 InputPaths inputs,
+                 Diagnostics& found) {
+  std::vector<TemporaryFile> plan = plan_files(files, overwrite, inputs, found);
   if (plan.size() < files.size()) {
     return false;
   }
@@ -122,8 +147,11 @@ bool write_files(std::span<const OutputFile> files, Overwrite overwrite, Diagnos
   return false;
 }
 
-bool check_places(std::span<const OutputFile> files, Overwrite overwrite, Diagnostics& found) {
-  return plan_files(files, overwrite, found).size() == files.size();
+bool check_places(std::span<const OutputFile> files,
+                  Overwrite overwrite,
+                  InputPaths inputs,
+                  Diagnostics& found) {
+  return plan_files(files, overwrite, inputs, found).size() == files.size();
 }
 
 bool check_output_folder(const std::string& folder, Diagnostics& found) {

@@ -28,16 +28,25 @@ enum class Overwrite {
   force      ///< any present file is replaced, but no folder, device or pipe
 };
 
+/// The paths of what a command reads, which it never replaces; "-" is none.
+using InputPaths = std::span<const std::string>;
+
 /// Writes all files or none. Each is written, and synced if it is to survive a crash, as a
 /// temporary in the folder of its target, with the mode that the umask leaves; then all take their
 /// places. When anything fails, the temporaries are removed and what was there before is there
 /// again. A symbolic link at the target is replaced, not followed. E0152 when the system refuses,
-/// E0153 for a foreign file; false iff an error was added. A process that writes near its file size
-/// limit must ignore SIGXFSZ.
-bool write_files(std::span<const OutputFile> files, Overwrite overwrite, Diagnostics& found);
+/// E0153 for a foreign file and for one of the inputs; false iff an error was added. A process that
+/// writes near its file size limit must ignore SIGXFSZ.
+bool write_files(std::span<const OutputFile> files,
+                 Overwrite overwrite,
+                 InputPaths inputs,
+                 Diagnostics& found);
 
 /// Asks, before anything is computed, whether the files may take their places (E0152, E0153).
-bool check_places(std::span<const OutputFile> files, Overwrite overwrite, Diagnostics& found);
+bool check_places(std::span<const OutputFile> files,
+                  Overwrite overwrite,
+                  InputPaths inputs,
+                  Diagnostics& found);
 
 /// Asks, before anything is computed, whether files can be written into a folder: it exists, is a
 /// folder and may be written to (E0152). The empty path is the working folder.

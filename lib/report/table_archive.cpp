@@ -111,7 +111,7 @@ void TableArchive::element(std::string_view name, std::string_view status) {
     case_ = outer.empty() ? std::string(name) : fmt::format("{}.{}", outer, name);
   } else if (names_parameters_) {
     parameter_ = name;
-  } else if (!element_keys_.empty()) {
+  } else if (!element_keys_.empty() || (!open_.empty() && !open_.back().element.empty())) {
     if (std::exchange(open_.back().names_path, true)) {
       path_.pop_back();
     }

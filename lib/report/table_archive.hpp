@@ -18,8 +18,8 @@ inline constexpr std::string_view kCsvHeader =
 enum class MissingNumber { empty_cell, no_row };
 
 /// One row a number: `quantity` is its path below the element, `value` is empty where it is null.
-/// `status` is that of the table, unless the element has one of its own. Where a key is the
-/// element, names below it are part of the quantity.
+/// `status` is that of the table, unless the element has one of its own. Names below an element,
+/// those in its maps or of a key that is one, are part of the quantity: no two rows have one name.
 class TableArchive : public Archive {
  public:
   /// `mechanism` stands in the first cell of every row. What is below the key `parameters` has its

@@ -46,7 +46,8 @@ void analyse_file(const std::string& path,
     if (report) {
       add_to_stream(*report, path, paths, options, outcome);
       if (!options.output.folder.empty()) {
-        write_report(*report, report_stem(path), options.output, found);
+        write_report(
+            *report, report_stem(path), options.output, input_paths(paths, options.load), found);
       }
     }
   }

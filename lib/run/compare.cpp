@@ -2,14 +2,19 @@
 
 #include <future>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "core/page_text.hpp"
+#include "core/text.hpp"
 #include "core/utf8.hpp"
 #include "io/read_file.hpp"
 #include "studies/compare/compare.hpp"
 #include "studies/compare/compare_report.hpp"
 #include "studies/compare/compare_text.hpp"
+#include "studies/compare/ignored_keys.hpp"
 
 namespace kinestat {
 
@@ -92,6 +97,12 @@ void warn_of_unmet_places(const ReportComparison& comparison, Outcome& outcome) 
 }
 
 }  // namespace
+
+std::string ignored_keys_help() {
+  constexpr std::size_t kWidth = 80;
+  const std::vector<std::string> keys = ignored_keys();
+  return page_lines("  ", plain_list(keys, keys.size()), 2, kWidth);
+}
 
 Outcome compare_reports(const std::string& path_a,
                         const std::string& path_b,

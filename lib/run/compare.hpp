@@ -16,6 +16,9 @@ struct CompareOptions {
   bool is_quiet = false;  ///< nothing on standard output
 };
 
+/// The keys that are not compared, in indented lines.
+std::string ignored_keys_help();
+
 /// Compares the reports in two files, "-" being standard input. The status is check_failed if they
 /// differ, wrong_input if one is no report, environment if one cannot be read.
 Outcome compare_reports(const std::string& path_a,

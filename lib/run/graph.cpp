@@ -91,10 +91,10 @@ std::vector<LabelledMatrix> all_matrices(const Loaded& loaded, const Case* which
 }
 
 void graph_file(const std::string& path,
+                const std::vector<std::string>& paths,
                 Matrices matrices,
                 const std::string& case_label,
                 const AnalyseOptions& options,
-                std::size_t count,
                 Outcome& outcome) {
   SourceFile source;
   Diagnostics found;
@@ -106,12 +106,8 @@ void graph_file(const std::string& path,
           loaded->description,
           loaded->mechanism,
           matrices == Matrices::all ? all_matrices(*loaded, which) : std::vector<LabelledMatrix>{},
-          stream_forms(options.format, count));
-      outcome.out += report.json + report.json_line;
-      outcome.report += report.text;
-      for (const NamedTable& table : report.csv) {
-        outcome.out += table.text;
-      }
+          stream_forms(options.format, paths.size()));
+      add_to_stream(report, path, paths, options, outcome);
     }
   }
   add_diagnostics(source, found, options.strictness, outcome);
@@ -124,7 +120,7 @@ Outcome graph_files(const std::vector<std::string>& paths,
                     const std::string& case_label,
                     const AnalyseOptions& options) {
   return for_each_file(paths, options, [&](const std::string& path, Outcome& outcome) {
-    graph_file(path, matrices, case_label, options, paths.size(), outcome);
+    graph_file(path, paths, matrices, case_label, options, outcome);
   });
 }
 

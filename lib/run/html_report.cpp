@@ -268,21 +268,24 @@ class PageBuilder {
   FilePage page_;
 };
 
-bool can_be_written(const HtmlReportOptions& page, Outcome& outcome) {
+bool can_be_written(const HtmlReportOptions& page, InputPaths inputs, Outcome& outcome) {
   if (page.path.empty()) {
     return true;
   }
   const OutputFile file{
       .path = page.path, .content = {}, .signature = std::string(html_signature())};
   Diagnostics found;
-  const bool is_free = check_places(std::span(&file, 1), page.overwrite, found);
+  const bool is_free = check_places(std::span(&file, 1), page.overwrite, inputs, found);
   if (!found.items().empty()) {
     add_diagnostics({}, found, Strictness::normal, outcome);
   }
   return is_free;
 }
 
-void write_page(std::string html, const HtmlReportOptions& page, Outcome& outcome) {
+void write_page(std::string html,
+                const HtmlReportOptions& page,
+                InputPaths inputs,
+                Outcome& outcome) {
   if (page.path.empty()) {
     outcome.out += html;
     return;
@@ -290,7 +293,7 @@ void write_page(std::string html, const HtmlReportOptions& page, Outcome& outcom
   const OutputFile file{
       .path = page.path, .content = std::move(html), .signature = std::string(html_signature())};
   Diagnostics found;
-  if (write_files(std::span(&file, 1), page.overwrite, found)) {
+  if (write_files(std::span(&file, 1), page.overwrite, inputs, found)) {
     outcome.out += fmt::format("{}: written\n", printable(page.path));
   } else {
     add_diagnostics({}, found, Strictness::normal, outcome);
@@ -304,7 +307,8 @@ Outcome html_report_of_files(const std::vector<std::string>& paths,
                              const AnalyseOptions& options) {
   Outcome outcome;
   outcome.form = options.diagnostics;
-  if (!can_be_written(page, outcome)) {
+  const std::vector<std::string> inputs = input_paths(paths, options.load);
+  if (!can_be_written(page, inputs, outcome)) {
     return outcome;
   }
   std::vector<FilePage> pages;
@@ -312,7 +316,7 @@ Outcome html_report_of_files(const std::vector<std::string>& paths,
     pages.push_back(PageBuilder(path, options).run());
     add_diagnostics(pages.back().source, pages.back().found, options.strictness, of_file);
   });
-  write_page(html_report(pages), page, read);
+  write_page(html_report(pages), page, inputs, read);
   return read;
 }
 

@@ -226,6 +226,7 @@ void merge_into(const std::vector<std::string>& paths,
               ? write_rows(result_pieces(metadata, files, counts), hooks, found)
               : write_files(result_files(metadata, options.folder, "", files, counts),
                             options.overwrite,
+                            paths,
                             found);
       summary = is_written && !options.is_quiet ? sweep_text(metadata, counts) : "";
     }

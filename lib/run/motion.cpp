@@ -45,6 +45,7 @@ std::optional<MotionAnalysis> analyse_motion(const std::string& path,
 bool write_motion(const FileReport& report,
                   const std::string& path,
                   const OutputOptions& options,
+                  InputPaths inputs,
                   Diagnostics& found) {
   const std::string stem = fmt::format("{}/{}.motion", options.folder, report_stem(path));
   const std::vector<OutputFile> files = {
@@ -52,7 +53,7 @@ bool write_motion(const FileReport& report,
       {.path = stem + ".csv",
        .content = laid_out(report.csv.front().text, options.layout),
        .signature = std::string(csv_signature())}};
-  return write_files(files, options.overwrite, found);
+  return write_files(files, options.overwrite, inputs, found);
 }
 
 }  // namespace
@@ -77,7 +78,7 @@ Outcome motion_of_files(const std::vector<std::string>& paths,
       const FileReport report = make_motion_report(*analysis, forms, found);
       add_to_stream(report, path, paths, options, outcome);
       if (!options.output.folder.empty()) {
-        write_motion(report, path, options.output, found);
+        write_motion(report, path, options.output, input_paths(paths, options.load), found);
       }
     }
     add_diagnostics(source, found, options.strictness, outcome);

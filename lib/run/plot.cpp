@@ -185,10 +185,13 @@ class PictureJob {
             .signature = std::string(signature_of(choice_.form))};
   }
 
+  std::vector<std::string> inputs() const { return input_paths({path_}, options_.load); }
+
   // Before anything is computed. False iff an error was added.
   bool has_place() {
     const OutputFile file = output({});
-    return choice_.path.empty() || check_places(std::span(&file, 1), choice_.overwrite, found_);
+    return choice_.path.empty() ||
+           check_places(std::span(&file, 1), choice_.overwrite, inputs(), found_);
   }
 
   void write(std::string text, Outcome& outcome) {
@@ -197,7 +200,7 @@ class PictureJob {
       return;
     }
     const OutputFile file = output(std::move(text));
-    if (write_files(std::span(&file, 1), choice_.overwrite, found_)) {
+    if (write_files(std::span(&file, 1), choice_.overwrite, inputs(), found_)) {
       outcome.out += fmt::format("{}: written\n", printable(choice_.path));
     }
   }

@@ -99,11 +99,12 @@ void stream(const SweepTask& task,
 }
 
 void store(const SweepTask& task,
+           const std::string& path,
            const SweepOptions& options,
            const SweepHooks& hooks,
            Diagnostics& found,
            Outcome& outcome) {
-  StoredSweep sweep(task, options, hooks, found);
+  StoredSweep sweep(task, options, input_paths({path}, options.load), hooks, found);
   if (!sweep.prepare()) {
     return;
   }
@@ -196,7 +197,7 @@ void sweep_into(const std::string& path,
         tell_forecast(*task, options, found, outcome);
       } else {
         options.folder.empty() ? stream(*task, options, hooks, found, counted)
-                               : store(*task, options, hooks, found, counted);
+                               : store(*task, path, options, hooks, found, counted);
       }
       messages = std::move(counted.err);
     }

@@ -16,6 +16,7 @@ namespace kinestat {
 namespace {
 
 std::optional<FileReport> report_on_transmissions(ReportedFile& file,
+                                                  InputPaths inputs,
                                                   MechanismDescription description,
                                                   const AnalyseOptions& options,
                                                   const SynthesisOptions& synthesis,
@@ -36,7 +37,7 @@ std::optional<FileReport> report_on_transmissions(ReportedFile& file,
     check_transmissions(*analysis, file.found);
   }
   if (!options.output.folder.empty()) {
-    write_transmissions(*analysis, options.output, file.found);
+    write_transmissions(*analysis, options.output, inputs, file.found);
   }
   return make_transmission_report(*analysis, file.forms, file.found);
 }
@@ -69,7 +70,7 @@ Outcome synthesize_files(const std::vector<std::string>& paths,
     auto description = load_description(file.path, options.load, file.source, file.found);
     if (description && description->synthesis && description->synthesis->transmission) {
       return report_on_transmissions(
-          file, *std::move(description), options, synthesis, transmissions);
+          file, paths, *std::move(description), options, synthesis, transmissions);
     }
     if (description && description->synthesis &&
         !check_for_linkages(description->synthesis->where, transmissions, file.found)) {
@@ -85,7 +86,7 @@ Outcome synthesize_files(const std::vector<std::string>& paths,
       check_linkages(*analysis, synthesis, file.found);
     }
     if (!options.output.folder.empty()) {
-      write_linkages(*analysis, synthesis.written, options.output, file.found);
+      write_linkages(*analysis, synthesis.written, options.output, paths, file.found);
     }
     return make_synthesis_report(*analysis, file.forms, file.found);
   });

@@ -91,6 +91,18 @@ cases: {{c: {{motion: {{motor: 3 rad/s}}, action: {{}}}}}}
 motion: {{case: c, drive: motor, to: 360 deg, steps: 12}}
 """
 
+PENDULUM = """\
+kinestat: 1
+space: planar
+units: {units}
+gravity: [0, -9.81 m/s^2]
+ground: g
+bodies: {{rod: {{mass: 2 kg, inertia: 0.1 kg*m^2, centre_of_mass: [0.3 m, 0 m]}}}}
+couplings:
+  a: {{type: revolute, bodies: [g, rod], at: [0 m, 0 m]}}
+simulation: {{time: 0.5 s, steps: 5, report: [position, velocity, action, energy]}}
+"""
+
 IN_METRES = "{length: m}"
 IN_OTHERS = "{length: mm, angle: deg, angular_velocity: rpm, force: kN, moment: N*mm, power: kW}"
 
@@ -123,6 +135,11 @@ class Compare(unittest.TestCase):
             self.assertEqual(self.differences("motion", form,
                                               CRANK_AND_SLIDER.format(units=IN_METRES),
                                               CRANK_AND_SLIDER.format(units=IN_OTHERS)), [])
+
+    def test_one_simulation_in_two_sets_of_units_is_the_same(self) -> None:
+        for form in ("json", "csv"):
+            self.assertEqual(self.differences("simulate", form, PENDULUM.format(units=IN_METRES),
+                                              PENDULUM.format(units=IN_OTHERS)), [])
 
     def test_another_motion_is_not(self) -> None:
         text = CRANK_AND_SLIDER.format(units=IN_METRES)

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "core/utf8.hpp"
 #include "io/internal/scalar_end.hpp"
 
 namespace kinestat {
@@ -20,7 +21,8 @@ void place_quoted(YamlNode& node, SourceMap& map, std::size_t begin) {
   const std::size_t end = find_quote_end(map.text(), begin);
   node.where = map.range(begin, end);
   const std::string_view inside = std::string_view(map.text().all()).substr(begin + 1);
-  const bool is_whole = end == begin + node.text.size() + 2 && inside.starts_with(node.text);
+  const bool is_whole = end == begin + node.text.size() + 2 && inside.starts_with(node.text) &&
+                        node.where.length == 2 + static_cast<int>(count_characters(node.text));
   if (is_whole && end <= map.line_end(begin)) {
     node.text_column = node.where.column + 1;
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -19,6 +20,10 @@ class SourceMap {
 
   const YamlText& text() const { return text_; }
 
+  /// Replaces escapes of two surrogates, "\ud83d\ude00" as JSON has them, by the characters that
+  /// they are. Their offsets, rising; columns count on as before.
+  void join_surrogates(std::span<const std::size_t> pairs);
+
   /// From `begin` to before `end`, cut at the end of the line; at least one character long.
   SourceRange range(std::size_t begin, std::size_t end);
 
@@ -31,10 +36,12 @@ class SourceMap {
  private:
   int line_of(std::size_t offset) const;
   int column_of(std::size_t offset, std::size_t line_start);
+  int count_characters(std::size_t begin, std::size_t end) const;
 
   YamlText text_;
   std::vector<std::size_t> line_starts_;
-  std::size_t last_offset_ = 0;  // where column_of counted to before, and the column there
+  std::vector<std::size_t> joined_;  // where characters stand that were two escapes
+  std::size_t last_offset_ = 0;      // where column_of counted to before, and the column there
   int last_column_ = 1;
 };
 

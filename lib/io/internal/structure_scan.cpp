@@ -9,6 +9,7 @@
 #include "io/internal/block_stack.hpp"
 #include "io/internal/scalar_end.hpp"
 #include "io/internal/structure_words.hpp"
+#include "io/internal/surrogates.hpp"
 #include "io/internal/yaml_text.hpp"
 
 namespace kinestat {
@@ -64,6 +65,7 @@ class Scan {
   int collections_ = 0;
   std::vector<std::size_t> brackets_;  // offsets of the open ones
   BlockStack blocks_;
+  std::vector<std::size_t> surrogates_;  // offsets of pairs of escapes
 };
 
 bool Scan::run() {
@@ -73,6 +75,9 @@ bool Scan::run() {
     if (step == Step::go_on) {
       step = token();
     }
+  }
+  if (step == Step::finished) {
+    map_.join_surrogates(surrogates_);
   }
   return step == Step::finished;
 }
@@ -266,6 +271,9 @@ Scan::Step Scan::quoted() {
   if (end == kNowhere) {
     report_open_quote(map_, at_, found_);
     return Step::refused;
+  }
+  if (text_[at_] == '"') {
+    find_surrogates(text_, at_, end, surrogates_);
   }
   note_key_start();
   is_after_json_ = true;

@@ -40,7 +40,7 @@ void give_mechanism_file(std::string text,
   const std::array<OutputFile, 1> files = {
       {{.path = path, .content = std::move(text), .signature = {}}}};
   Diagnostics found;
-  if (write_files(files, overwrite, found)) {
+  if (write_files(files, overwrite, {}, found)) {
     outcome.out = fmt::format("{0}: written; see 'kinestat {1} {0}'\n", printable(path), command);
     return;
   }

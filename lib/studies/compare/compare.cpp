@@ -12,6 +12,7 @@
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
+#include <vector>
 
 #include "studies/compare/compare_place.hpp"
 
@@ -58,21 +59,38 @@ class Largest {
   void add(const ReportValues& report) {
     for (const KeptValue& value : report.items()) {
       if (value.type == ValueType::number) {
-        const ValueUnit& unit = report.unit_of(value);
-        double& largest = kinds_at(value)[unit.kind];
-        largest =
-            std::min(std::max(largest, std::abs(unit.scale.to_si(value.number))), kLargestFinite);
+        const double si = std::abs(report.unit_of(value).scale.to_si(value.number));
+        double& largest = largest_of(value, report);
+        largest = std::min(std::max(largest, si), kLargestFinite);
       }
     }
   }
 
   // In the unit of the value.
-  double of(const KeptValue& value, const ValueUnit& unit) {
-    return std::min(unit.scale.from_si(kinds_at(value).at(unit.kind)), kLargestFinite);
+  double of(const KeptValue& value, const ReportValues& report) {
+    const UnitScale& scale = report.unit_of(value).scale;
+    return std::min(scale.from_si(largest_of(value, report)), kLargestFinite);
   }
 
  private:
   using Kinds = std::map<std::string, double, std::less<>>;
+
+  // Of millions of values in one place it is found once for each unit.
+  double& largest_of(const KeptValue& value, const ReportValues& report) {
+    Kinds& kinds = kinds_at(value);
+    if (std::exchange(last_kinds_, &kinds) != &kinds ||
+        std::exchange(last_report_, &report) != &report) {
+      of_units_.clear();
+    }
+    if (of_units_.size() <= value.unit) {
+      of_units_.resize(value.unit + 1, nullptr);
+    }
+    double*& largest = of_units_[value.unit];
+    if (largest == nullptr) {
+      largest = &kinds[report.unit_of(value).kind];
+    }
+    return *largest;
+  }
 
   Kinds& kinds_at(const KeptValue& value) {
     if (last_ != nullptr && value.parent.data() == last_parent_) {
@@ -89,6 +107,9 @@ class Largest {
   std::unordered_map<std::string, Kinds> by_keys_;
   const char* last_parent_ = nullptr;
   Kinds* last_ = nullptr;
+  const Kinds* last_kinds_ = nullptr;
+  const ReportValues* last_report_ = nullptr;
+  std::vector<double*> of_units_;  // of these: of each unit of the report
 };
 
 // Looks for one value after the other. Two reports mostly have theirs in one order: what follows
@@ -183,7 +204,7 @@ class Comparer {
                           .a = a.number,
                           .b = converted.number,
                           .unit = unit,
-                          .largest = largest_.of(a, unit)};
+                          .largest = largest_.of(a, a_)};
     const double allowed = allowed_difference(pair, tolerances_);
     if (!are_equal(pair, allowed)) {
       Difference& difference = add(DifferenceType::number, a.place(), &a, &converted);

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <map>
-#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,12 +13,11 @@
 
 #include "core/text.hpp"
 #include "core/utf8.hpp"
-#include "report/kinds/report_kinds.hpp"
 #include "report/table_archive.hpp"
 #include "studies/compare/compare_place.hpp"
 #include "studies/compare/csv_cell.hpp"
+#include "studies/compare/ignored_keys.hpp"
 #include "studies/motion/report/motion_csv.hpp"
-#include "studies/motion/report/motion_table.hpp"
 
 namespace kinestat {
 
@@ -99,44 +96,6 @@ std::optional<std::map<std::string, std::size_t>> read_header(const CsvRow& head
   return columns;
 }
 
-// Names of what two reports may differ in and mean the same, and of nothing else.
-void collect_names(const RecordShape& record,
-                   std::set<const RecordShape*>& seen,
-                   std::set<std::string, std::less<>>& compared,
-                   std::set<std::string, std::less<>>& others) {
-  if (!seen.insert(&record).second) {
-    return;
-  }
-  const std::function<void(const Shape&)> descend = [&](const Shape& shape) {
-    if (shape.record != nullptr) {
-      collect_names(*shape.record, seen, compared, others);
-    }
-    std::ranges::for_each(shape.items, descend);
-  };
-  for (const Property& property : record.properties) {
-    (property.is_compared ? compared : others).insert(property.table_quantity);
-    descend(property.shape);
-  }
-}
-
-std::set<std::string, std::less<>> find_uncompared_names() {
-  std::set<const RecordShape*> seen;
-  std::set<std::string, std::less<>> compared;
-  std::set<std::string, std::less<>> others = {std::string(kClosureErrorColumn)};
-  for (const ReportKind& kind : report_kinds()) {
-    collect_names(*kind.record, seen, compared, others);
-  }
-  std::erase_if(others, [&](const std::string& name) { return compared.contains(name); });
-  return others;
-}
-
-bool is_compared(std::string_view quantity) {
-  static const std::set<std::string, std::less<>> uncompared = find_uncompared_names();
-  const std::string place = fmt::format("/{}", quantity);
-  return std::ranges::none_of(keys_of(place),
-                              [](std::string_view one) { return uncompared.contains(one); });
-}
-
 // In tables counts of mobility are the numbers that are written as whole ones.
 bool is_count(std::string_view pass, std::string_view number) {
   return pass == "mobility" && number.find_first_not_of("-0123456789") == std::string_view::npos;
@@ -155,7 +114,7 @@ class TableReader {
                   found_);
       return;
     }
-    if (!is_compared(cell(row, "quantity"))) {
+    if (!is_compared_in_tables(cell(row, "quantity"))) {
       return;
     }
     const std::string place = columns_.contains("step") ? place_in_motion(row) : place_of(row);

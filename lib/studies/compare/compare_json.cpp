@@ -1,12 +1,14 @@
 #include "studies/compare/compare_json.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <map>
 #include <set>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -63,6 +65,8 @@ struct Visited {
 // Where a walk through a report has come to.
 class ReportPath {
  public:
+  explicit ReportPath(std::string place) : place_(std::move(place)) {}
+
   const std::string& place() const { return place_; }
 
   const Labels& labels() const { return labels_; }
@@ -91,7 +95,9 @@ class ReportPath {
 
 class Collector {
  public:
-  Collector(const ReportUnits& units, ReportValues& values) : units_(units), values_(values) {}
+  // All of the report stands below a place.
+  Collector(std::string place, const ReportUnits& units, ReportValues& values)
+      : units_(units), values_(values), path_(std::move(place)) {}
 
   // Adds a value and all that it contains. What is read and large, an element of a map or a row of
   // a motion, is let go: a report would else be held twice.
@@ -281,7 +287,7 @@ class Collector {
 };
 
 // How often each code occurs.
-void add_codes(const Json& report, ReportValues& values) {
+void add_codes(const Json& report, const std::string& place, ReportValues& values) {
   const auto list = report.find("diagnostics");
   std::map<std::string, int> counts;
   if (list != report.end() && list->is_array()) {
@@ -293,7 +299,43 @@ void add_codes(const Json& report, ReportValues& values) {
     }
   }
   for (const auto& [code, count] : counts) {
-    values.append_number(place_below("/diagnostics", code), count, values.index_of(count_unit()));
+    values.append_number(
+        place_below(place + "/diagnostics", code), count, values.index_of(count_unit()));
+  }
+}
+
+// What this program writes as JSON beside reports, by a key of its head.
+struct OtherOutput {
+  std::string_view key;
+  std::string_view what;
+  std::string_view hint;
+};
+
+constexpr std::array<OtherOutput, 3> kOtherOutputs = {{
+    {"comparison",
+     "this is what a comparison has found, not a report",
+     "compare the two reports themselves, perhaps with another --tolerance"},
+    {"sweep",
+     "this tells how a sweep was made, and is not its rows",
+     "compare the rows beside it: <name>.sweep.csv or <name>.sweep.jsonl"},
+    {"diagnostics", "these are messages, not a report", "compare them as text: diff A B"},
+}};
+
+void refuse_other(const Json& value, const Json& head, Diagnostics& found) {
+  const auto* const other = std::ranges::find_if(
+      kOtherOutputs, [&](const OtherOutput& one) { return head.contains(one.key); });
+  if (head.is_object() && other != kOtherOutputs.end()) {
+    found.error("E0903", {}, std::string(other->what), std::string(other->hint));
+  } else if (value.contains("$schema")) {
+    found.error("E0903",
+                {},
+                "this is a schema or a SARIF log, not a report",
+                "compare them as text: diff A B");
+  } else {
+    found.error("E0903",
+                {},
+                "this is not a report of kinestat: there is no /kinestat/report",
+                "reports are written by 'kinestat analyze --format json' and by --out");
   }
 }
 
@@ -303,10 +345,7 @@ bool is_known_report(const Json& report, Diagnostics& found) {
   const Json version =
       head != report.end() && head->is_object() ? head->value("report", Json()) : Json();
   if (!version.is_number()) {
-    found.error("E0903",
-                {},
-                "this is not a report of kinestat: there is no /kinestat/report",
-                "reports are written by 'kinestat analyze --format json' and by --out");
+    refuse_other(report, head != report.end() ? *head : Json(), found);
     return false;
   }
   if (version != kReportVersion) {
@@ -321,28 +360,85 @@ bool is_known_report(const Json& report, Diagnostics& found) {
   return true;
 }
 
-}  // namespace
-
-std::optional<ReportValues> read_json_report(SourceFile& source, Diagnostics& found) {
-  std::optional<Json> report = read_json(source, found);
-  if (!report || !is_known_report(*report, found)) {
-    return {};
+// False if an error was added.
+bool add_report(Json& report, const std::string& place, ReportValues& values, Diagnostics& found) {
+  if (!is_known_report(report, found)) {
+    return false;
   }
-  source.text = std::string();  // what is wrong from here on has no place in it
   std::string problem;
-  const std::optional<ReportUnits> units = ReportUnits::read(*report, problem);
+  const std::optional<ReportUnits> units = ReportUnits::read(report, problem);
   if (!units) {
     found.error("E0903",
                 {},
                 problem,
                 "the units that a report needs are listed by 'kinestat schema report'");
+    return false;
+  }
+  const Shape whole = object_shape(record_of(report), false);
+  Collector(place, *units, values).add({.value = report, .shape = &whole});
+  add_codes(report, place, values);
+  return true;
+}
+
+// What the report is on.
+std::string file_of(const Json& report) {
+  const auto mechanism = report.find("mechanism");
+  const Json file = mechanism != report.end() && mechanism->is_object()
+                        ? mechanism->value("file", Json())
+                        : Json();
+  return file.is_string() ? file.get<std::string>() : std::string();
+}
+
+std::string_view first_line_of(std::string_view text) {
+  return text.substr(0, text.find('\n'));
+}
+
+}  // namespace
+
+bool has_reports_in_lines(std::string_view text) {
+  const std::string_view line = first_line_of(text);
+  const std::string_view rest = text.substr(std::min(text.size(), line.size() + 1));
+  return line.starts_with('{') && line.find('}') != std::string_view::npos &&
+         first_line_of(rest).starts_with('{');
+}
+
+std::optional<ReportValues> read_json_report(SourceFile& source, Diagnostics& found) {
+  std::optional<Json> report = read_json(source, found);
+  if (!report) {
     return {};
   }
+  source.text = std::string();  // what is wrong from here on has no place in it
   ReportValues values(ReportForm::json);
-  const Shape whole = object_shape(record_of(*report), false);
-  Collector(*units, values).add({.value = *report, .shape = &whole});
-  add_codes(*report, values);
-  return values;
+  return add_report(*report, "", values, found) ? std::optional(std::move(values)) : std::nullopt;
+}
+
+std::optional<ReportValues> read_json_reports(const SourceFile& source, Diagnostics& found) {
+  ReportValues values(ReportForm::json);
+  std::set<std::string> files;
+  std::string_view rest = source.text;
+  for (int line = 1; !rest.empty() && !found.has_errors(); ++line) {
+    const std::string text(first_line_of(rest));
+    rest.remove_prefix(std::min(rest.size(), text.size() + 1));
+    if (text.find_first_not_of(" \t\r") == std::string::npos) {
+      continue;
+    }
+    Diagnostics wrong;
+    std::optional<Json> report = read_json({.path = source.path, .text = text}, wrong);
+    const std::string file = report ? file_of(*report) : std::string();
+    if (report && !files.insert(file).second) {
+      wrong.error("E0903",
+                  {},
+                  fmt::format("there are two reports on '{}'", printable(file)),
+                  "compare one run of a command at a time");
+    } else if (report) {
+      add_report(*report, place_below("", file), values, wrong);
+    }
+    for (Diagnostic one : wrong.items()) {
+      one.where = {.line = line, .column = std::max(1, one.where.column), .length = 1};
+      found.error(one.code, one.where, one.message, one.hint);
+    }
+  }
+  return found.has_errors() ? std::nullopt : std::optional(std::move(values));
 }
 
 }  // namespace kinestat

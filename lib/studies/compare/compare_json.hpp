@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 
 #include "core/diagnostic.hpp"
 #include "core/source.hpp"
@@ -17,5 +18,12 @@ namespace kinestat {
 /// one of another version of the format. Empty iff an error was added.
 /// The text is let go as soon as it is read as JSON: with the values it would be the largest part.
 std::optional<ReportValues> read_json_report(SourceFile& source, Diagnostics& found);
+
+/// Whether the text begins as several reports do, one a line, which commands on several files
+/// write.
+bool has_reports_in_lines(std::string_view text);
+
+/// Reads them, each below the file that it is on. Errors as above, at their lines.
+std::optional<ReportValues> read_json_reports(const SourceFile& source, Diagnostics& found);
 
 }  // namespace kinestat

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <unordered_set>
@@ -11,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "core/utf8.hpp"
+#include "studies/compare/json_scan.hpp"
 
 namespace kinestat {
 
@@ -74,7 +76,7 @@ void refuse_syntax(std::string_view text,
   if (what.find("expected end of input") != std::string_view::npos) {
     refuse(place_of(text, offset),
            "there is more after the report",
-           "compare one report at a time; several files on one stream are a report a line",
+           "several reports stand a line each, as commands on several files write them",
            found);
     return;
   }
@@ -126,7 +128,8 @@ class JsonBuilder {
   bool key(const std::string& key) {
     if (!found_.has_errors()) {
       see_key(key);
-      items_.emplace_back(key, Json());
+      keys_.push_back(key);
+      items_.emplace_back();
     }
     return true;
   }
@@ -139,11 +142,10 @@ class JsonBuilder {
   }
 
  private:
-  using Item = std::pair<std::string, Json>;  // those of lists have no key
-
   // A list or an object that was not read to its end.
   struct Open {
-    std::size_t begin = 0;  // of its items among those that wait
+    std::size_t begin = 0;      // of its items among those that wait
+    std::size_t begin_key = 0;  // likewise of its keys
     bool is_object = false;
     std::unordered_set<std::string> keys;  // only if they are many
   };
@@ -155,9 +157,9 @@ class JsonBuilder {
     if (open_.empty()) {
       whole_ = std::move(value);
     } else if (open_.back().is_object) {
-      items_.back().second = std::move(value);
+      items_.back() = std::move(value);
     } else {
-      items_.emplace_back(std::string(), std::move(value));
+      items_.push_back(std::move(value));
     }
     return true;
   }
@@ -167,7 +169,8 @@ class JsonBuilder {
       refuse_thing(fmt::format("nesting deeper than {} levels", kMostLevels));
     }
     if (!found_.has_errors()) {
-      open_.push_back({.begin = items_.size(), .is_object = is_object, .keys = {}});
+      open_.push_back(
+          {.begin = items_.size(), .begin_key = keys_.size(), .is_object = is_object, .keys = {}});
     }
     return true;
   }
@@ -179,26 +182,22 @@ class JsonBuilder {
     const auto begin = items_.begin() + static_cast<std::ptrdiff_t>(open_.back().begin);
     Json value = open_.back().is_object ? object_of(begin) : list_of(begin);
     items_.erase(begin, items_.end());
+    keys_.resize(open_.back().begin_key);
     open_.pop_back();
     return put(std::move(value));
   }
 
-  Json object_of(std::vector<Item>::iterator item) const {
+  Json object_of(std::vector<Json>::iterator item) {
     Json::object_t object;
     object.reserve(static_cast<std::size_t>(items_.end() - item));
-    for (; item != items_.end(); ++item) {
-      object.emplace_back(std::move(item->first), std::move(item->second));
+    for (std::size_t k = open_.back().begin_key; k < keys_.size(); ++k, ++item) {
+      object.emplace_back(std::move(keys_[k]), std::move(*item));
     }
     return object;
   }
 
-  Json list_of(std::vector<Item>::iterator item) const {
-    Json::array_t list;
-    list.reserve(static_cast<std::size_t>(items_.end() - item));
-    for (; item != items_.end(); ++item) {
-      list.push_back(std::move(item->second));
-    }
-    return list;
+  Json list_of(std::vector<Json>::iterator item) {
+    return Json::array_t(std::make_move_iterator(item), std::make_move_iterator(items_.end()));
   }
 
   void see_key(const std::string& key) {
@@ -206,7 +205,7 @@ class JsonBuilder {
       refuse_thing(
           fmt::format("the key '{}' is given twice in one object", printable(key.substr(0, 80))));
     }
-    search_steps_ += items_.size() - open_.back().begin + 1;
+    search_steps_ += keys_.size() - open_.back().begin_key + 1;
     if (search_steps_ > kMostSearchSteps) {
       refuse_thing("an object has too many keys");
     }
@@ -215,14 +214,13 @@ class JsonBuilder {
   // A few keys are faster searched than kept in a set.
   bool is_new(const std::string& key) {
     constexpr std::ptrdiff_t kFewKeys = 16;
-    const auto begin = items_.begin() + static_cast<std::ptrdiff_t>(open_.back().begin);
-    if (items_.end() - begin < kFewKeys) {
-      return std::find_if(begin, items_.end(), [&](const Item& one) { return one.first == key; }) ==
-             items_.end();
+    const auto begin = keys_.begin() + static_cast<std::ptrdiff_t>(open_.back().begin_key);
+    if (keys_.end() - begin < kFewKeys) {
+      return std::find(begin, keys_.end(), key) == keys_.end();
     }
     std::unordered_set<std::string>& keys = open_.back().keys;
     if (keys.empty()) {
-      std::for_each(begin, items_.end(), [&](const Item& one) { keys.insert(one.first); });
+      keys.insert(begin, keys_.end());
     }
     return keys.insert(key).second;
   }
@@ -235,15 +233,27 @@ class JsonBuilder {
   }
 
   Diagnostics& found_;
-  std::vector<Item> items_;
+  std::vector<Json> items_;
+  std::vector<std::string> keys_;  // of those items that are of objects
   std::vector<Open> open_;
   Json whole_;
   std::size_t search_steps_ = 0;
 };
 
+// Empty where something is wrong.
+std::optional<Json> read_right_json(std::string_view text) {
+  Diagnostics wrong;
+  JsonBuilder builder(wrong);
+  const bool is_right = JsonScan(text, builder).run() && !wrong.has_errors();
+  return is_right ? std::optional(builder.take_value()) : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<Json> read_json(const SourceFile& source, Diagnostics& found) {
+  if (std::optional<Json> value = read_right_json(source.text)) {
+    return value;
+  }
   Diagnostics wrong;
   JsonBuilder builder(wrong);
   try {

@@ -6,6 +6,7 @@
 #include "core/utf8.hpp"
 #include "studies/compare/compare_csv.hpp"
 #include "studies/compare/compare_json.hpp"
+#include "studies/compare/compare_rows.hpp"
 #include "studies/compare/compare_sweep.hpp"
 
 namespace kinestat {
@@ -28,7 +29,11 @@ std::optional<ReportValues> read_report(SourceFile& source, Diagnostics& found) 
     return read_sweep_rows(source, found);
   }
   if (text.starts_with('{')) {
-    return read_json_report(source, found);
+    return has_reports_in_lines(text) ? read_json_reports(source, found)
+                                      : read_json_report(source, found);
+  }
+  if (begins_with_keyed_rows(text)) {
+    return read_keyed_rows(source, found);
   }
   const std::string_view first_line = text.substr(0, text.find('\n'));
   if (first_line.find(',') != std::string_view::npos) {

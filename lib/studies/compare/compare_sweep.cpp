@@ -20,14 +20,8 @@ namespace {
 constexpr std::string_view kCase = "case";
 constexpr std::string_view kStatus = "status";
 
-// "C1 [N*m]"
-struct Title {
-  std::string name;
-  ValueUnit unit;
-};
-
 struct SweepTitles {
-  std::vector<Title> all;
+  std::vector<ColumnTitle> all;
   std::size_t case_at = 0;  // what stands before it is varied
 };
 
@@ -100,21 +94,11 @@ class SweepReader {
 
  private:
   bool add_title(const std::string& text, int line) {
-    const std::size_t bracket = text.ends_with(']') ? text.rfind(" [") : std::string::npos;
-    const std::string unit =
-        bracket == std::string::npos ? "" : text.substr(bracket + 2, text.size() - bracket - 3);
-    auto read = read_unit(unit);
-    if (const auto* error = std::get_if<ExpressionError>(&read)) {
-      refuse_line(
-          line,
-          fmt::format("column '{}': {}", printable(text.substr(0, 80)), printable(error->message)),
-          error->hint,
-          found_);
-      return false;
+    std::optional<ColumnTitle> title = read_title(text, line, found_);
+    if (title) {
+      titles_.all.push_back(*std::move(title));
     }
-    titles_.all.push_back(
-        {.name = text.substr(0, bracket), .unit = std::get<ValueUnit>(std::move(read))});
-    return true;
+    return title.has_value();
   }
 
   // Below the state the case; empty iff an error was added.

@@ -177,7 +177,8 @@ const Record<Difference>& difference_record() {
   static const Record<View> record("One difference.", [](Record<View>& keys) {
     keys.text("place",
               "JSON Pointer, in which things of a list that have names are listed under their "
-              "names; of a table /mechanism/case/pass/element/quantity.",
+              "names; of a table /mechanism/case/pass/element/quantity, in the wide layout without "
+              "the pass. Of several files the file is the first key.",
               [](const View& v) { return printable(v.place); });
     keys.word("type",
               words_up_to(DifferenceType::only_in_b),

@@ -185,17 +185,19 @@ void ReportUnits::read_ratios(const Json& report) {
   read_all("torque_ratio_unit", action_ratios_);
 }
 
-// A motion writes the unit of each drive and of each column beside it. One that is no unit is not
-// told: then the report is of another program.
+// A motion writes the unit of each drive and of each column beside it, and so does a simulation.
+// One that is no unit is not told: then the report is of another program.
 void ReportUnits::read_motion(const Json& report) {
   const Json& motion = member(report, "motion");
   for (const Json& drive : member(motion, "drives")) {
     const Json& name = member(drive, "name");
     drives_.emplace_back(name.is_string() ? name.get<std::string>() : "", beside(drive));
   }
-  for (const Json& column : member(motion, "columns")) {
-    const Json& name = member(column, "name");
-    columns_[name.is_string() ? name.get<std::string>() : ""] = beside(column);
+  for (const Json* section : {&motion, &member(report, "simulation")}) {
+    for (const Json& column : member(*section, "columns")) {
+      const Json& name = member(column, "name");
+      columns_[name.is_string() ? name.get<std::string>() : ""] = beside(column);
+    }
   }
 }
 

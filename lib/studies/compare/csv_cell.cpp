@@ -4,6 +4,7 @@
 #include <cmath>
 #include <system_error>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -29,6 +30,22 @@ std::optional<double> read_cell(std::string_view text, int line, Diagnostics& fo
               "numbers have a decimal point, and the cell is empty where there is no value",
               found);
   return {};
+}
+
+std::optional<ColumnTitle> read_title(const std::string& text, int line, Diagnostics& found) {
+  const std::size_t bracket = text.ends_with(']') ? text.rfind(" [") : std::string::npos;
+  const std::string unit =
+      bracket == std::string::npos ? "" : text.substr(bracket + 2, text.size() - bracket - 3);
+  auto read = read_unit(unit);
+  if (const auto* error = std::get_if<ExpressionError>(&read)) {
+    refuse_line(
+        line,
+        fmt::format("column '{}': {}", printable(text.substr(0, 80)), printable(error->message)),
+        error->hint,
+        found);
+    return {};
+  }
+  return ColumnTitle{.name = text.substr(0, bracket), .unit = std::get<ValueUnit>(std::move(read))};
 }
 
 }  // namespace kinestat

@@ -7,6 +7,7 @@
 
 #include "core/csv_reader.hpp"
 #include "core/diagnostic.hpp"
+#include "studies/compare/compare_values.hpp"
 
 namespace kinestat {
 
@@ -19,5 +20,14 @@ void refuse_line(int line, std::string message, std::string hint, Diagnostics& f
 /// The number of a cell, in any locale; empty, with E0903, if it is no finite number and nothing
 /// else.
 std::optional<double> read_cell(std::string_view text, int line, Diagnostics& found);
+
+/// The head of a column of numbers: "C1 [N*m]".
+struct ColumnTitle {
+  std::string name;
+  ValueUnit unit;
+};
+
+/// Empty, with E0903, if the unit is none.
+std::optional<ColumnTitle> read_title(const std::string& text, int line, Diagnostics& found);
 
 }  // namespace kinestat

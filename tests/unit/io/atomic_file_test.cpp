@@ -58,7 +58,7 @@ class WriteFiles : public testing::Test {
   Diagnostic refusal(const std::vector<OutputFile>& files,
                      Overwrite overwrite = Overwrite::own_only) const {
     Diagnostics found;
-    EXPECT_FALSE(write_files(files, overwrite, found));
+    EXPECT_FALSE(write_files(files, overwrite, {}, found));
     EXPECT_EQ(found.error_count(), 1);
     return found.items().empty() ? Diagnostic{} : found.items()[0];
   }
@@ -66,7 +66,7 @@ class WriteFiles : public testing::Test {
   bool write(const std::vector<OutputFile>& files,
              Overwrite overwrite = Overwrite::own_only) const {
     Diagnostics found;
-    const bool is_done = write_files(files, overwrite, found);
+    const bool is_done = write_files(files, overwrite, {}, found);
     EXPECT_EQ(is_done, !found.has_errors());
     return is_done;
   }
@@ -141,6 +141,44 @@ TEST_F(WriteFiles, ReplacesAForeignFileWhenForced) {
   EXPECT_EQ(names(), Names{"a.json"});
 }
 
+TEST_F(WriteFiles, ReplacesNoInputByWhateverPath) {
+  const std::string input = make_file("a.yaml", "input");
+  std::filesystem::create_symlink(input, path("link.yaml"));
+
+  for (const std::string& named : {path("a.yaml"), path("./a.yaml"), path("link.yaml")}) {
+    const std::vector<std::string> inputs = {"-", path("absent.yaml"), named};
+    Diagnostics found;
+    EXPECT_FALSE(check_places(std::vector{output("a.yaml", "")}, Overwrite::force, inputs, found));
+    EXPECT_FALSE(write_files(std::vector{output("b.json", ""), output("a.yaml", "new")},
+                             Overwrite::force,
+                             inputs,
+                             found));
+    ASSERT_EQ(found.error_count(), 2);
+    EXPECT_EQ(found.items()[1].code, "E0153");
+    EXPECT_EQ(found.items()[1].message,
+              "'" + path("a.yaml") + "' is read by this command, and stays as it is");
+  }
+  const std::vector<std::string> inputs = {path("link.yaml")};
+  Diagnostics found;
+  EXPECT_FALSE(
+      write_files(std::vector{output("link.yaml", "new")}, Overwrite::force, inputs, found));
+  EXPECT_EQ(text_of("link.yaml"), "input");
+  EXPECT_EQ(names(), (Names{"a.yaml", "link.yaml"}));
+}
+
+// What is read through a link is not that link.
+TEST_F(WriteFiles, ReplacesALinkToAnInput) {
+  const std::vector<std::string> inputs = {make_file("a.yaml", "input")};
+  std::filesystem::create_symlink(inputs.front(), path("link.json"));
+
+  Diagnostics found;
+  EXPECT_TRUE(
+      write_files(std::vector{output("link.json", "new")}, Overwrite::force, inputs, found));
+
+  EXPECT_EQ(text_of("a.yaml"), "input");
+  EXPECT_EQ(text_of("link.json"), "new");
+}
+
 TEST_F(WriteFiles, WritesNoneWhenOneIsForeign) {
   make_file("b.json", "foreign");
 
@@ -154,7 +192,8 @@ TEST_F(WriteFiles, NamesEveryForeignFile) {
   make_file("b.json", "foreign");
   Diagnostics found;
 
-  write_files(std::vector{output("a.json", ""), output("b.json", "")}, Overwrite::own_only, found);
+  write_files(
+      std::vector{output("a.json", ""), output("b.json", "")}, Overwrite::own_only, {}, found);
 
   EXPECT_EQ(found.error_count(), 2);
 }

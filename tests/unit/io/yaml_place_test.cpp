@@ -47,6 +47,9 @@ INSTANTIATE_TEST_SUITE_P(
                     YamlCase{"QuotedKey", "'a' : x\n", "1:7+1 7"},
                     YamlCase{"BehindOtherScripts", "{día: ñandú, a: señor}\n", "1:17+5 17"},
                     YamlCase{"BehindFourByteCharacters", "{😀: 1, a: 2}\n", "1:11+1 11"},
+                    YamlCase{"EscapedSurrogates", "{\"a\": \"x\\ud83d\\ude00y\"}\n", "1:7+16 0"},
+                    YamlCase{
+                        "BehindEscapedSurrogates", "{\"\\ud83d\\ude00\": 1, a: 2}\n", "1:24+1 24"},
                     YamlCase{"BehindAnOrderMark",
                              "\xEF\xBB\xBF"
                              "a: é x\n",

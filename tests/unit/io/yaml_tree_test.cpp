@@ -50,6 +50,10 @@ INSTANTIATE_TEST_SUITE_P(
         YamlCase{"KeyWithoutValueInBraces", "a: {b, c: 1}\n", "{a: {b: ~, c: 1}}"},
         YamlCase{"ExplicitKey", "? a\n: 1\n? b\n", "{a: 1, b: ~}"},
         YamlCase{"Json", "{\"a\":[1,\"b\"],\"c\":{\"d\":null}}", "{a: [1, 'b'], c: {d: ~}}"},
+        YamlCase{"JsonWithSurrogates",
+                 "{\"\\uD83D\\uDE00\": \"a\\ud83d\\ude00\\ud83d\\ude01 \\\\ud83d\\\\ude00\"}",
+                 "{😀: 'a😀😁 \\ud83d\\ude00'}"},
+        YamlCase{"SurrogatesInOtherQuotes", "a: '\\ud83d\\ude00'\n", "{a: '\\ud83d\\ude00'}"},
         YamlCase{"JsonIndentedByTabs", "{\n\t\"a\": 1\n}\n", "{a: 1}"},
         YamlCase{"DocumentMarks", "%YAML 1.2\n---\na: 1\n...\n", "{a: 1}"}),
     name_of_case);

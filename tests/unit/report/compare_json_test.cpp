@@ -183,7 +183,7 @@ TEST(JsonReport, RefusesWhatIsNoReport) {
   EXPECT_EQ(json_complaint("{}"),
             "0:0 E0903 this is not a report of kinestat: there is no /kinestat/report");
   EXPECT_EQ(json_complaint(R"({"kinestat": {"diagnostics": 1}})"),
-            "0:0 E0903 this is not a report of kinestat: there is no /kinestat/report");
+            "0:0 E0903 these are messages, not a report");
   EXPECT_EQ(json_complaint(R"({"kinestat": 1})"),
             "0:0 E0903 this is not a report of kinestat: there is no /kinestat/report");
 }

@@ -26,7 +26,7 @@ bool is_chunk_name(std::string_view name) {
 // What was there before, and what is asked for, fit together.
 bool StoredSweep::prepare() {
   if (!check_output_folder(options_.folder, found_) ||
-      !check_places(outputs({}, {}), options_.overwrite, found_)) {
+      !check_places(outputs({}, {}), options_.overwrite, inputs_, found_)) {
     return false;
   }
   const std::string path = path_in(options_.folder, work_name());
@@ -71,7 +71,7 @@ bool StoredSweep::finish() {
   while (reader.next(record)) {
     counts_.add(read_counts(record.note).value_or(SweepCounts{}));
   }
-  if (!write_files(outputs(files, work_->path()), options_.overwrite, found_)) {
+  if (!write_files(outputs(files, work_->path()), options_.overwrite, inputs_, found_)) {
     return false;
   }
   work_->remove();
@@ -196,7 +196,7 @@ bool StoredSweep::store(ChunkResult result) {
                         .signature = {},
                         .survives_crash = false};
   Diagnostics found;
-  if (write_files(std::span(&file, 1), Overwrite::force, found)) {
+  if (write_files(std::span(&file, 1), Overwrite::force, {}, found)) {
     return true;
   }
   const std::lock_guard lock(mutex_);

@@ -5,6 +5,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "io/work_folder.hpp"
@@ -17,12 +18,15 @@ namespace kinestat {
 /// Finished chunks wait in a work folder beside the result, so that an interrupted run can go on.
 class StoredSweep {
  public:
+  /// The result takes the place of none of the inputs.
   StoredSweep(const SweepTask& task,
               const SweepOptions& options,
+              std::vector<std::string> inputs,
               const SweepHooks& hooks,
               Diagnostics& found)
       : task_(task),
         options_(options),
+        inputs_(std::move(inputs)),
         hooks_(hooks),
         found_(found),
         shard_(options.shard.value_or(ShardNumber{})),
@@ -64,6 +68,7 @@ class StoredSweep {
 
   const SweepTask& task_;
   const SweepOptions& options_;
+  std::vector<std::string> inputs_;
   const SweepHooks& hooks_;
   Diagnostics& found_;
   ShardNumber shard_;

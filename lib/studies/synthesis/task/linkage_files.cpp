@@ -67,12 +67,13 @@ void add_files(SynthesisAnalysis& analysis,
 bool write_linkages(SynthesisAnalysis& analysis,
                     WrittenLinkages which,
                     const OutputOptions& output,
+                    InputPaths inputs,
                     Diagnostics& found) {
   std::vector<OutputFile> files;
   for (std::size_t i = 0; i < analysis.tasks.size(); ++i) {
     add_files(analysis, i, which, output.folder, files);
   }
-  if (write_files(files, output.overwrite, found)) {
+  if (write_files(files, output.overwrite, inputs, found)) {
     return true;
   }
   for (SynthesisTask& task : analysis.tasks) {

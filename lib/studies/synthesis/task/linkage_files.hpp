@@ -18,6 +18,7 @@ namespace kinestat {
 bool write_linkages(SynthesisAnalysis& analysis,
                     WrittenLinkages which,
                     const OutputOptions& output,
+                    InputPaths inputs,
                     Diagnostics& found);
 
 /// The linkage drawn in the first position of its task, in the units of the task. Its driven link

@@ -137,8 +137,9 @@ TextBlocks motion_text(const std::vector<CaseTolerance>& steps,
   }
   const auto singular =
       std::ranges::count_if(steps, [](const CaseTolerance& one) { return one.held.empty(); });
-  TextBlocks text(fmt::format("{} steps from {} to {}, {} held in each\n",
+  TextBlocks text(fmt::format("{} step{} from {} to {}, {} held in each\n",
                               steps.size() - 1,
+                              steps.size() == 2 ? "" : "s",
                               place_text(*steps.front().drive),
                               place_text(*steps.back().drive),
                               held_text(whole->held)));

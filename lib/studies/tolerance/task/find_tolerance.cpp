@@ -31,17 +31,17 @@ class ToleranceJob {
         mechanism_(analysis.mechanism),
         choice_(choice),
         found_(found),
+        errors_before_(found.error_count()),
         plan_(bind_motion(analysis.description, analysis.mechanism)) {}
 
-  // Empty iff an error was added.
   std::optional<FoundTolerance> run() {
-    const int errors_before = found_.error_count();
     check_positions();
-    FoundTolerance result = choice_.along ? along_motion() : drawn_cases();
-    return found_.error_count() > errors_before ? std::nullopt : std::optional(std::move(result));
+    return choice_.along ? along_motion() : drawn_cases();
   }
 
  private:
+  bool has_errors() const { return found_.error_count() > errors_before_; }
+
   std::span<const TracedPoint> points() const {
     return plan_ ? std::span<const TracedPoint>(plan_->trace) : std::span<const TracedPoint>();
   }
@@ -58,7 +58,7 @@ class ToleranceJob {
     return found_.error_count() > errors_before ? std::nullopt : std::optional(std::move(result));
   }
 
-  FoundTolerance drawn_cases() {
+  std::optional<FoundTolerance> drawn_cases() {
     std::vector<Case> cases;
     for (const CaseAnalysis& one : analysis_.cases) {
       cases.push_back(one.which);
@@ -80,11 +80,11 @@ class ToleranceJob {
       }
     }
     check_answered(result.cases);
-    return result;
+    return has_errors() ? std::nullopt : std::optional(std::move(result));
   }
 
-  // The drives of the motion are held at each of its steps.
-  FoundTolerance along_motion() {
+  // The drives of the motion are held at each of its steps, up to where it ends.
+  std::optional<FoundTolerance> along_motion() {
     if (!plan_) {
       found_.error("E0303",
                    {},
@@ -105,7 +105,7 @@ class ToleranceJob {
     std::optional<FoundMotion> motion =
         tolerances ? follow_motion(analysis_.description, mechanism_, std::move(plan), found_)
                    : std::nullopt;
-    if (!motion) {
+    if (!motion || has_errors()) {
       return {};
     }
     FoundTolerance result = answer_with(*tolerances);
@@ -120,7 +120,7 @@ class ToleranceJob {
                                       of_positions);
     add_motion_findings(*motion, analysis_.description, mechanism_, found_);
     result.cases = steps_of(*motion, held, tolerances->of_cases.front());
-    return result;
+    return result.cases.empty() ? std::nullopt : std::optional(std::move(result));
   }
 
   std::vector<CaseTolerance> steps_of(const FoundMotion& motion,
@@ -266,6 +266,7 @@ class ToleranceJob {
   const Mechanism& mechanism_;
   const ToleranceChoice& choice_;
   Diagnostics& found_;
+  int errors_before_ = 0;
   std::optional<MotionPlan> plan_;
 };
 

@@ -11,7 +11,8 @@
 namespace kinestat {
 
 /// In the drawn position with the drives of each case held, or along the motion of the file with
-/// its drives held. Empty iff an error was added.
+/// its drives held. Empty iff an error was added and there is nothing to report: a motion that ends
+/// early has steps.
 std::optional<FoundTolerance> find_tolerance(const Analysis& analysis,
                                              const ToleranceChoice& choice,
                                              Diagnostics& found);

@@ -94,7 +94,7 @@ void StoredSearch::keep(std::size_t structure, const TransmissionSearch& search)
       .survives_crash = false};
   Diagnostics found;
   // Where another process has written it meanwhile all is well.
-  if (!write_files(std::span(&file, 1), Overwrite::force, found) && !find(structure)) {
+  if (!write_files(std::span(&file, 1), Overwrite::force, {}, found) && !find(structure)) {
     const std::lock_guard lock(mutex_);
     if (!failures_.has_errors()) {
       failures_ = std::move(found);

@@ -68,6 +68,7 @@ std::string transmission_text(const TransmissionAnalysis& analysis,
 
 bool write_transmissions(TransmissionAnalysis& analysis,
                          const OutputOptions& output,
+                         InputPaths inputs,
                          Diagnostics& found) {
   std::vector<OutputFile> files;
   for (std::size_t g = 0; g < analysis.groups.size(); ++g) {
@@ -80,7 +81,7 @@ bool write_transmissions(TransmissionAnalysis& analysis,
                        .signature = transmission_signature()});
     }
   }
-  if (write_files(files, output.overwrite, found)) {
+  if (write_files(files, output.overwrite, inputs, found)) {
     return true;
   }
   for (LadderGroup& group : analysis.groups) {

@@ -28,6 +28,7 @@ void check_transmissions(TransmissionAnalysis& analysis, Diagnostics& found);
 /// added.
 bool write_transmissions(TransmissionAnalysis& analysis,
                          const OutputOptions& output,
+                         InputPaths inputs,
                          Diagnostics& found);
 
 /// What the search tells of the gears of a transmission, at any stationary ratios.
