@@ -37,8 +37,8 @@ std::vector<PixelPoint> visible_points(const ChartFrame& frame, const Series& se
       }
       continue;
     }
-    const bool is_near = !points.empty() && !is_gap(points.back()) &&
-                         std::hypot(point.x - points.back().x, point.y - points.back().y) < kSeen;
+    const bool is_near =
+        !points.empty() && !is_gap(points.back()) && length_of(point - points.back()) < kSeen;
     const bool is_last = i + 1 == series.x.size();
     if (!is_near || is_last || series.style == SeriesStyle::points) {
       points.push_back(point);
@@ -202,7 +202,7 @@ void draw_guides(const std::vector<ChartGuide>& guides,
 bool is_said(const Chart& chart, const std::vector<PixelPoint>& places, std::size_t mark) {
   for (std::size_t i = 0; i < mark; ++i) {
     const PixelPoint between = places[i] - places[mark];
-    if (chart.marks[i].label == chart.marks[mark].label && std::hypot(between.x, between.y) < 2.0) {
+    if (chart.marks[i].label == chart.marks[mark].label && length_of(between) < 2.0) {
       return true;
     }
   }

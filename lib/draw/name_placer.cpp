@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "draw/symbols.hpp"
+
 namespace kinestat {
 
 namespace {
@@ -63,7 +65,7 @@ double length_within(const PixelBox& box, PixelPoint a, PixelPoint b) {
   clip(-a.x, a.x - b.x, -box.left, from, to);
   clip(a.y, b.y - a.y, box.bottom, from, to);
   clip(-a.y, a.y - b.y, -box.top, from, to);
-  return to > from ? (to - from) * std::hypot(b.x - a.x, b.y - a.y) : 0.0;
+  return to > from ? (to - from) * length_of(b - a) : 0.0;
 }
 
 PixelBox box_around(PixelPoint middle, double width, double height) {

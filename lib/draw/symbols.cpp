@@ -36,10 +36,6 @@ std::vector<PixelPoint> chain(Iterator from, Iterator to) {
 
 }  // namespace
 
-double length_of(PixelPoint a) {
-  return std::hypot(a.x, a.y);
-}
-
 PixelPoint unit_of(PixelPoint a) {
   const double length = length_of(a);
   return length > 0.0 ? (1.0 / length) * a : PixelPoint{.x = 1.0, .y = 0.0};

@@ -1,6 +1,7 @@
 // The symbols of drawings: supports, guides, blocks, rounded links, turning arrows.
 #pragma once
 
+#include <cmath>
 #include <span>
 #include <string>
 #include <utility>
@@ -22,7 +23,10 @@ inline PixelPoint operator*(double factor, PixelPoint a) {
   return {.x = factor * a.x, .y = factor * a.y};
 }
 
-double length_of(PixelPoint a);
+/// Without the care that std::hypot takes, in a tenth of its time: pixels are far from overflow.
+inline double length_of(PixelPoint a) {
+  return std::sqrt(a.x * a.x + a.y * a.y);
+}
 
 /// Of length 1; x for a zero vector.
 PixelPoint unit_of(PixelPoint a);

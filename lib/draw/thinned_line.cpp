@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "draw/symbols.hpp"
+
 namespace kinestat {
 
 namespace {
@@ -20,7 +22,7 @@ double distance(PixelPoint point, PixelPoint from, PixelPoint to) {
       square > 0.0
           ? std::clamp(((point.x - from.x) * x + (point.y - from.y) * y) / square, 0.0, 1.0)
           : 0.0;
-  return std::hypot(point.x - from.x - share * x, point.y - from.y - share * y);
+  return length_of(point - from - share * PixelPoint{.x = x, .y = y});
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 
 #include "core/utf8.hpp"
-#include "studies/compare/json_scan.hpp"
+#include "studies/compare/fast_json.hpp"
 
 namespace kinestat {
 
@@ -244,7 +244,7 @@ class JsonBuilder {
 std::optional<Json> read_right_json(std::string_view text) {
   Diagnostics wrong;
   JsonBuilder builder(wrong);
-  const bool is_right = JsonScan(text, builder).run() && !wrong.has_errors();
+  const bool is_right = read_fast_json(text, builder) && !wrong.has_errors();
   return is_right ? std::optional(builder.take_value()) : std::nullopt;
 }
 

@@ -1,4 +1,4 @@
-#include "studies/compare/json_scan.hpp"
+#include "studies/compare/fast_json.hpp"
 
 #include <random>
 #include <string>
@@ -37,7 +37,7 @@ struct Listener {
 
 bool is_right(const std::string& text) {
   Listener listener;
-  return JsonScan(text, listener).run();
+  return read_fast_json(text, listener);
 }
 
 const std::string kReport =
@@ -45,7 +45,7 @@ const std::string kReport =
     "  18446744073709551615, 1e300, true, false, [], {}, [[1]]],\r\n\t\"t\": \"\", \"ä😀\": \"é\",\n"
     "  \"e\": \"\\\"\\\\\\/\\b\\f\\n\\r\\t\\u00e9\\ud83d\\ude00\"}\n";
 
-TEST(JsonScan, ReadsWhatAReportMayHold) {
+TEST(FastJson, ReadsWhatAReportMayHold) {
   EXPECT_TRUE(is_right(kReport));
   EXPECT_TRUE(is_right("\xEF\xBB\xBF" + kReport));
 
@@ -57,7 +57,7 @@ TEST(JsonScan, ReadsWhatAReportMayHold) {
 }
 
 // Whatever is changed in a report, both readers agree on whether it is JSON, and on what it says.
-TEST(JsonScan, AgreesWithTheOtherReader) {
+TEST(FastJson, AgreesWithTheOtherReader) {
   const std::string letters = "{}[]\",:\\eE+-.0189aunft \n\x01\x7F\x80\xC3\xFF";
   std::mt19937 random(20261128);
   int right = 0;
