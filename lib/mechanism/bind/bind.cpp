@@ -9,6 +9,7 @@
 #include "couplings/kinds.hpp"
 #include "description/cable_expansion.hpp"
 #include "description/gear_expansion.hpp"
+#include "mechanism/bind/judged_numbers.hpp"
 #include "mechanism/bind/structure_binder.hpp"
 #include "mechanism/cables/internal/cable_check.hpp"
 #include "mechanism/cables/internal/cable_contact_binder.hpp"
@@ -199,8 +200,8 @@ void bind_sections(const SectionContext& context, bool has_structure, Mechanism&
   result.springs = std::move(springs);
   if (!masses.empty()) {
     result.masses = masses_of_bodies(context, result, masses);
+    carry_planet_weights(context, result.masses, loads);
   }
-  carry_planet_weights(context, result.masses, loads);
   add_loads(std::move(loads), result.cases);
   bind_load_ends(context, result.cases);
   check_order_of_loads(context.description, result.cases, context.found);
@@ -237,7 +238,7 @@ bool bind_whole_structure(const SectionContext& context, ScrewSpaces spaces, Mec
 std::optional<Mechanism> bind_for(Purpose purpose,
                                   const MechanismDescription& description,
                                   Diagnostics& found,
-                                  std::vector<CheckedNumber>* checked = nullptr) {
+                                  JudgedNumbers* judged = nullptr) {
   const int errors_before = found.error_count();
   const std::vector<Unanalysed> unanalysed = find_unanalysed(description);
   const bool is_undecided = std::ranges::any_of(unanalysed, [purpose](const Unanalysed& one) {
@@ -249,7 +250,10 @@ std::optional<Mechanism> bind_for(Purpose purpose,
                                   .names = names,
                                   .evaluator = evaluator,
                                   .found = found,
-                                  .checked = checked};
+                                  .checked = judged == nullptr ? nullptr : &judged->by_rule};
+  if (judged != nullptr) {
+    evaluator.note_numbers(&judged->by_more);
+  }
   Mechanism result;
   bool has_structure = false;
   const ScrewSpaces spaces = {.motions = description.space,
@@ -313,11 +317,11 @@ bool check(const MechanismDescription& description, Diagnostics& found) {
   return found.error_count() == errors_before;
 }
 
-std::vector<CheckedNumber> find_checked_numbers(const MechanismDescription& description) {
-  std::vector<CheckedNumber> checked;
+JudgedNumbers find_judged_numbers(const MechanismDescription& description) {
+  JudgedNumbers judged;
   Diagnostics found;
-  (void)bind_for(Purpose::check, description, found, &checked);
-  return checked;
+  (void)bind_for(Purpose::check, description, found, &judged);
+  return judged;
 }
 
 std::optional<Mechanism> bind_in_space(const MechanismDescription& description,

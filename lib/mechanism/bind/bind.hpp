@@ -2,14 +2,11 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
 #include "core/diagnostic.hpp"
 #include "mechanism/mechanism.hpp"
 
 namespace kinestat {
-
-struct CheckedNumber;
 
 /// Evaluates every number and resolves every reference; complains about everything that makes no
 /// sense mechanically, and then about what has no analysis yet (find_unanalysed): E0315 if it
@@ -25,10 +22,6 @@ std::optional<Mechanism> bind_unassembled(const MechanismDescription& descriptio
 /// The same without the mechanism: whether the description is right. What has no analysis yet is
 /// no error, only W0302.
 bool check(const MechanismDescription& description, Diagnostics& found);
-
-/// The numbers that a description is checked for, by what they may be, in whatever parameters it
-/// has.
-std::vector<CheckedNumber> find_checked_numbers(const MechanismDescription& description);
 
 /// The same bodies and couplings with the freedoms and constraints that they have in space, without
 /// cases: for counting a planar mechanism as the spatial one that it is.

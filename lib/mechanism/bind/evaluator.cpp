@@ -111,8 +111,16 @@ void EvaluatorOf<Scalar>::complain(const Value& value, const ExpressionError& er
 }
 
 template <class Scalar>
-std::optional<Scalar> EvaluatorOf<Scalar>::number(const Value& value, QuantityKind kind) {
+void EvaluatorOf<Scalar>::mark_used(const Value& value) {
   table_.mark_used(value.expression);
+  if (noted_ != nullptr) {
+    noted_->push_back(&value);
+  }
+}
+
+template <class Scalar>
+std::optional<Scalar> EvaluatorOf<Scalar>::number(const Value& value, QuantityKind kind) {
+  mark_used(value);
   if (table_.is_failed(value.expression)) {
     return std::nullopt;
   }
@@ -156,7 +164,7 @@ void EvaluatorOf<Scalar>::warn_of_degrees(const Value& value, double angle) {
 template <class Scalar>
 std::optional<NumberLaw<Scalar>> EvaluatorOf<Scalar>::law(
     const Value& value, QuantityKind kind, std::span<const LawVariable<Scalar>> variables) {
-  table_.mark_used(value.expression);
+  mark_used(value);
   if (table_.is_failed(value.expression)) {
     return std::nullopt;
   }
@@ -188,7 +196,7 @@ std::optional<NumberLaw<Scalar>> EvaluatorOf<Scalar>::law(
 
 template <class Scalar>
 std::optional<BasicQuantity<Scalar>> EvaluatorOf<Scalar>::quantity(const Value& value) {
-  table_.mark_used(value.expression);
+  mark_used(value);
   if (table_.is_failed(value.expression)) {
     return std::nullopt;
   }

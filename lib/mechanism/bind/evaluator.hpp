@@ -56,6 +56,12 @@ class EvaluatorOf {
   /// Of a point whose coordinates in the world are known [m].
   Vec3Of<Scalar> from_origin(const Vec3Of<Scalar>& in_world) const;
 
+  /// From now on the numbers that it is asked for are noted there, until it is given null. Answers
+  /// where they were noted before.
+  std::vector<const Value*>* note_numbers(std::vector<const Value*>* list) {
+    return std::exchange(noted_, list);
+  }
+
   /// A unit vector; a zero vector is an error.
   std::optional<AxisOf<Scalar>> axis(const AxisDescription& axis);
 
@@ -68,6 +74,7 @@ class EvaluatorOf {
  private:
   void complain(const Value& value, const ExpressionError& error);
   void warn_of_degrees(const Value& value, double angle);
+  void mark_used(const Value& value);
   std::optional<double> from_origin(const Value& coordinate, double origin) const;
   std::span<const std::string> known_names() const;  // that a hint may suggest
 
@@ -75,6 +82,7 @@ class EvaluatorOf {
   Diagnostics& found_;
   BasicParameterTable<Scalar> table_;
   LocalOrigin origin_;
+  std::vector<const Value*>* noted_ = nullptr;
   std::vector<const Value*> by_rounding_;  ///< of which ExactInput knows no digits
   std::shared_ptr<const BasicParameterTable<ExactInput>>
       exact_input_;  ///< where the origin is not the world's

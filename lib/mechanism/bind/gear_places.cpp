@@ -54,6 +54,20 @@ bool clutches_two_axes(const MechanismDescription& description, const GearTrain&
   });
 }
 
+// Whether a clutch joins bodies of one axis of which a member says how far it is: teeth of the
+// others say it too.
+bool clutches_given_distance(const MechanismDescription& description, const GearTrain& train) {
+  const std::vector<GearMember>& members = description.gears->members;
+  return std::ranges::any_of(description.couplings, [&](const CouplingDescription& coupling) {
+    const int axis = train.axis_on(coupling.tail.text);
+    return joins_one_axis(coupling.type) && axis >= 0 &&
+           axis == train.axis_on(coupling.head.text) &&
+           std::ranges::any_of(train.axes[static_cast<std::size_t>(axis)].members, [&](int m) {
+             return members[static_cast<std::size_t>(m)].centre_distance.has_value();
+           });
+  });
+}
+
 }  // namespace
 
 std::optional<GearPlaces> GearPlaces::make(const MechanismDescription& description,
@@ -67,7 +81,8 @@ std::optional<GearPlaces> GearPlaces::make(const MechanismDescription& descripti
   const GearTrain train = find_gear_train(description);
   auto numbers = bind_gear_numbers<double>(*description.gears, train, evaluator);
   auto frame = bind_gear_frame<double>(description, evaluator);
-  if (!numbers || !frame || clutches_two_axes(description, train)) {
+  if (!numbers || !frame || clutches_two_axes(description, train) ||
+      clutches_given_distance(description, train)) {
     return std::nullopt;
   }
   GearPlaces places(description, *std::move(frame), *std::move(numbers));

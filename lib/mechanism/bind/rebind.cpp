@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 #include <variant>
 
@@ -10,6 +11,7 @@
 #include "couplings/coupling_catalogue.hpp"
 #include "couplings/kinds.hpp"
 #include "mechanism/bind/extent.hpp"
+#include "mechanism/bind/judged_numbers.hpp"
 #include "mechanism/bind/varying_parameters.hpp"
 #include "mechanism/couplings/internal/coupling_binder.hpp"
 #include "mechanism/label_kind.hpp"
@@ -27,13 +29,76 @@ bool is_always_right(const CouplingDescription& coupling) {
              : !has_teeth(coupling.type) && coupling.type != cable && coupling.type != screws;
 }
 
+// The numbers that a Rebinder finds anew and asks as the check of the file does.
+std::set<const Value*> rebound_numbers(const MechanismDescription& description) {
+  std::set<const Value*> numbers;
+  const auto add = [&](const Value& value) { numbers.insert(&value); };
+  const auto add_some = [&](const std::optional<Value>& value) {
+    if (value) {
+      numbers.insert(&*value);
+    }
+  };
+  const auto add_axis = [&](const std::optional<AxisDescription>& axis) {
+    if (axis) {
+      std::ranges::for_each(axis->components, add);
+    }
+  };
+  for (const CouplingDescription& one : description.couplings) {
+    if (one.at && one.at->point) {
+      std::ranges::for_each(one.at->point->coordinates, add);
+    }
+    for (const auto* axis :
+         {&one.axis, &one.normal, &one.line, &one.slot, &one.tangent, &one.line_of_action}) {
+      add_axis(*axis);
+    }
+    for (const AxisDescription& axis : one.axes) {
+      std::ranges::for_each(axis.components, add);
+    }
+    for (const auto* value : {&one.pitch,
+                              &one.lead,
+                              &one.pressure_angle,
+                              &one.normal_pressure_angle,
+                              &one.helix_angle}) {
+      add_some(*value);
+    }
+  }
+  if (description.gears) {
+    for (const GearMember& member : description.gears->members) {
+      add(member.teeth);
+    }
+    add_some(description.gears->module);
+    for (const MeshDescription& mesh : description.gears->meshes) {
+      add_some(mesh.module);
+    }
+  }
+  for (const CaseDescription& one : description.cases) {
+    for (const auto* side : {&one.motions, &one.actions}) {
+      std::ranges::for_each(*side, add, &Assignment::value);
+    }
+  }
+  return numbers;
+}
+
+// Whether a number moves on which the file is checked by more than a rule of that number, and which
+// is not found anew: only whole binding knows whether it is right then.
+bool decides_more(const MechanismDescription& description, const VaryingParameters& varying) {
+  const std::set<const Value*> rebound = rebound_numbers(description);
+  const std::vector<const Value*> judged = find_judged_numbers(description).by_more;
+  return std::ranges::any_of(judged, [&](const Value* value) {
+    return varying.stand_in(*value) && !rebound.contains(value);
+  });
+}
+
 bool has_more_than_couplings(const MechanismDescription& description, const Mechanism& mechanism) {
   const auto has_loads = [](const CaseDescription& one) { return !one.loads.empty(); };
   const auto may_rub = [](const CouplingDescription& one) {
     return one.friction != nullptr || one.characteristic != nullptr;
   };
-  return !description.cables.empty() || !description.loads.empty() || description.gravity ||
-         !description.curves.empty() || !mechanism.contacts.empty() ||
+  const bool may_leave_order =
+      description.space == Space::spatial && (description.kinematic_order == OrderChoice::planar ||
+                                              description.static_order == OrderChoice::planar);
+  return may_leave_order || !description.cables.empty() || !description.loads.empty() ||
+         description.gravity || !description.curves.empty() || !mechanism.contacts.empty() ||
          std::ranges::any_of(description.cases, has_loads) ||
          std::ranges::any_of(description.couplings, may_rub);
 }
@@ -77,8 +142,9 @@ std::optional<Rebinder> Rebinder::make(const MechanismDescription& description,
   if (description.gears) {
     result.gears_ = GearPlaces::make(description, result.table_, varies);
   }
+  const VaryingParameters varying(result.table_, varies);
   if (description.gears.has_value() != result.gears_.has_value() ||
-      VaryingParameters(result.table_, varies).stand_in(description.losses) ||
+      varying.stand_in(description.losses) || decides_more(description, varying) ||
       !result.add_couplings(mechanism, varies)) {
     return std::nullopt;
   }
@@ -242,7 +308,8 @@ bool Rebinder::rebind_geometry(const Slots& slots, Geometry& geometry) {
       points_[*moving.point] = moving.drawn.at;
     }
   }
-  if (!find_extent(points_).origin.isZero(0.0)) {
+  const Extent extent = find_extent(points_);
+  if (!extent.origin.isZero(0.0) || extent.length < 1.0 / kLargestNumber) {
     return false;
   }
   for (const MovingCoupling& moving : moving_) {

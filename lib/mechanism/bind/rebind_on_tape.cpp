@@ -57,6 +57,8 @@ void demand_near_origin(const std::vector<TapedPoint>& points, LaneRecorder& rec
     box = recorder.add(box, recorder.multiply(length, length));
   }
   recorder.demand_at_most(centre, recorder.multiply(box, recorder.constant(kLimit)));
+  // What is smaller is too small to be computed with, or has no size.
+  recorder.demand_at_most(recorder.constant(1.0 / (kLargestNumber * kLargestNumber)), box);
 }
 
 // With all coordinates up to the limit the centre of the box is no farther than √3 of it, while the

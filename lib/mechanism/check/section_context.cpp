@@ -14,6 +14,10 @@ bool is_computed(const Expression& expression) {
   return !expression.names().empty() || std::ranges::count_if(expression.nodes(), is_number) > 1;
 }
 
+NumberRule anything_of(QuantityKind kind) {
+  return {.kind = kind, .range = kAnyNumber, .allowed = "a number"};
+}
+
 // The number as typed; what is computed has its result beside it.
 std::string shown(const Value& value, double number, QuantityKind kind, const FileUnits& units) {
   const Expression& expression = value.expression;
@@ -30,13 +34,21 @@ std::string shown(const Value& value, double number, QuantityKind kind, const Fi
 
 }  // namespace
 
+std::optional<double> SectionContext::look_at(const Value& value, const NumberRule& rule) const {
+  if (checked == nullptr) {
+    return evaluator.number(value, rule.kind);
+  }
+  checked->push_back({.value = value, .rule = rule});
+  std::vector<const Value*>* const noted = evaluator.note_numbers(nullptr);
+  const std::optional<double> result = evaluator.number(value, rule.kind);
+  evaluator.note_numbers(noted);
+  return result;
+}
+
 std::optional<double> SectionContext::number(const std::optional<Value>& value,
                                              const NumberRule& rule,
                                              std::string_view what) const {
-  if (value && checked != nullptr) {
-    checked->push_back({.value = *value, .rule = rule});
-  }
-  const std::optional<double> result = value ? evaluator.number(*value, rule.kind) : std::nullopt;
+  const std::optional<double> result = value ? look_at(*value, rule) : std::nullopt;
   if (!result || rule.range.holds(*result)) {
     return result;
   }
@@ -53,7 +65,7 @@ std::optional<Vec3> SectionContext::vector(const std::vector<Value>& components,
   Vec3 result = Vec3::Zero();
   bool is_good = true;
   for (std::size_t i = 0; i < components.size(); ++i) {
-    const std::optional<double> component = evaluator.number(components[i], kind);
+    const std::optional<double> component = look_at(components[i], anything_of(kind));
     is_good = is_good && component.has_value();
     result[static_cast<Eigen::Index>(i)] = component.value_or(0.0);
   }
@@ -62,7 +74,7 @@ std::optional<Vec3> SectionContext::vector(const std::vector<Value>& components,
 
 void SectionContext::components(const std::vector<Value>& values, QuantityKind kind) const {
   for (const Value& value : values) {
-    evaluator.number(value, kind);
+    look_at(value, anything_of(kind));
   }
 }
 

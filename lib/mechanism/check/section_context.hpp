@@ -42,7 +42,8 @@ struct SectionContext {
   const DeclaredNames& names;
   Evaluator& evaluator;
   Diagnostics& found;
-  std::vector<CheckedNumber>* checked = nullptr;  ///< where not null, `number` notes here
+  std::vector<CheckedNumber>* checked = nullptr;  ///< where not null, what is looked at is noted:
+                                                  ///< nothing else decides on these numbers
 
   /// The value in SI; empty if it is absent or an error was added. `what` begins the message:
   /// "'teeth' of gear member 'sun'".
@@ -60,6 +61,9 @@ struct SectionContext {
 
   /// Complains of a name that stands in a list twice; answers whether any does.
   bool repeats(const std::vector<Name>& list, std::string_view what) const;
+
+ private:
+  std::optional<double> look_at(const Value& value, const NumberRule& rule) const;
 };
 
 }  // namespace kinestat

@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "expression/evaluate.hpp"
-#include "mechanism/bind/bind.hpp"
+#include "mechanism/bind/judged_numbers.hpp"
 
 namespace kinestat {
 
@@ -41,7 +41,8 @@ StateRules::StateRules(const SweepPlan& plan, const MechanismDescription& descri
                ? -1
                : static_cast<int>(at - description.parameters.begin());
   };
-  for (CheckedNumber& one : find_checked_numbers(description)) {
+  JudgedNumbers judged = find_judged_numbers(description);
+  for (CheckedNumber& one : judged.by_rule) {
     const auto names = one.value.expression.names();
     if (std::ranges::any_of(names, [&](const auto& name) { return slot_of(name) < 0; })) {
       continue;  // of a law that names other quantities, too
@@ -76,7 +77,7 @@ bool StateRules::holds(const Rule& rule, const Slots& slots, std::vector<Quantit
 bool StateRules::holds_on(const SweepPlan& plan, std::size_t axis, const Rule& rule) const {
   constexpr std::uint64_t kMostPlaces = 100'000;
   const SweepAxis& one = plan.axes()[axis];
-  if (one.size() > kMostPlaces) {
+  if (one.is_of_rows() || one.size() > kMostPlaces) {
     return false;
   }
   Slots slots = plan.slots();

@@ -13,7 +13,8 @@ namespace kinestat {
 
 /// The numbers that the check of the file looks at and that are different in the states: a state in
 /// which one is not allowed has no answer, whoever needs it. Those that depend on one axis alone
-/// are looked at once for all its places, and kept only if one of these is refused.
+/// are looked at once for all its places, and kept only if one of these is refused, or if it runs
+/// through rows, of which more may follow.
 class StateRules {
  public:
   /// The description must be that of the plan.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -60,6 +61,7 @@ void SweepAxis::read_list(const std::vector<Value>& values,
 
 void SweepAxis::run_through(std::vector<double> counts) {
   is_interval_ = false;
+  is_of_rows_ = true;
   size_ = counts.size();
   counts_ = std::move(counts);
   values_.clear();
@@ -131,6 +133,10 @@ bool SweepAxis::has_whole_counts() const {
 }
 
 std::pair<double, double> SweepAxis::bounds() const {
+  if (is_of_rows_) {
+    constexpr double kAny = std::numeric_limits<double>::infinity();
+    return {-kAny, kAny};
+  }
   if (is_interval_) {
     return std::minmax({from_ * above_ / below_, to_ * above_ / below_});
   }

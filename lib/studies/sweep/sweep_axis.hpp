@@ -24,7 +24,7 @@ class SweepAxis {
             const VariedParameter& varied,
             const BasicParameterTable<Exact>& exact);
 
-  /// From now on it runs through these values, counted in its unit.
+  /// From now on it runs through these values, counted in its unit: those of rows.
   void run_through(std::vector<double> counts);
 
   const std::string& name() const { return name_; }
@@ -41,6 +41,9 @@ class SweepAxis {
 
   /// Whether it is a range without a step.
   bool is_interval() const { return is_interval_; }
+
+  /// Whether it runs through rows, which others may follow.
+  bool is_of_rows() const { return is_of_rows_; }
 
   /// The value of that index, counted in the unit.
   double count_at(std::uint64_t index) const {
@@ -64,7 +67,7 @@ class SweepAxis {
                            : values_[static_cast<std::size_t>(index)];
   }
 
-  /// The smallest and the largest value [SI].
+  /// The smallest and the largest value [SI]. Of rows any, for others may follow them.
   std::pair<double, double> bounds() const;
 
  private:
@@ -89,6 +92,7 @@ class SweepAxis {
   double denominator_ = 1.0;
   double to_ = 0.0;  ///< of a range without a step
   bool is_interval_ = false;
+  bool is_of_rows_ = false;
 };
 
 }  // namespace kinestat

@@ -133,6 +133,30 @@ TEST(TapeHandle, AStateThatCannotBeHasItsCode) {
   EXPECT_NEAR(played.outputs[2], 3.5, 1e-12);
 }
 
+const std::string kFourBar =
+    "kinestat: 1\n"
+    "space: planar\n"
+    "parameters: {y: 5, weight: 2}\n"
+    "ground: frame\n"
+    "bodies: {crank: {mass: weight}, coupler: , rocker: }\n"
+    "couplings:\n"
+    "  a: {type: revolute, bodies: [frame, crank], at: [0, 0]}\n"
+    "  b: {type: revolute, bodies: [crank, coupler], at: [1, 3]}\n"
+    "  c: {type: revolute, bodies: [coupler, rocker], at: [6, y]}\n"
+    "  d: {type: revolute, bodies: [frame, rocker], at: [7, 0]}\n"
+    "actuators: {motor: {coupling: a}, work: {coupling: d}}\n"
+    "cases: {one: {motion: {motor: 1 rad/s}}}\n";
+
+TEST(TapeHandle, RowsOfALaterCallAreLookedAtLikeTheFirst) {
+  const Tape tape = record(parse(kFourBar), "one", {"y", "weight"}, {"d.wz"});
+  ASSERT_NE(tape, nullptr) << kinestat_message_text();
+  EXPECT_EQ(play(tape, {5.0, 2.0}, 1).statuses[0], "solved");
+  const Played later = play(tape, {5.0, -1.0, 5.0, 3.0}, 2);
+  EXPECT_EQ(later.statuses[0], "E0305");
+  EXPECT_TRUE(std::isnan(later.outputs[0]));
+  EXPECT_EQ(later.statuses[1], "solved");
+}
+
 TEST(TapeHandle, RefusesWhatItCannotRecord) {
   const Mechanism mechanism = read(kPlanetary);
   EXPECT_EQ(record(mechanism, "ring held", {"Nx"}, {"ratio"}), nullptr);

@@ -115,6 +115,9 @@ StateSolver::StateSolver(const SweepTask& task, std::size_t lanes)
   if (task.has_motion_alone && lanes > 1) {
     lanes_ = LaneMotions::make(
         task.description, task.mechanism, *task.motion, varying_parameters(task.plan));
+    if (lanes_) {
+      lane_rules_.emplace(task.plan, task.description);
+    }
   }
   const std::size_t together = task.tapes ? lanes : lanes_ ? kMotionLanes : 1;
   if (task.tapes) {
@@ -188,7 +191,8 @@ void StateSolver::take(const StateWalk& walk, std::size_t lane, std::size_t coun
     taped_->load(walk, lane, count);
   }
   if (lanes_) {
-    is_answered_[lane] = !walk.is_undefined() && lanes_->load(lane, walk.slots()) ? 1 : 0;
+    const bool is_right = !walk.is_undefined() && lane_rules_->hold(walk.slots(), scratch_);
+    is_answered_[lane] = is_right && lanes_->load(lane, walk.slots()) ? 1 : 0;
   }
   const std::span<const std::uint64_t> from = walk.places();
   std::uint64_t* place = places_of(lane).data();

@@ -11,6 +11,7 @@
 #include "studies/sweep/motion/lane_motions.hpp"
 #include "studies/sweep/motion/state_motion.hpp"
 #include "studies/sweep/report/sweep_rows.hpp"
+#include "studies/sweep/state_rules.hpp"
 #include "studies/sweep/state_walk.hpp"
 #include "studies/sweep/task/sweep_task.hpp"
 #include "studies/sweep/task/tape_solver.hpp"
@@ -84,6 +85,7 @@ class StateSolver {
   std::optional<TapeSolver> taped_;
   std::optional<StateMotion> moved_;
   std::optional<LaneMotions> lanes_;
+  std::optional<StateRules> lane_rules_;           ///< of what the lanes do not bind
   std::vector<char> is_answered_;                  ///< of each lane: by a tape or in lanes
   std::vector<char> is_undefined_;                 ///< of each lane
   std::vector<std::uint64_t> places_;              ///< of each lane, axis by axis
@@ -91,6 +93,7 @@ class StateSolver {
   std::vector<SolvedState> solved_;                ///< of each lane
   std::optional<ShiftPlan> plan_;                  ///< with the parameters of the last state
   std::vector<std::optional<ShiftState>> states_;  ///< of each row that is of a combination
+  std::vector<Quantity> scratch_;
   std::uint64_t unchecked_ = 0;  ///< how many follow before one is analysed both ways
 };
 
