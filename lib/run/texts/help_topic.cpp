@@ -1,7 +1,6 @@
 #include "run/texts/help_topic.hpp"
 
 #include <algorithm>
-#include <cctype>
 
 #include <fmt/format.h>
 
@@ -16,6 +15,7 @@
 #include "io/synonyms.hpp"
 #include "run/embedded.hpp"
 #include "run/texts/explain.hpp"
+#include "run/texts/word_mentions.hpp"
 #include "run/texts/written_reports.hpp"
 #include "studies/compare/compare_values.hpp"
 #include "studies/simulation/task/simulation_limits.hpp"
@@ -157,25 +157,11 @@ std::string glossary_lines(const std::string& word) {
   return lines;
 }
 
-bool has_word(std::string_view text, std::string_view word) {
-  const auto is_letter = [&](std::size_t at) {
-    return at < text.size() && (std::isalnum(static_cast<unsigned char>(text[at])) != 0);
-  };
-  for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1)) {
-    if ((at == 0 || !is_letter(at - 1)) && !is_letter(at + word.size())) {
-      return true;
-    }
-  }
-  return false;
-}
-
 // Topics in which the word stands, but for the glossary, which has lines on all of them.
 std::vector<std::string> topics_with(const std::string& word) {
-  std::string plain = word;
-  std::ranges::replace(plain, '_', ' ');
   std::vector<std::string> topics;
   for (const EmbeddedText& page : embedded_topics()) {
-    if (page.name != "glossary" && has_word(page.text, plain)) {
+    if (page.name != "glossary" && mentions(page.text, word)) {
       topics.emplace_back(page.name);
     }
   }
@@ -217,6 +203,34 @@ Outcome word_page(const std::string& word) {
   return outcome.out.empty() && is_code(word) ? explain(word) : outcome;
 }
 
+// All that is no key: keys stand in the pages of their sections.
+std::vector<HelpPage> help_pages() {
+  std::vector<HelpPage> pages;
+  for (const EmbeddedText& page : embedded_topics()) {
+    pages.push_back({.command = fmt::format("help {}", page.name),
+                     .title = std::string(title_of(page)),
+                     .text = filled(page)});
+  }
+  for (const CouplingKind* kind : coupling_kinds()) {
+    pages.push_back({.command = fmt::format("help {}", kind->word),
+                     .title = std::string(kind->meaning),
+                     .text = fmt::format("{}", fmt::join(kind->others, ", "))});
+  }
+  return pages;
+}
+
+// A topic, a type, a key or a term by its plural or without it.
+Outcome page_in_other_number(const std::string& word) {
+  const std::string other =
+      word.ends_with('s') ? word.substr(0, word.size() - 1) : fmt::format("{}s", word);
+  if (const EmbeddedText* page = find_text(embedded_topics(), other)) {
+    Outcome outcome;
+    outcome.out = filled(*page);
+    return outcome;
+  }
+  return word_page(other);
+}
+
 std::vector<std::string> all_words(std::span<const std::string> commands) {
   std::vector<std::string> words = help_topics();
   words.insert(words.end(), commands.begin(), commands.end());
@@ -226,6 +240,26 @@ std::vector<std::string> all_words(std::span<const std::string> commands) {
   const std::vector<std::string> keys = format_keys();
   words.insert(words.end(), keys.begin(), keys.end());
   return words;
+}
+
+// Empty where the word stands nowhere. It is no slip then, unless it is nearly a command.
+Outcome mentions_page(const std::string& word,
+                      std::span<const std::string> commands,
+                      std::span<const std::string> words) {
+  Outcome outcome;
+  const std::string text = mentions_of(word, help_pages());
+  if (text.empty()) {
+    return outcome;
+  }
+  const std::string meant = meant_name(word, words);
+  const bool is_synonym = meant != nearest_name(word, words);
+  const std::string slip = did_you_mean(word, commands);
+  outcome.out = fmt::format("'{}' has no page of its own{} stands in\n\n{}{}",
+                            printable(word),
+                            is_synonym ? fmt::format("; did you mean '{}'? It", meant) : ", and",
+                            text,
+                            slip.empty() ? "" : fmt::format("\nOr {}\n", slip));
+  return outcome;
 }
 
 }  // namespace
@@ -263,18 +297,18 @@ Outcome help_topic(const std::string& word, std::span<const std::string> command
   if (Outcome page = word_page(word); !page.out.empty() || !page.err.plain().empty()) {
     return page;
   }
-  const std::vector<std::string> topics = topics_with(word);
+  if (Outcome page = page_in_other_number(word); !page.out.empty()) {
+    return page;
+  }
+  const std::vector<std::string> words = all_words(commands);
+  if (Outcome page = mentions_page(word, commands, words); !page.out.empty()) {
+    return page;
+  }
+  const std::string guess = did_you_mean_word(word, words);
   const std::vector<std::string> all = help_topics();
-  const std::string guess = did_you_mean_word(word, all_words(commands));
-  const std::string rest =
-      topics.empty()
-          ? fmt::format("topics are {}", plain_list(all, all.size()))
-          : fmt::format("topics that mention it are {}", plain_list(topics, topics.size()));
   add_message("E0101",
               fmt::format("there is no help on '{}'", printable(word)),
-              guess.empty()    ? rest
-              : topics.empty() ? guess
-                               : fmt::format("{} {}", guess, rest),
+              guess.empty() ? fmt::format("topics are {}", plain_list(all, all.size())) : guess,
               outcome);
   return outcome;
 }
