@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "draw/linkage/linkage_drawing.hpp"
+
 namespace kinestat {
 
 namespace {
@@ -92,8 +94,15 @@ bool is_broad(const Picture& picture) {
   return picture.view.width() > kBroad;
 }
 
+double drawing_width(const Topology& topology) {
+  constexpr double kShrinkingDrawing = 380.0;
+  constexpr int kMostNames = 16;
+  const int names = topology.body_count() + topology.coupling_count();
+  return names <= kMostNames ? kShrinkingDrawing : kDrawingWidth;
+}
+
 void add_picture(const Picture& picture, const std::string& prefix, Html& html) {
-  constexpr double kShrinking = 520.0;  // down to a telephone with letters that can be read [px]
+  constexpr double kShrinking = 550.0;  // down to a telephone with letters that can be read [px]
   const char* const size = picture.view.width() <= kShrinking ? "picture shrinks" : "picture";
   html.open("div", {{"class", size}, {"tabindex", "0"}});
   html.markup(svg_element(picture, prefix));

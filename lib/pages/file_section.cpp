@@ -26,6 +26,7 @@ class FileSection {
     if (page.analysis) {
       LinkageOptions plain;
       plain.shows_forces = false;
+      plain.width = drawing_width(page.analysis->mechanism.topology);
       if (has_picture(*find_picture_kind("linkage"), section_.source())) {
         linkage_ = draw_linkage(*page.analysis, plain);
       }

@@ -78,7 +78,9 @@ class MotionFigure {
   }
 
   Picture drawing() const {
-    return draw_linkage(analysis_, motion_options(mechanism_, motion_.drawn));
+    LinkageOptions options = motion_options(mechanism_, motion_.drawn);
+    options.width = drawing_width(mechanism_.topology);
+    return draw_linkage(analysis_, options);
   }
 
   std::string drive_names() const {

@@ -119,6 +119,17 @@ class PageTest(PageCase):
                 # Of a font of 7 px; the small letters of the scale and the axes are the smallest.
                 self.assertGreater(min(heights), 8)
 
+    def test_no_moving_mechanism_of_few_parts_is_cut_on_a_telephone(self) -> None:
+        for name in ("planar/watt_six_bar.yaml", "planar/four_bar.yaml", "planar/slider_crank.yaml",
+                     "planar/four_stroke_engine.yaml", "planar/stick_slip.yaml",
+                     "spatial/rssr.yaml", "sweeps/press_stroke.yaml"):
+            with self.subTest(name):
+                self.open(self.page(name), width=400)
+                beyond = self.ask(
+                    "const box = document.querySelector('figure.motion .picture');"
+                    "return box.scrollWidth - box.clientWidth;")
+                self.assertLessEqual(beyond, 1)
+
     def test_no_picture_is_cut_by_a_few_pixels_on_a_telephone(self) -> None:
         # The lever diagram of the Ravigneaux set is a little over 400 pixels wide, the box of a picture 378.
         for name in ("planar/gripper.yaml", "cables/block_and_tackle.yaml",

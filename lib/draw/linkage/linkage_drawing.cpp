@@ -55,7 +55,8 @@ Picture draw_linkage(const Analysis& drawn, const LinkageOptions& options) {
                          moved ? std::span(options.stands.front().poses) : std::span<BodyPose>());
   const std::vector<Vec3> points = extent_points(parts, analysis, options);
   const bool is_planar = analysis.mechanism.space == Space::planar;
-  const LinkageView view = is_planar ? fit_view({}, points) : best_view(analysis, points);
+  const LinkageView view =
+      fit_view(is_planar ? LinkageView{} : best_view(analysis, points), points, options.width);
   LinkageCanvas canvas(analysis, options, view);
   std::vector<Attribute> marks = {
       {"data-scale", fmt::format("{}", view.scale)},

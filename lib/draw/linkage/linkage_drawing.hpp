@@ -65,6 +65,9 @@ struct LinkageCycle {
   std::vector<std::size_t> frames;  ///< at each time, index into LinkageOptions::frames
 };
 
+/// How wide the places of a mechanism are drawn at most [px].
+inline constexpr double kDrawingWidth = 620.0;
+
 /// What a drawing shows beside the mechanism.
 struct LinkageOptions {
   std::optional<std::size_t> which;  ///< index into Analysis::cases: its forces and drives
@@ -77,6 +80,7 @@ struct LinkageOptions {
   std::vector<LinkagePosition> stands;    ///< where it stands, and faintly in all but the first; or
                                           ///< empty: as drawn
   std::string remark;                     ///< beside the scale; or empty
+  double width = kDrawingWidth;           ///< of the places of the mechanism, at most [px]
   std::vector<LinkagePosition> frames;
   std::optional<LinkageCycle> cycle;  ///< empty: the drawing stands still
 };

@@ -9,7 +9,6 @@ namespace kinestat {
 
 namespace {
 
-constexpr double kWidth = 620.0;         // [px]
 constexpr double kCanvasHeight = 460.0;  // [px]
 
 struct Extent {
@@ -48,13 +47,13 @@ PixelPoint LinkageView::along(const Vec3& v) const {
   return {.x = scale * right.dot(v), .y = -scale * up.dot(v)};
 }
 
-LinkageView fit_view(LinkageView directions, const std::vector<Vec3>& points) {
+LinkageView fit_view(LinkageView directions, const std::vector<Vec3>& points, double width) {
   const Extent extent = extent_of(directions, points);
   const Vec3 size = extent.high - extent.low;
   LinkageView view = directions;
   double scale = std::numeric_limits<double>::infinity();
   if (size.x() > 0.0) {
-    scale = std::min(scale, kWidth / size.x());
+    scale = std::min(scale, width / size.x());
   }
   if (size.y() > 0.0) {
     scale = std::min(scale, kCanvasHeight / size.y());

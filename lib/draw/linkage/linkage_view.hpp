@@ -22,9 +22,11 @@ struct LinkageView {
   PixelPoint along(const Vec3& v) const;
 };
 
-/// The scale and the origin with which all points fit the usual size of a picture, its middle at
-/// (0, 0).
-LinkageView fit_view(LinkageView directions, const std::vector<Vec3>& points);
+/// The scale and the origin with which all points fit a picture of that width and usual height, its
+/// middle at (0, 0).
+LinkageView fit_view(LinkageView directions,
+                     const std::vector<Vec3>& points,
+                     double width = kDrawingWidth);
 
 /// All places that a drawing must hold.
 std::vector<Vec3> extent_points(const LinkageParts& parts,
