@@ -72,6 +72,19 @@ std::optional<Vec3> SectionContext::vector(const std::vector<Value>& components,
   return is_good ? std::optional(result) : std::nullopt;
 }
 
+std::optional<Vec3> SectionContext::place(const PointDescription& point) const {
+  if (checked == nullptr) {
+    return evaluator.point(point);
+  }
+  for (const Value& coordinate : point.coordinates) {
+    checked->push_back({.value = coordinate, .rule = anything_of(QuantityKind::length)});
+  }
+  std::vector<const Value*>* const noted = evaluator.note_numbers(nullptr);
+  const std::optional<Vec3> result = evaluator.point(point);
+  evaluator.note_numbers(noted);
+  return result;
+}
+
 void SectionContext::components(const std::vector<Value>& values, QuantityKind kind) const {
   for (const Value& value : values) {
     look_at(value, anything_of(kind));

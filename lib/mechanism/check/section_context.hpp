@@ -54,6 +54,9 @@ struct SectionContext {
   /// The components of a vector in SI; z is 0 in the plane. Empty if an error was added.
   std::optional<Vec3> vector(const std::vector<Value>& components, QuantityKind kind) const;
 
+  /// Where a point is that decides nothing else, from the origin of the evaluator.
+  std::optional<Vec3> place(const PointDescription& point) const;
+
   /// Evaluates the components of a vector.
   void components(const std::vector<Value>& values, QuantityKind kind) const;
 

@@ -53,7 +53,7 @@ class MassBinder {
     result.mass = context_.number(body_.mass, kMass, fmt::format("'mass' of body '{}'", name()))
                       .value_or(0.0);
     if (body_.centre_of_mass) {
-      result.centre = context_.evaluator.point(*body_.centre_of_mass).value_or(Vec3::Zero());
+      result.centre = context_.place(*body_.centre_of_mass).value_or(Vec3::Zero());
     }
     result.where = body_.mass               ? body_.mass->where
                    : !body_.inertia.empty() ? body_.inertia.front().where
