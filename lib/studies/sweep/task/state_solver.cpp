@@ -11,6 +11,7 @@
 #include "core/contract.hpp"
 #include "core/tolerance.hpp"
 #include "mechanism/bind/bind.hpp"
+#include "studies/sweep/state_rules.hpp"
 #include "studies/sweep/task/row_status.hpp"
 #include "studies/sweep/task/sweep_samples.hpp"
 
@@ -116,7 +117,7 @@ StateSolver::StateSolver(const SweepTask& task, std::size_t lanes)
     lanes_ = LaneMotions::make(
         task.description, task.mechanism, *task.motion, varying_parameters(task.plan));
     if (lanes_) {
-      lane_rules_.emplace(task.plan, task.description);
+      lane_rules_ = std::make_shared<const StateRules>(task.plan, task.description);
     }
   }
   const std::size_t together = task.tapes ? lanes : lanes_ ? kMotionLanes : 1;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -11,7 +12,6 @@
 #include "studies/sweep/motion/lane_motions.hpp"
 #include "studies/sweep/motion/state_motion.hpp"
 #include "studies/sweep/report/sweep_rows.hpp"
-#include "studies/sweep/state_rules.hpp"
 #include "studies/sweep/state_walk.hpp"
 #include "studies/sweep/task/sweep_task.hpp"
 #include "studies/sweep/task/tape_solver.hpp"
@@ -85,7 +85,7 @@ class StateSolver {
   std::optional<TapeSolver> taped_;
   std::optional<StateMotion> moved_;
   std::optional<LaneMotions> lanes_;
-  std::optional<StateRules> lane_rules_;           ///< of what the lanes do not bind
+  std::shared_ptr<const StateRules> lane_rules_;   ///< of what the lanes do not bind
   std::vector<char> is_answered_;                  ///< of each lane: by a tape or in lanes
   std::vector<char> is_undefined_;                 ///< of each lane
   std::vector<std::uint64_t> places_;              ///< of each lane, axis by axis
