@@ -35,7 +35,6 @@ THIRD_PARTY: dict[str, set[str] | None] = {
     "gmp": {"math"},
     "mpfr": {"math"},
     "xxhash": {"io"},
-    "rapidjson/": {"studies/compare"},
     "sha2.h": {"core"},
     "utf8proc": {"core"},
     "klu": {"math"},

@@ -12,7 +12,6 @@
 #include <fmt/format.h>
 
 #include "core/utf8.hpp"
-#include "studies/compare/fast_json.hpp"
 
 namespace kinestat {
 
@@ -240,20 +239,9 @@ class JsonBuilder {
   std::size_t search_steps_ = 0;
 };
 
-// Empty where something is wrong.
-std::optional<Json> read_right_json(std::string_view text) {
-  Diagnostics wrong;
-  JsonBuilder builder(wrong);
-  const bool is_right = read_fast_json(text, builder) && !wrong.has_errors();
-  return is_right ? std::optional(builder.take_value()) : std::nullopt;
-}
-
 }  // namespace
 
 std::optional<Json> read_json(const SourceFile& source, Diagnostics& found) {
-  if (std::optional<Json> value = read_right_json(source.text)) {
-    return value;
-  }
   Diagnostics wrong;
   JsonBuilder builder(wrong);
   try {
