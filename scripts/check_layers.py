@@ -35,6 +35,7 @@ THIRD_PARTY: dict[str, set[str] | None] = {
     "gmp": {"math"},
     "mpfr": {"math"},
     "xxhash": {"io"},
+    "dragonbox/": {"core"},
     "sha2.h": {"core"},
     "utf8proc": {"core"},
     "klu": {"math"},

@@ -4,7 +4,7 @@
 set -euo pipefail
 
 build=(g++ cmake ninja-build ccache pkg-config libeigen3-dev libyaml-cpp-dev libcli11-dev
-  libfmt-dev nlohmann-json3-dev libboost-dev libgmp-dev libmpfr-dev
+  libfmt-dev libdragonbox-dev nlohmann-json3-dev libboost-dev libgmp-dev libmpfr-dev
   libxxhash-dev libmd-dev libutf8proc-dev)
 package=("${build[@]}" dpkg-dev file)  # to find what the library needs
 test=("${package[@]}" libgtest-dev python3 python3-jsonschema python3-yaml)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include <fmt/format.h>
 
@@ -55,9 +56,10 @@ SweepRowText::SweepRowText(const SweepPlan& plan,
     cases_.push_back(format == RowFormat::csv ? csv_cell(which.label) : Json(which.label).dump());
   }
   Cell zero;
-  zero.length = write_exact(zero.value, zero.text.data()) - zero.text.data();
+  zero.length =
+      static_cast<std::size_t>(write_exact(zero.value, zero.text.data()) - zero.text.data());
   cells_.assign(cases.size() * columns.size(), zero);
-  std::size_t room = columns.size() * (kLongestExact + 1);
+  std::size_t room = columns.size() * (kLongestExact + 1) + kRoomForExact;
   for (const std::string& key : keys_) {
     room += key.size();
   }
@@ -97,24 +99,46 @@ void SweepRowText::append_parameter(std::size_t axis, std::uint64_t place) {
   }
 }
 
-void SweepRowText::append(const SweepRow& row, std::string& text) {
-  const bool is_json = format_ == RowFormat::json;
-  std::size_t column = plan_.axes().size() + 1;
+// The values of CSV.
+char* SweepRowText::append_values(const SweepRow& row, char* end) {
   Cell* cell = cells_.data() + row.which * row.values.size();
-  char* end = numbers_.data();
   for (const double value : row.values) {
-    end = std::ranges::copy(is_json ? std::string_view(keys_[column++]) : ",", end).out;
+    *end++ = ',';
     if (!std::isnan(value)) {
-      end = cell->append(value, end);
-    } else if (is_json) {
-      end = std::ranges::copy(std::string_view("null"), end).out;
+      cell->take(value);
+      end = cell->append_to(end);
     }
     ++cell;
   }
+  return end;
+}
+
+// The values of JSON, each with its key.
+char* SweepRowText::append_members(const SweepRow& row, char* end) {
+  std::size_t column = plan_.axes().size() + 1;
+  Cell* cell = cells_.data() + row.which * row.values.size();
+  for (const double value : row.values) {
+    end = std::ranges::copy(keys_[column++], end).out;
+    if (std::isnan(value)) {
+      end = std::ranges::copy(std::string_view("null"), end).out;
+    } else {
+      cell->take(value);
+      end = cell->append_to(end);
+    }
+    ++cell;
+  }
+  return end;
+}
+
+void SweepRowText::append(const SweepRow& row, std::string& text) {
+  const bool is_json = format_ == RowFormat::json;
+  const char* begin = numbers_.data();
+  const char* end =
+      is_json ? append_members(row, numbers_.data()) : append_values(row, numbers_.data());
   text += beginning_;
   text += cases_[row.which];
-  text.append(numbers_.data(), end);
-  text += is_json ? std::string_view(keys_[column]) : std::string_view(",");
+  text.append(begin, end);
+  text += is_json ? std::string_view(keys_.back()) : std::string_view(",");
   if (is_json) {
     text += '"';
   }
@@ -122,13 +146,16 @@ void SweepRowText::append(const SweepRow& row, std::string& text) {
   text += is_json ? "\"}\n" : "\n";
 }
 
-// All of the array, which a processor copies faster than so many characters of it.
-char* SweepRowText::Cell::append(double next, char* end) {
+void SweepRowText::Cell::take(double next) {
   if (next != value) {
     value = next;
-    length = write_exact(next, text.data()) - text.data();
+    length = static_cast<std::size_t>(write_exact(next, text.data()) - text.data());
   }
-  std::ranges::copy(text, end);
+}
+
+// More than the text, which a processor copies faster than so many characters of it.
+char* SweepRowText::Cell::append_to(char* end) const {
+  std::memcpy(end, text.data(), kLongestExact);
   return end + length;
 }
 

@@ -65,14 +65,18 @@ class SweepRowText {
   // A value with its text: in the next row of the case it is often the same.
   struct Cell {
     double value = 0.0;
-    std::array<char, kLongestExact> text = {};
-    std::ptrdiff_t length = 0;
+    std::size_t length = 0;
+    std::array<char, kRoomForExact> text = {};
 
-    /// Where the text of the next value ends, which there is room for.
-    char* append(double next, char* end);
+    void take(double next);
+
+    /// Where the text ends then. There must be room for the longest.
+    char* append_to(char* end) const;
   };
 
   void append_parameter(std::size_t axis, std::uint64_t place);
+  char* append_values(const SweepRow& row, char* end);
+  char* append_members(const SweepRow& row, char* end);
 
   const SweepPlan& plan_;
   RowFormat format_;
