@@ -18,6 +18,13 @@ def findings(text: str) -> str:
     return program.call("motion", "-", text=text).stderr
 
 
+def orders_of(couplings: list[str]) -> list[str]:
+    """Each coupling as the first of the file, the others behind it as they are and reversed."""
+    turned_lists = [couplings[i:] + couplings[:i] for i in range(len(couplings))]
+    return ["".join(f"  {line}\n" for line in order)
+            for one in turned_lists for order in (one, one[::-1])]
+
+
 class Cams(MotionTest):
     def test_lift_as_the_disc_turns(self) -> None:
         motion = run(in_library("planar/cam_and_follower.yaml"))
@@ -60,6 +67,82 @@ motion: {drives: [{drive: m, to: 90 deg}, {drive: n, to: %s deg}], steps: 3, rep
             self.close(angle, step * math.pi / 6, 1e-13, "first wheel")
             self.close(motion["b.wz/position"][step], -angle / 2, 1e-13, "second wheel")
         self.assertEqual(run(text % -44, status=5).report["status"], "locked")
+
+    def test_of_a_five_bar_turn_in_any_order_of_the_couplings(self) -> None:
+        """Wheels of radii 40 and 60 turn the two cranks; some orders leave a crank out of the tree."""
+        couplings = [
+            "a: {type: revolute, bodies: [frame, l1], at: [0, 0]}",
+            "b: {type: revolute, bodies: [l1, l2], at: [10, 40]}",
+            "c: {type: revolute, bodies: [l2, l3], at: [70, 120]}",
+            "d: {type: revolute, bodies: [l3, l4], at: [125, 45]}",
+            "e: {type: revolute, bodies: [frame, l4], at: [100, 0]}",
+            "m: {type: gear, bodies: [l1, l4], at: [40, 0], tangent: y, pressure_angle: 20 deg}"]
+
+        def elbow(angle: float) -> complex:
+            b = turned(10 + 40j, angle)
+            d = 100 + turned(25 + 45j, -angle / 1.5)
+            return dyad(b, d, abs(60 + 80j), abs(55 - 75j), (10 + 40j, 125 + 45j, 70 + 120j))
+        for order in orders_of(couplings):
+            motion = run("kinestat: 1\nspace: planar\nunits: {length: mm}\nground: frame\n"
+                         "bodies: [l1, l2, l3, l4]\ncouplings:\n" + order +
+                         "actuators: {motor: {coupling: a}}\n"
+                         "motion: {drive: motor, to: 1 rad, steps: 4,\n"
+                         "         trace: [{body: l3, at: [70, 120], name: P}], report: [position]}\n")
+            self.check_complete(motion, 4)
+            self.check(motion, "P/at/x", lambda t: elbow(t).real, 1e-9)
+            self.check(motion, "P/at/y", lambda t: elbow(t).imag, 1e-9)
+
+    def test_on_both_ends_of_a_coupler_turn_in_any_order_of_the_couplings(self) -> None:
+        """A wheel of radius 20 about each end of the coupler of a four-bar, and wheels about the
+        fixed pivots: in the crank and in the rocker each pair turns as 20 to the rest of the arm."""
+        couplings = [
+            "a: {type: revolute, bodies: [frame, crank], at: [0, 0]}",
+            "b: {type: revolute, bodies: [crank, coupler], at: [0, 50]}",
+            "c: {type: revolute, bodies: [coupler, rocker], at: [120, 100]}",
+            "d: {type: revolute, bodies: [frame, rocker], at: [120, 0]}",
+            "o: {type: revolute, bodies: [frame, near], at: [0, 0]}",
+            "p: {type: revolute, bodies: [frame, far], at: [120, 0]}",
+            "m: {type: gear, bodies: [coupler, near], at: [0, 30], tangent: x, pressure_angle: 20 deg}",
+            "n: {type: gear, bodies: [coupler, far], at: [120, 80], tangent: x, pressure_angle: 20 deg}"]
+
+        def turns(angle: float) -> tuple[float, float]:
+            b = turned(50j, angle)
+            c = dyad(b, 120, abs(120 + 50j), 100, (50j, 120, 120 + 100j))
+            coupler = cmath.phase((c - b) / (120 + 50j))
+            rocker = cmath.phase((c - 120) / 100j)
+            return (angle - (coupler - angle) * 20 / 30, rocker - (coupler - rocker) * 20 / 80)
+        for order in orders_of(couplings):
+            motion = run("kinestat: 1\nspace: planar\nunits: {length: mm}\nground: frame\n"
+                         "bodies: [crank, coupler, rocker, near, far]\ncouplings:\n" + order +
+                         "actuators: {motor: {coupling: a}}\n"
+                         "motion: {drive: motor, to: 360 deg, steps: 8, report: [o.wz, p.wz]}\n")
+            self.check_complete(motion, 8)
+            self.check(motion, "o.wz/position", lambda t: turns(t)[0], 1e-9)
+            self.check(motion, "p.wz/position", lambda t: turns(t)[1], 1e-9)
+
+    def test_between_racks_roll_in_any_order_of_the_couplings(self) -> None:
+        """A pinion on a slider between a fixed rack and a sliding one, which moves twice as far."""
+        couplings = [
+            "a: {type: revolute, bodies: [frame, crank], at: [0, 0]}",
+            "b: {type: revolute, bodies: [crank, rod], at: [30, 40]}",
+            "c: {type: revolute, bodies: [rod, slider], at: [150, 60]}",
+            "s: {type: prismatic, bodies: [frame, slider], at: [150, 60], axis: x}",
+            "r: {type: prismatic, bodies: [frame, ram], at: [150, 80], axis: x}",
+            "p: {type: revolute, bodies: [slider, pinion], at: [150, 60]}",
+            "k: {type: rack, bodies: [pinion, frame], at: [150, 40], line_of_action: [1, 0]}",
+            "l: {type: rack, bodies: [pinion, ram], at: [150, 80], line_of_action: [1, 0]}"]
+
+        def stroke(angle: float) -> float:
+            b = turned(30 + 40j, angle)
+            return b.real + math.sqrt(120 ** 2 + 20 ** 2 - (60 - b.imag) ** 2) - 150
+        for order in orders_of(couplings):
+            motion = run("kinestat: 1\nspace: planar\nunits: {length: mm}\nground: frame\n"
+                         "bodies: [crank, rod, slider, ram, pinion]\ncouplings:\n" + order +
+                         "actuators: {motor: {coupling: a}}\n"
+                         "motion: {drive: motor, to: 360 deg, steps: 8, report: [r.vx, p.wz]}\n")
+            self.check_complete(motion, 8)
+            self.check(motion, "r.vx/position", lambda t: 2 * stroke(t), 1e-9)
+            self.check(motion, "p.wz/position", lambda t: -stroke(t) / 20, 1e-9)
 
 
 class Cables(MotionTest):

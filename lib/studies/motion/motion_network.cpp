@@ -5,6 +5,7 @@
 #include <deque>
 #include <numeric>
 #include <set>
+#include <utility>
 
 #include "core/contract.hpp"
 #include "core/index.hpp"
@@ -87,14 +88,47 @@ class NetworkMaker {
     return is_driven(e) ? -2 : has_pitch ? -1 : coupling(e).freedom_count;
   }
 
+  void find_toothed() {
+    toothed_.assign(at(topology_.body_count()), false);
+    for (int e = 0; e < topology_.coupling_count(); ++e) {
+      if (law(e).kind == LawKind::rolling) {
+        toothed_[at(coupling(e).tail.value)] = toothed_[at(coupling(e).head.value)] = true;
+      }
+    }
+    if (std::ranges::find(toothed_, true) == toothed_.end()) {
+      return;
+    }
+    lines_ = find_hinge_lines(topology_, mechanism_.geometry);
+    meshes_ = find_meshes(topology_, mechanism_.geometry);
+    for (const Mesh& mesh : meshes_) {
+      const CouplingTopology& teeth = topology_.coupling(mesh.coupling);
+      if (mesh.carrier) {
+        carried_.insert(std::minmax(mesh.carrier->value, teeth.tail.value));
+        carried_.insert(std::minmax(mesh.carrier->value, teeth.head.value));
+      }
+    }
+  }
+
+  // What rolls is told by turns and slides of the tree: those of toothed bodies in their carrier
+  // first, then all others of toothed bodies.
+  int rank_by_teeth(int e) const {
+    const int tail = coupling(e).tail.value;
+    const int head = coupling(e).head.value;
+    return carried_.contains(std::minmax(tail, head)) ? 0
+           : toothed_[at(tail)] || toothed_[at(head)] ? 1
+                                                      : 2;
+  }
+
   void find_tree() {
+    find_toothed();
     std::vector<int> edges;
     for (int e = 0; e < topology_.coupling_count(); ++e) {
       if (law(e).kind == LawKind::chain) {
         edges.push_back(e);
       }
     }
-    std::ranges::stable_sort(edges, {}, [&](int e) { return rank_in_tree(e); });
+    std::ranges::stable_sort(
+        edges, {}, [&](int e) { return std::pair(rank_in_tree(e), rank_by_teeth(e)); });
     Components joined(topology_.body_count());
     in_tree_.assign(at(topology_.coupling_count()), false);
     for (const int e : edges) {
@@ -298,10 +332,7 @@ class NetworkMaker {
   }
 
   void add_rolling(int e) {
-    if (!meshes_) {
-      meshes_ = find_meshes(topology_, mechanism_.geometry);
-    }
-    if (auto row = find_rolling(mechanism_, network_, *meshes_, CouplingId{e})) {
+    if (auto row = find_rolling(mechanism_, network_, lines_, meshes_, CouplingId{e})) {
       network_.rollings.push_back(*std::move(row));
     } else {
       refuse(e, MotionObstacle::no_carrier);
@@ -372,7 +403,10 @@ class NetworkMaker {
   std::vector<FiniteLaw> laws_;
   std::vector<bool> in_tree_;
   std::set<int> floating_;
-  std::optional<std::vector<Mesh>> meshes_;
+  std::vector<HingeLine> lines_;
+  std::vector<Mesh> meshes_;
+  std::vector<bool> toothed_;              // of each body
+  std::set<std::pair<int, int>> carried_;  // a toothed body and its carrier, the lesser first
 };
 
 }  // namespace

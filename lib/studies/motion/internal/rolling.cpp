@@ -20,9 +20,13 @@ struct LineMotion {
 
 class RollingSearch {
  public:
-  RollingSearch(const Mechanism& mechanism, const MotionNetwork& network, CouplingId id)
+  RollingSearch(const Mechanism& mechanism,
+                const MotionNetwork& network,
+                std::span<const HingeLine> lines,
+                CouplingId id)
       : mechanism_(mechanism),
         network_(network),
+        lines_(lines),
         id_(id),
         coupling_(mechanism.topology.coupling(id)) {}
 
@@ -56,26 +60,50 @@ class RollingSearch {
     return motion.kind == ElementaryKind::slide ? screw : in_sizes(screw);
   }
 
+  // The joints of the tree from one body to another, and 1 or -1 for each that leads away from the
+  // ground or back to it.
+  std::vector<std::pair<int, double>> joints_between(int from, int to) const {
+    const std::vector<int> back = path_to(network_.frame_of_body[at(from)]);
+    const std::vector<int> forth = path_to(network_.frame_of_body[at(to)]);
+    const auto apart = std::ranges::mismatch(back, forth);
+    std::vector<std::pair<int, double>> result;
+    std::for_each(apart.in1, back.end(), [&](int j) { result.emplace_back(j, -1.0); });
+    std::for_each(apart.in2, forth.end(), [&](int j) { result.emplace_back(j, 1.0); });
+    return result;
+  }
+
   // How a body moves in another, if it does so on one line.
   std::optional<LineMotion> line_motion(int carrier, int body) const {
-    std::vector<int> back = path_to(network_.frame_of_body[at(carrier)]);
-    std::vector<int> forth = path_to(network_.frame_of_body[at(body)]);
-    std::size_t shared = 0;
-    while (shared < back.size() && shared < forth.size() && back[shared] == forth[shared]) {
-      ++shared;
-    }
     LineMotion result;
-    for (std::size_t i = shared; i < back.size(); ++i) {
-      if (!add_to_line(back[i], -1.0, result)) {
-        return std::nullopt;
-      }
-    }
-    for (std::size_t i = shared; i < forth.size(); ++i) {
-      if (!add_to_line(forth[i], 1.0, result)) {
-        return std::nullopt;
+    for (const auto& [j, sign] : joints_between(carrier, body)) {
+      if (!add_to_line(j, sign, result)) {
+        return hinge_motion(carrier, body);
       }
     }
     return result.rates.empty() ? std::nullopt : std::optional(result);
+  }
+
+  // In a plane all turns on the way add up to that about the line of hinges which joins the two,
+  // also where the tree leaves some of these out.
+  std::optional<LineMotion> hinge_motion(int carrier, int body) const {
+    const auto line = std::ranges::find_if(lines_, [&](const HingeLine& one) {
+      return std::ranges::binary_search(one.bodies, BodyId{carrier}) &&
+             std::ranges::binary_search(one.bodies, BodyId{body});
+    });
+    if (network_.space != Space::planar || line == lines_.end()) {
+      return std::nullopt;
+    }
+    LineMotion result;
+    result.screw = in_sizes(unit_rotation<double>(line->direction, line->point).coordinates());
+    for (const auto& [j, sign] : joints_between(carrier, body)) {
+      const MotionJoint& joint = network_.joints[at(j)];
+      if (joint.coordinate >= 0 && joint.motion.kind == ElementaryKind::turn) {
+        const double along = line->direction.dot(joint.motion.direction);
+        result.rates.push_back(joint.rate);
+        result.signs.push_back(sign * along * joint.sense);
+      }
+    }
+    return result;
   }
 
   bool add_to_line(int j, double sign, LineMotion& line) const {
@@ -164,6 +192,7 @@ class RollingSearch {
 
   const Mechanism& mechanism_;
   const MotionNetwork& network_;
+  std::span<const HingeLine> lines_;
   CouplingId id_;
   const CouplingTopology& coupling_;
 };
@@ -172,6 +201,7 @@ class RollingSearch {
 
 std::optional<RollingRow> find_rolling(const Mechanism& mechanism,
                                        const MotionNetwork& network,
+                                       std::span<const HingeLine> lines,
                                        std::span<const Mesh> meshes,
                                        CouplingId coupling) {
   std::vector<int> carriers;
@@ -184,7 +214,7 @@ std::optional<RollingRow> find_rolling(const Mechanism& mechanism,
     carriers.push_back(body);
   }
   const CouplingTopology& ends = mechanism.topology.coupling(coupling);
-  const RollingSearch search(mechanism, network, coupling);
+  const RollingSearch search(mechanism, network, lines, coupling);
   for (const int carrier : carriers) {
     if (carrier == ends.tail.value || carrier == ends.head.value) {
       continue;
