@@ -74,6 +74,46 @@ simulation: {action: {push: 3, swing: 0.5}, stops: {push: {to: 0.05}}, time: 2 s
         done = program.call("simulate", "-", "--report", "a.Rz", text=simulations.PENDULUM)
         self.assertIn("E0313", done.stderr)
 
+    def test_every_impact_on_stops_that_are_hit_at_once_is_told(self) -> None:
+        """A cart of 1 kg strikes one of 2 kg from inside, which stands at a wall. Momentum and
+        restitution 1/2 and 2/5 by hand: the two part at 1/2 m/s, the outer one comes back from the
+        wall with 1/5 m/s and strikes the inner one, which stands, with that."""
+        done = program.call("simulate", "-", text="""kinestat: 1
+space: planar
+ground: frame
+bodies: {one: {mass: 2, centre_of_mass: [0, 0]}, two: {mass: 1, centre_of_mass: [0, 0]}}
+couplings:
+  x: {type: prismatic, bodies: [frame, one], at: [0, 0], axis: x}
+  y: {type: prismatic, bodies: [one, two], at: [0, 0], axis: x}
+actuators: {p: {coupling: x}, q: {coupling: y}}
+simulation:
+  action: {p: 0, q: 0}
+  start: {q: {speed: 1}}
+  stops: {p: {to: 0, restitution: 0.4}, q: {to: 0.1, restitution: 0.5}}
+  time: 1 s
+  steps: 1
+""")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        impacts = [one for one in program.report(done)["simulation"]["events"]
+                   if one["kind"] == "impact"]
+        for one, (of, before, after) in zip(impacts, [("q", 1, -0.5), ("p", 0.5, -0.2),
+                                                      ("q", 0.2, -0.1)], strict=True):
+            self.assertEqual(one["element"], of)
+            self.assertAlmostEqual(one["time"], 0.1, 9)
+            self.assertAlmostEqual(one["speed"], before, 12)
+            self.assertAlmostEqual(one["speed_after"], after, 12)
+
+    def test_an_end_condition_at_the_start_is_called_that(self) -> None:
+        done = program.call("simulate", "-", text="""kinestat: 1
+space: planar
+ground: frame
+bodies: {cart: {mass: 2, centre_of_mass: [0, 0]}}
+couplings: {x: {type: prismatic, bodies: [frame, cart], at: [0, 0], axis: x}}
+actuators: {p: {coupling: x}}
+simulation: {action: {p: 1}, start: {p: {position: 0.5}}, until: {p: {position: 0.5}}, time: 1 s}
+""")
+        self.assertIn("W0513]: 'p' starts at and does not come back to 0.5 m in 1 s", done.stderr)
+
 
 if __name__ == "__main__":
     program.use(sys.argv.pop(1))

@@ -114,6 +114,7 @@ class Simulator : private StateInTime {
   void note_signs();
   bool meet(const Happening& what);
   SimulationEvent& note(SimulationEvent::Kind kind, const NamedFreedom& of);
+  void note_impact(const SimulationStop& stop, double before);
 
   // Newton's impact, and those that it makes of other stops that are touched. What rests is let go
   // before and rests again behind, if it does.

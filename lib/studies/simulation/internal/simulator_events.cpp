@@ -223,6 +223,12 @@ SimulationEvent& Simulator::note(SimulationEvent::Kind kind, const NamedFreedom&
   return result_.events.back();
 }
 
+void Simulator::note_impact(const SimulationStop& stop, double before) {
+  SimulationEvent& event = note(SimulationEvent::Kind::impact, stop.of);
+  event.speed = before;
+  event.speed_after = speed_along(stop.of.freedom);
+}
+
 bool Simulator::strike(std::size_t index) {
   std::optional<VecX> rates = joint_rates(anchor_, speeds_of(state_));
   if (!rates) {
@@ -257,7 +263,6 @@ bool Simulator::strike(std::size_t index) {
       if (!(into > least) || !impulse) {
         continue;
       }
-      is_new = is_new && s != index;
       is_quiet = false;
       const double by = -(1.0 + stop.restitution) * stop.side * into;
       if (parts_by(s, *impulse, by)) {
@@ -267,6 +272,8 @@ bool Simulator::strike(std::size_t index) {
       for (std::size_t j = 0; j < free; ++j) {
         state_[free + j] += by * impulse->speeds[static_cast<Eigen::Index>(j)];
       }
+      note_impact(stop, s == index && is_new ? before : stop.side * into);
+      is_new = is_new && s != index;
       for (Eigen::Index k = 0; k < impulse->held.size(); ++k) {
         supplied_ += by * impulse->held[k] * held_speed(static_cast<std::size_t>(k));
       }
@@ -277,9 +284,9 @@ bool Simulator::strike(std::size_t index) {
   }
   state_[2 * free] = supplied_;
   state_[2 * free + 1] = lost_;
-  SimulationEvent& event = note(SimulationEvent::Kind::impact, plan_.stops[index].of);
-  event.speed = before;
-  event.speed_after = speed_along(plan_.stops[index].of.freedom);
+  if (is_new) {
+    note_impact(plan_.stops[index], before);
+  }
   return settle(touched);
 }
 

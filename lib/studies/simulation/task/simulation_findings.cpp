@@ -107,6 +107,14 @@ std::string_view hint_of(const SimulationObstacle& obstacle) {
   return "";
 }
 
+std::optional<double> value_in(const SimulationRow& row, const SimulationGoal& goal) {
+  return goal.is_speed ? row.rates[at(goal.of.freedom)] : row.positions[at(goal.of.freedom)];
+}
+
+bool starts_at(const SimulationGoal& goal, const SimulationSolution& of) {
+  return !of.rows.empty() && value_in(of.rows.front(), goal) == goal.value;
+}
+
 // How near a simulation came to a goal that lies beyond all of its rows.
 struct NearestRow {
   bool is_greatest = true;
@@ -117,13 +125,12 @@ struct NearestRow {
 std::optional<NearestRow> nearest_row(const SimulationGoal& goal, const SimulationSolution& of) {
   std::optional<NearestRow> nearest;
   for (const SimulationRow& row : of.rows) {
-    const std::optional<double>& value =
-        goal.is_speed ? row.rates[at(goal.of.freedom)] : row.positions[at(goal.of.freedom)];
+    const std::optional<double> value = value_in(row, goal);
     if (!value) {
       continue;
     }
     if (*value == goal.value) {
-      return std::nullopt;  // it began there
+      return std::nullopt;
     }
     const bool is_below = *value < goal.value;
     if (nearest && nearest->is_greatest != is_below) {
@@ -149,8 +156,10 @@ void warn_of_missed_goals(const FoundSimulation& simulation,
     found.warning(
         "W0513",
         goal.of.where,
-        fmt::format("'{}' did not reach {} in {}{}",
+        fmt::format("'{}' {} {} in {}{}",
                     goal.of.name,
+                    starts_at(goal, simulation.solution) ? "starts at and does not come back to"
+                                                         : "did not reach",
                     with_unit(kind, goal.value),
                     with_unit(QuantityKind::time, simulation.plan.duration),
                     nearest ? fmt::format(": {} of the rows {} at {}",
