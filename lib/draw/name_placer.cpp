@@ -22,6 +22,9 @@ constexpr double kLineCost = 14.0;
 // Likewise of a line to a label that goes through another.
 constexpr double kCrossedLabelCost = 40.0;
 
+// Letters may be so much wider than they were measured [px].
+constexpr double kSlack = 1.0;
+
 // What is nearer to a label than this seems to touch it, which costs less than to cover it.
 constexpr double kAir = 2.0;
 constexpr double kNearCost = 1.0;
@@ -123,13 +126,14 @@ double NamePlacer::cost(const PixelBox& box, double price, double limit) const {
   if (area_) {
     sum += kLabelCost * (box.width() * box.height() - overlap(box, *area_));
   }
+  const PixelBox letters = box.grown(kSlack);
   const PixelBox around = box.grown(kAir);
   for (const PixelBox& other : boxes_) {
     add(kBoxCost * overlap(box, other));
   }
   if (sum < limit) {
     lines_.visit(around, [&](PixelPoint from, PixelPoint to) {
-      add(kLineCost * length_within(box, from, to));
+      add(kLineCost * length_within(letters, from, to));
       sum += kNearCost * length_within(around, from, to);
     });
   }
