@@ -133,8 +133,11 @@ double NamePlacer::cost(const PixelBox& box, double price, double limit) const {
   }
   if (sum < limit) {
     lines_.visit(around, [&](PixelPoint from, PixelPoint to) {
-      add(kLineCost * length_within(letters, from, to));
-      sum += kNearCost * length_within(around, from, to);
+      const double near = sum < limit ? length_within(around, from, to) : 0.0;
+      if (near > 0.0) {
+        sum += kNearCost * near;
+        add(kLineCost * length_within(letters, from, to));
+      }
     });
   }
   return sum;
