@@ -11,14 +11,15 @@
 
 #include "core/contract.hpp"
 #include "draw/chart_frame.hpp"
-#include "draw/labels.hpp"
+#include "draw/guide_words.hpp"
+#include "draw/name_placer.hpp"
 #include "draw/symbols.hpp"
 
 namespace kinestat {
 
 namespace {
 
-constexpr double kLineHeight = 17.0;
+constexpr double kLineHeight = kWordsHeight;
 constexpr double kSample = 26.0;  // length of a line in the legend
 constexpr double kSeen = 0.4;     // nearer points of a line are one
 constexpr int kMostLabelled = 40;
@@ -113,33 +114,6 @@ double draw_legend(const Chart& chart, double top, double width, Svg& svg) {
   return y;
 }
 
-// The rows into which labels go that stand over an axis, so that none covers another.
-std::vector<int> label_rows(const std::vector<PixelBox>& boxes) {
-  std::vector<int> rows;
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    int row = 0;
-    const auto is_taken = [&] {
-      for (std::size_t j = 0; j < i; ++j) {
-        if (rows[j] == row && boxes[i].left < boxes[j].right && boxes[j].left < boxes[i].right) {
-          return true;
-        }
-      }
-      return false;
-    };
-    while (is_taken()) {
-      ++row;
-    }
-    rows.push_back(row);
-  }
-  return rows;
-}
-
-struct GuideLayout {
-  std::vector<TextStyle> styles;
-  std::vector<int> rows;
-  int row_count = 0;
-};
-
 // Those beside the axis are left out.
 std::vector<ChartGuide> guides_within(const Chart& chart, const ChartFrame& frame) {
   std::vector<ChartGuide> guides;
@@ -149,53 +123,6 @@ std::vector<ChartGuide> guides_within(const Chart& chart, const ChartFrame& fram
     }
   }
   return guides;
-}
-
-// Labels stand over their guides, turned inwards at the ends; the first kMostLabelled have one.
-GuideLayout lay_out_guides(const std::vector<ChartGuide>& guides, const ChartFrame& frame) {
-  GuideLayout layout;
-  std::vector<PixelBox> boxes;
-  for (const ChartGuide& guide :
-       std::span(guides).first(std::min<std::size_t>(guides.size(), kMostLabelled))) {
-    TextStyle style = {.size = kTickText, .has_halo = true};
-    const double x = frame.place(guide.x, frame.y.low).x;
-    const double half = text_width(guide.label, kTickText) / 2;
-    style.anchor = x - half < frame.box.left    ? Anchor::start
-                   : x + half > frame.box.right ? Anchor::end
-                                                : Anchor::middle;
-    boxes.push_back(text_box({.x = x, .y = 0.0}, guide.label, style).grown(3.0));
-    layout.styles.push_back(style);
-  }
-  layout.rows = label_rows(boxes);
-  for (const int row : layout.rows) {
-    layout.row_count = std::max(layout.row_count, row + 1);
-  }
-  return layout;
-}
-
-// Lines first, and paper behind labels that stand in several rows, so that no label has the line of
-// another across it.
-void draw_guides(const std::vector<ChartGuide>& guides,
-                 const ChartFrame& frame,
-                 const GuideLayout& layout,
-                 Svg& svg) {
-  const auto place = [&](std::size_t i) {
-    const double above = i < layout.rows.size() ? 6.0 + kLineHeight * layout.rows[i] : 2.0;
-    return PixelPoint{.x = frame.place(guides[i].x, frame.y.low).x, .y = frame.box.top - above};
-  };
-  for (std::size_t i = 0; i < guides.size(); ++i) {
-    const PixelPoint top = place(i);
-    svg.line({.x = top.x, .y = top.y + 2.0},
-             {.x = top.x, .y = frame.box.bottom},
-             {.stroke = Ink::ink, .width = 1.0, .dash = "4 3"});
-  }
-  for (std::size_t i = 0; i < layout.rows.size(); ++i) {
-    if (layout.row_count > 1) {
-      svg.rectangle(text_box(place(i), guides[i].label, layout.styles[i]),
-                    {.stroke = Ink::none, .fill = Ink::paper});
-    }
-    svg.text(place(i), guides[i].label, layout.styles[i]);
-  }
 }
 
 // Series that run on each other have the same extremes, which one label tells.
@@ -209,38 +136,42 @@ bool is_said(const Chart& chart, const std::vector<PixelPoint>& places, std::siz
   return false;
 }
 
-void draw_marks(const Chart& chart, const ChartFrame& frame, PointLabels& placer, Svg& svg) {
+// Within the frame; a point without room for its label has none.
+void draw_marks(const Chart& chart, const ChartFrame& frame, NamePlacer& placer, Svg& svg) {
   std::vector<PixelPoint> places;
   for (const ChartMark& mark : chart.marks) {
     const PixelPoint place = frame.place(mark.x, mark.y);
     if (frame.holds(place)) {
       svg.circle(place, 4.0, {.stroke = Ink::ink, .fill = Ink::paper, .width = 1.5});
-      placer.take(
-          PixelBox{.left = place.x, .top = place.y, .right = place.x, .bottom = place.y}.grown(
-              4.0));
     }
     places.push_back(place);
   }
+  placer.keep_off(svg.lines());
   const std::size_t count = std::min<std::size_t>(places.size(), kMostLabelled);
   for (std::size_t i = 0; i < count; ++i) {
-    if (frame.holds(places[i]) && !is_said(chart, places, i)) {
-      placer.write(places[i], chart.marks[i].label, {.size = kTickText, .has_halo = true}, svg);
+    if (!frame.holds(places[i]) || is_said(chart, places, i)) {
+      continue;
+    }
+    constexpr TextStyle kMark = {.size = kTickText, .has_halo = true};
+    const PlacedName label = placer.place(places[i], chart.marks[i].label, kMark, 7.0);
+    if (label.is_free) {
+      write_label(svg, label, chart.marks[i].label, kMark);
     }
   }
 }
 
 // Those across the frame: guides, and where values are zero.
-void avoid_lines(const std::vector<ChartGuide>& guides,
-                 const ChartFrame& frame,
-                 PointLabels& placer) {
+void keep_off_lines(const std::vector<ChartGuide>& guides,
+                    const ChartFrame& frame,
+                    NamePlacer& placer) {
   const PixelBox& box = frame.box;
   for (const ChartGuide& guide : guides) {
     const double x = frame.place(guide.x, frame.y.low).x;
-    placer.avoid({{.x = x, .y = box.top}, {.x = x, .y = box.bottom}});
+    placer.keep_off({.x = x, .y = box.top}, {.x = x, .y = box.bottom});
   }
   if (frame.y.kind == ScaleKind::linear && frame.y.low < 0.0 && frame.y.high > 0.0) {
     const double y = frame.place(frame.x.low, 0.0).y;
-    placer.avoid({{.x = box.left, .y = y}, {.x = box.right, .y = y}});
+    placer.keep_off({.x = box.left, .y = y}, {.x = box.right, .y = y});
   }
 }
 
@@ -261,20 +192,20 @@ void draw_data(const Chart& chart,
                const std::vector<ChartGuide>& guides,
                const ChartFrame& frame,
                Svg& svg) {
-  svg.open_group({}, plot_marks(frame));
-  PointLabels placer(frame.box.grown(-2.0));
+  Svg data;
+  if (!chart.marks.empty()) {
+    data.keep_lines();
+  }
+  data.open_group({}, plot_marks(frame));
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
     const std::vector<PixelPoint> points = visible_points(frame, chart.series[i]);
-    draw_series(chart.series[i], i, look_of(chart, i), points, svg);
-    if (chart.series[i].style == SeriesStyle::line) {
-      placer.avoid(points);
-    } else {
-      placer.avoid_each(points);
-    }
+    draw_series(chart.series[i], i, look_of(chart, i), points, data);
   }
-  avoid_lines(guides, frame, placer);
-  draw_marks(chart, frame, placer, svg);
-  svg.close_group();
+  NamePlacer placer(frame.box.grown(-2.0));
+  keep_off_lines(guides, frame, placer);
+  draw_marks(chart, frame, placer, data);
+  data.close_group();
+  svg.add(data);
 }
 
 // Draws downwards from `top`; answers where the chart ends.
@@ -291,12 +222,12 @@ double draw_chart(const Chart& chart, double top, Svg& svg) {
   y = draw_legend(chart, y, chart.width, svg) + 8.0;
   ChartFrame frame = make_frame(chart, y);
   const std::vector<ChartGuide> guides = guides_within(chart, frame);
-  const GuideLayout layout = lay_out_guides(guides, frame);
-  frame.words_above = layout.row_count * kLineHeight;
+  const GuideWords words(guides, frame);
+  frame.words_above = words.row_count() * kLineHeight;
   frame.box.top += frame.words_above;
   frame.box.bottom += frame.words_above;
   draw_grid(frame, svg);
-  draw_guides(guides, frame, layout, svg);
+  words.draw(frame, svg);
   draw_data(chart, guides, frame, svg);
   draw_axes(chart, frame, svg);
   return frame.box.bottom + 40.0;

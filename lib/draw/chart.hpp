@@ -48,6 +48,7 @@ struct ChartMark {
 struct ChartGuide {
   double x = 0.0;
   std::string label;
+  bool is_named = true;  ///< by words; else only under the pointer, as words stand elsewhere
 };
 
 struct Chart {

@@ -1,6 +1,7 @@
 #include "draw/name_placer.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -21,6 +22,9 @@ constexpr double kLineCost = 14.0;
 // Likewise of a line to a label that goes through another.
 constexpr double kCrossedLabelCost = 40.0;
 
+// Letters may be so much wider than they were measured [px].
+constexpr double kSlack = 1.0;
+
 // What is nearer to a label than this seems to touch it, which costs less than to cover it.
 constexpr double kAir = 2.0;
 constexpr double kNearCost = 1.0;
@@ -28,10 +32,20 @@ constexpr double kNearCost = 1.0;
 // What a pixel of distance from the anchor costs.
 constexpr double kFarCost = 4.0;
 
+// By how much a label is rather put farther away than upon anything that is drawn [px].
+constexpr double kDetour = 400.0;
+
+// What an anchor costs that is the next of several [px].
+constexpr double kNextAnchor = 3.0;
+
 // From there on a line leads to the label [px].
 constexpr double kNearEnough = 14.0;
 
 constexpr int kDirections = 16;
+
+// How far from the nearest place [px].
+constexpr std::array kFarther = {
+    0.0, 6.0, kNearEnough, 26.0, 42.0, 64.0, 92.0, 126.0, 168.0, 220.0, 280.0, 350.0};
 
 // The share of the height that lies above the base line.
 constexpr double kAscentShare = 0.76;
@@ -89,24 +103,18 @@ PixelPoint nearest_point(const PixelBox& box, PixelPoint to) {
 }  // namespace
 
 void NamePlacer::keep_off(PixelPoint from, PixelPoint to) {
-  segments_.push_back({.from = from, .to = to});
+  lines_.add(from, to);
 }
 
-void NamePlacer::keep_off_circle(PixelPoint centre, double radius) {
-  constexpr int kSidesOfRing = 24;
-  PixelPoint last = {.x = centre.x + radius, .y = centre.y};
-  for (int i = 1; i <= kSidesOfRing; ++i) {
-    const double angle = 2 * std::numbers::pi * i / kSidesOfRing;
-    const PixelPoint next = {.x = centre.x + radius * std::cos(angle),
-                             .y = centre.y + radius * std::sin(angle)};
-    keep_off(last, next);
-    last = next;
+void NamePlacer::keep_off(std::span<const PixelLine> lines) {
+  for (const PixelLine& line : lines) {
+    lines_.add(line.from, line.to);
   }
 }
 
 double NamePlacer::cost(const PixelBox& box, double price, double limit) const {
   double sum = price;
-  double covering = kFarCost * detour_;  // until something is covered
+  double covering = kFarCost * kDetour;  // until something is covered
   const auto add = [&](double cost) {
     if (cost > 0.0) {
       sum += cost + std::exchange(covering, 0.0);
@@ -115,16 +123,22 @@ double NamePlacer::cost(const PixelBox& box, double price, double limit) const {
   for (const PixelBox& label : labels_) {
     sum += kLabelCost * overlap(box, label);
   }
+  if (area_) {
+    sum += kLabelCost * (box.width() * box.height() - overlap(box, *area_));
+  }
+  const PixelBox letters = box.grown(kSlack);
   const PixelBox around = box.grown(kAir);
   for (const PixelBox& other : boxes_) {
     add(kBoxCost * overlap(box, other));
   }
-  for (const Segment& segment : segments_) {
-    if (sum >= limit) {
-      break;
-    }
-    add(kLineCost * length_within(box, segment.from, segment.to));
-    sum += kNearCost * length_within(around, segment.from, segment.to);
+  if (sum < limit) {
+    lines_.visit(around, [&](PixelPoint from, PixelPoint to) {
+      const double near = sum < limit ? length_within(around, from, to) : 0.0;
+      if (near > 0.0) {
+        sum += kNearCost * near;
+        add(kLineCost * length_within(letters, from, to));
+      }
+    });
   }
   return sum;
 }
@@ -132,28 +146,38 @@ double NamePlacer::cost(const PixelBox& box, double price, double limit) const {
 double NamePlacer::line_cost(PixelPoint from, PixelPoint to) const {
   double sum = 0.0;
   for (const PixelBox& label : labels_) {
-    sum += kCrossedLabelCost * length_within(label, from, to);
+    const double crossed = length_within(label, from, to);
+    sum += crossed > 0.0 ? kCrossedLabelCost * crossed + kFarCost * kDetour : 0.0;
   }
   return sum;
 }
 
-PlacedName NamePlacer::take(const PixelBox& box, const TextStyle& style) {
+PlacedName NamePlacer::take(const PixelBox& box, double cost, const TextStyle& style) {
   labels_.push_back(box.grown(1.0));
   const double base = box.top + kAscentShare * box.height();
   const double x = style.anchor == Anchor::start    ? box.left
                    : style.anchor == Anchor::middle ? box.centre().x
                                                     : box.right;
-  return {.place = {.x = x, .y = base}, .box = box, .needs_line = false, .line_end = {}};
+  return {.place = {.x = x, .y = base},
+          .box = box,
+          .is_free = cost < kFarCost * kDetour,
+          .needs_line = false,
+          .anchor = {},
+          .line_end = {}};
 }
 
 NamePlacer::Found NamePlacer::find_around(PixelPoint anchor,
                                           std::string_view text,
                                           const TextStyle& style,
-                                          double distance) const {
+                                          double distance,
+                                          const Found& best_so_far) const {
   const double width = text_width(text, style.size, style.weight);
   const PixelPoint half = {.x = width / 2, .y = style.size / 2};
-  Found best = {.box = {}, .cost = std::numeric_limits<double>::infinity(), .farther = 0.0};
-  for (const double more : {0.0, 6.0, kNearEnough, 26.0, 42.0, 64.0, 92.0, 126.0, 168.0}) {
+  Found best = best_so_far;
+  for (const double more : kFarther) {
+    if (kFarCost * more >= best.cost) {
+      break;
+    }
     for (int i = 0; i < kDirections; ++i) {
       // From the upper right on, which readers expect first.
       const double angle = std::numbers::pi / 4 + 2 * std::numbers::pi * i / kDirections;
@@ -164,19 +188,20 @@ NamePlacer::Found NamePlacer::find_around(PixelPoint anchor,
         total += line_cost(anchor, nearest_point(box, anchor));
       }
       if (total < best.cost) {
-        best = {.box = box, .cost = total, .farther = more};
+        best = {.anchor = anchor, .box = box, .cost = total, .farther = more};
       }
     }
   }
   return best;
 }
 
-PlacedName NamePlacer::take(const Found& found, PixelPoint anchor, const TextStyle& style) {
-  PlacedName result = take(found.box, style);
+PlacedName NamePlacer::take(const Found& found, const TextStyle& style) {
+  PlacedName result = take(found.box, found.cost, style);
   result.needs_line = found.farther > kNearEnough;
-  result.line_end = nearest_point(found.box, anchor);
+  result.anchor = found.anchor;
+  result.line_end = nearest_point(found.box, found.anchor);
   if (result.needs_line) {
-    keep_off(anchor, result.line_end);
+    keep_off(result.anchor, result.line_end);
   }
   return result;
 }
@@ -185,37 +210,50 @@ PlacedName NamePlacer::place(PixelPoint anchor,
                              std::string_view text,
                              const TextStyle& style,
                              double distance) {
-  return take(find_around(anchor, text, style, distance), anchor, style);
+  return take(find_around(anchor, text, style, distance, {}), style);
+}
+
+PlacedName NamePlacer::place(std::span<const PixelPoint> anchors,
+                             std::string_view text,
+                             const TextStyle& style,
+                             double distance) {
+  return take(find_around(anchors, text, style, distance, {}), style);
+}
+
+NamePlacer::Found NamePlacer::find_around(std::span<const PixelPoint> anchors,
+                                          std::string_view text,
+                                          const TextStyle& style,
+                                          double distance,
+                                          Found best) const {
+  for (const PixelPoint& anchor : anchors) {
+    best = find_around(anchor, text, style, distance, best);
+    best.cost -= kFarCost * kNextAnchor;  // what the next one must save
+  }
+  return best;
 }
 
 PlacedName NamePlacer::place_at(const std::vector<PixelPoint>& middles,
-                                PixelPoint anchor,
+                                std::span<const PixelPoint> anchors,
                                 std::string_view text,
                                 const TextStyle& style) {
   const double width = text_width(text, style.size, style.weight);
-  double least = std::numeric_limits<double>::infinity();
-  PixelBox best;
+  Found best;
   for (std::size_t i = 0; i < middles.size(); ++i) {
     const PixelBox box = box_around(middles[i], width, style.size);
-    const double total = cost(box, static_cast<double>(i), least);
-    if (total < least) {
-      least = total;
-      best = box;
+    const double total = cost(box, static_cast<double>(i), best.cost);
+    if (total < best.cost) {
+      best = {.anchor = anchors.front(), .box = box, .cost = total, .farther = 0.0};
     }
   }
-  if (least >= kLabelCost || (detour_ > 0.0 && least >= kFarCost * detour_)) {
-    const Found around = find_around(anchor, text, style, 4.0);
-    if (around.cost < least) {
-      return take(around, anchor, style);
-    }
+  if (best.cost >= kFarCost * kDetour) {
+    best = find_around(anchors, text, style, 4.0, best);
   }
   return take(best, style);
 }
 
-void write_label(
-    Svg& svg, const PlacedName& label, PixelPoint anchor, std::string_view text, TextStyle style) {
+void write_label(Svg& svg, const PlacedName& label, std::string_view text, TextStyle style) {
   if (label.needs_line) {
-    svg.line(anchor, label.line_end, {.stroke = Ink::soft, .width = 0.7});
+    svg.line(label.anchor, label.line_end, {.stroke = Ink::soft, .width = 0.7});
   }
   svg.text(label.place, text, style);
 }

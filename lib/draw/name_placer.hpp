@@ -1,9 +1,13 @@
 // Finds places for labels where they cover nothing.
 #pragma once
 
+#include <limits>
+#include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
+#include "draw/line_grid.hpp"
 #include "draw/svg.hpp"
 
 namespace kinestat {
@@ -12,16 +16,21 @@ namespace kinestat {
 struct PlacedName {
   PixelPoint place;         ///< on the base line, by the anchor of the style
   PixelBox box;             ///< of the text
+  bool is_free = true;      ///< whether it covers nothing and lies within the area
   bool needs_line = false;  ///< so far from what it names that a thin line should join the two
-  PixelPoint line_end;      ///< where that line meets the label
+  PixelPoint anchor;        ///< where that line begins
+  PixelPoint line_end;      ///< where it meets the label
 };
 
 /// Labels are placed one after the other, each at the best of some places around its anchor; the
-/// same in every run. What is drawn is announced before, so that labels keep off it.
+/// same in every run. What is drawn is announced before, so that labels keep off it: they are
+/// rather put far away than upon anything.
 class NamePlacer {
  public:
-  /// By how many pixels a label is rather put farther away than upon anything that is drawn.
-  explicit NamePlacer(double detour = 0.0) : detour_(detour) {}
+  NamePlacer() = default;
+
+  /// Labels lie within the area.
+  explicit NamePlacer(const PixelBox& area) : area_(area) {}
 
   void keep_off(const PixelBox& box) { boxes_.push_back(box); }
 
@@ -30,8 +39,7 @@ class NamePlacer {
 
   void keep_off(PixelPoint from, PixelPoint to);
 
-  /// The rim, not what is within.
-  void keep_off_circle(PixelPoint centre, double radius);
+  void keep_off(std::span<const PixelLine> lines);
 
   /// The best place for a text of one line at `distance` from the anchor or somewhat further; its
   /// anchor of style is chosen. The label is then kept off by all later ones.
@@ -40,45 +48,53 @@ class NamePlacer {
                    const TextStyle& style,
                    double distance);
 
-  /// The best of given places, each the middle of the text; where each covers another label, or
-  /// what a detour would leave free, one around the anchor.
+  /// Likewise around the best of several anchors, the first rather than the last.
+  PlacedName place(std::span<const PixelPoint> anchors,
+                   std::string_view text,
+                   const TextStyle& style,
+                   double distance);
+
+  /// The best of given places, each the middle of the text; where each covers something, one around
+  /// the best of the anchors.
   PlacedName place_at(const std::vector<PixelPoint>& middles,
-                      PixelPoint anchor,
+                      std::span<const PixelPoint> anchors,
                       std::string_view text,
                       const TextStyle& style);
 
  private:
-  struct Segment {
-    PixelPoint from;
-    PixelPoint to;
-  };
-
   // What it costs to stand there, beside a price of its own; at `limit` it is not added up further.
   double cost(const PixelBox& box, double price, double limit) const;
   double line_cost(PixelPoint from, PixelPoint to) const;
-  PlacedName take(const PixelBox& box, const TextStyle& style);
+  PlacedName take(const PixelBox& box, double cost, const TextStyle& style);
 
   // A place around an anchor.
   struct Found {
+    PixelPoint anchor;
     PixelBox box;
-    double cost = 0.0;
+    double cost = std::numeric_limits<double>::infinity();
     double farther = 0.0;  // than the distance
   };
 
+  // The best so far, or a better one.
   Found find_around(PixelPoint anchor,
                     std::string_view text,
                     const TextStyle& style,
-                    double distance) const;
-  PlacedName take(const Found& found, PixelPoint anchor, const TextStyle& style);
+                    double distance,
+                    const Found& best) const;
+  Found find_around(std::span<const PixelPoint> anchors,
+                    std::string_view text,
+                    const TextStyle& style,
+                    double distance,
+                    Found best) const;
+  PlacedName take(const Found& found, const TextStyle& style);
 
-  double detour_ = 0.0;
+  std::optional<PixelBox> area_;
   std::vector<PixelBox> boxes_;
   std::vector<PixelBox> labels_;
-  std::vector<Segment> segments_;
+  LineGrid lines_;
 };
 
-/// Writes the label, and the line to its anchor if it needs one.
-void write_label(
-    Svg& svg, const PlacedName& label, PixelPoint anchor, std::string_view text, TextStyle style);
+/// Writes the label, and the line from its anchor if it needs one.
+void write_label(Svg& svg, const PlacedName& label, std::string_view text, TextStyle style);
 
 }  // namespace kinestat

@@ -11,6 +11,12 @@ struct PixelPoint {
   double y = 0.0;
 };
 
+/// A straight one.
+struct PixelLine {
+  PixelPoint from;
+  PixelPoint to;
+};
+
 /// A rectangle [px]; empty until something is added.
 struct PixelBox {
   double left = std::numeric_limits<double>::infinity();

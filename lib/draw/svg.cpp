@@ -213,6 +213,7 @@ void Svg::line(PixelPoint from, PixelPoint to, const Paint& paint) {
            number_attribute("x2", to.x) + number_attribute("y2", to.y) + style + "/>\n");
   include(from, stroke_margin(paint));
   include(to, stroke_margin(paint));
+  keep(std::array{from, to}, false, paint);
 }
 
 void Svg::polyline(std::span<const PixelPoint> points, const Paint& paint) {
@@ -226,9 +227,11 @@ void Svg::polyline(std::span<const PixelPoint> points, const Paint& paint) {
   for (std::size_t begin = 0; begin < points.size();) {
     const std::size_t end = end_of_piece(begin);
     const char* command = "M";
-    for (const PixelPoint& point : thinned_line(points.subspan(begin, end - begin))) {
+    const std::vector<PixelPoint> piece = thinned_line(points.subspan(begin, end - begin));
+    for (const PixelPoint& point : piece) {
       data += std::exchange(command, "L") + data_text(point);
     }
+    keep(piece, false, paint);
     if (end == begin + 1) {
       data += "h0.01";
     }
@@ -251,9 +254,11 @@ void Svg::polygon(std::span<const PixelPoint> corners, const Paint& paint) {
   for (const PixelPoint& corner : corners) {
     include(corner, stroke_margin(paint));
   }
-  for (const PixelPoint& corner : thinned_line(corners)) {
+  const std::vector<PixelPoint> rim = thinned_line(corners);
+  for (const PixelPoint& corner : rim) {
     points += (points.empty() ? "" : " ") + pair_text(corner);
   }
+  keep(rim, true, paint);
   open_element("polygon");
   attribute("points", points);
   close_element(paint);
@@ -262,6 +267,12 @@ void Svg::polygon(std::span<const PixelPoint> corners, const Paint& paint) {
 void Svg::rectangle(const PixelBox& box, const Paint& paint, double corner_radius) {
   KINESTAT_EXPECTS(!box.is_empty());
   include(box.grown(stroke_margin(paint)));
+  keep(std::array{PixelPoint{.x = box.left, .y = box.top},
+                  PixelPoint{.x = box.right, .y = box.top},
+                  PixelPoint{.x = box.right, .y = box.bottom},
+                  PixelPoint{.x = box.left, .y = box.bottom}},
+       true,
+       paint);
   const std::string style = paint_attributes(paint);
   std::string alone = "<rect" + number_attribute("x", box.left) + number_attribute("y", box.top) +
                       number_attribute("width", box.width()) +
@@ -292,6 +303,7 @@ void Svg::circle(PixelPoint centre, double radius, const Paint& paint) {
   attribute("r", radius);
   close_element(paint);
   include(centre, radius + stroke_margin(paint));
+  keep_rim(centre, radius, paint);
 }
 
 void Svg::path(std::string_view data, const PixelBox& bounds, const Paint& paint) {
@@ -299,6 +311,21 @@ void Svg::path(std::string_view data, const PixelBox& bounds, const Paint& paint
   attribute("d", data);
   close_element(paint);
   include(bounds.grown(stroke_margin(paint)));
+}
+
+void Svg::strokes(std::span<const PixelLine> lines, const Paint& paint) {
+  if (lines.empty()) {
+    return;
+  }
+  std::string data;
+  for (const PixelLine& one : lines) {
+    data += line_data(one.from, one.to);
+    include(one.from, stroke_margin(paint));
+    include(one.to, stroke_margin(paint));
+    keep(std::array{one.from, one.to}, false, paint);
+  }
+  const std::string style = paint_attributes(paint);
+  join(ElementRun::Kind::lines, style, data, "<path d=\"" + data + "\"" + style + "/>\n");
 }
 
 void Svg::arrow(PixelPoint from, PixelPoint to, const Paint& paint, double head) {
@@ -335,6 +362,7 @@ void Svg::arrow_head(PixelPoint tip, PixelPoint direction, Ink ink, double lengt
     points += (points.empty() ? "" : " ") + pair_text(corner);
     data += (data.empty() ? "M" : "L") + data_text(corner);
   }
+  keep(corners, true, paint);
   join(ElementRun::Kind::areas,
        style,
        data + "z",
@@ -350,6 +378,9 @@ void Svg::hatch(const PixelBox& box, Ink ink, double distance) {
     const double high = std::max(box.top, s - box.right);
     data += "M" + data_text({.x = s - low, .y = low}) + "l" +
             data_text({.x = low - high, .y = high - low});
+    keep(std::array{PixelPoint{.x = s - low, .y = low}, PixelPoint{.x = s - high, .y = high}},
+         false,
+         {.stroke = ink});
   }
   if (!data.empty()) {
     const std::string style = paint_attributes({.stroke = ink, .width = 1.0});
@@ -408,6 +439,10 @@ void Svg::open_group(std::string_view title, std::span<const Attribute> attribut
   }
   elements_ += "\n";
   ++open_groups_;
+  if (hidden_from_ == 0 &&
+      std::ranges::find(attributes, "display", &Attribute::first) != attributes.end()) {
+    hidden_from_ = open_groups_;
+  }
 }
 
 void Svg::close_group() {
@@ -416,12 +451,16 @@ void Svg::close_group() {
   if (moving_ && moving_->depth == open_groups_) {
     include_moved(*std::exchange(moving_, std::nullopt));
   }
+  hidden_from_ = hidden_from_ == open_groups_ ? 0 : hidden_from_;
   --open_groups_;
 }
 
 void Svg::add(const Svg& other) {
   elements_ += other.elements();
   include(other.bounds());
+  if (keeps_lines_ && hidden_from_ == 0) {
+    lines_.insert(lines_.end(), other.lines_.begin(), other.lines_.end());
+  }
 }
 
 void Svg::use(const std::string& id, PixelPoint by, const PixelBox& bounds) {

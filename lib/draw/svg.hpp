@@ -11,33 +11,10 @@
 
 #include "draw/element_run.hpp"
 #include "draw/group_motion.hpp"
-#include "draw/palette.hpp"
+#include "draw/paint.hpp"
 #include "draw/pixel_box.hpp"
-#include "draw/text_width.hpp"
 
 namespace kinestat {
-
-/// How a shape is painted.
-struct Paint {
-  Ink stroke = Ink::ink;
-  Ink fill = Ink::none;
-  double width = 1.5;       ///< of the stroke [px]
-  std::string dash = {};    ///< dashes and gaps [px]; empty: full
-  double opacity = 1.0;     ///< of the fill
-  bool round_ends = false;  ///< round caps and joins, else flat caps and mitres
-};
-
-enum class Anchor { start, middle, end };
-
-struct TextStyle {
-  Ink ink = Ink::ink;
-  double size = 12.0;  ///< [px]
-  Weight weight = Weight::normal;
-  Anchor anchor = Anchor::start;
-  double turn = 0.0;       ///< about the place, clockwise [degrees]
-  bool has_halo = false;   ///< a rim of paper around the letters, for text upon lines
-  bool is_italic = false;  ///< for symbols of magnitudes
-};
 
 /// An attribute of a group: a name of ours and a value, which is escaped.
 using Attribute = std::pair<std::string, std::string>;
@@ -62,6 +39,9 @@ class Svg {
 
   /// The data of a path, absolute commands only; `bounds` is where it lies.
   void path(std::string_view data, const PixelBox& bounds, const Paint& paint);
+
+  /// Separate lines as one path.
+  void strokes(std::span<const PixelLine> lines, const Paint& paint);
 
   /// A line whose end carries a filled head of that length; just the head where it is longer.
   void arrow(PixelPoint from, PixelPoint to, const Paint& paint, double head = 8.0);
@@ -113,6 +93,13 @@ class Svg {
   /// All elements so far; every group must be closed.
   const std::string& elements() const;
 
+  /// From now on the lines are kept, which labels keep off.
+  void keep_lines() { keeps_lines_ = true; }
+
+  /// Lines and rims of all that is painted since then but grids, tints and what is not shown; of
+  /// groups that move, as they are drawn.
+  const std::vector<PixelLine>& lines() const { return lines_; }
+
   /// Where everything drawn so far lies, strokes and widest text included; of a group that moves,
   /// where it comes at the key frames, once it is closed.
   const PixelBox& bounds() const { return bounds_; }
@@ -123,6 +110,8 @@ class Svg {
   void attribute(std::string_view name, double value);
   void close_element(const Paint& paint);
   void join(ElementRun::Kind kind, std::string style, std::string part, const std::string& alone);
+  void keep(std::span<const PixelPoint> points, bool is_closed, const Paint& paint);
+  void keep_rim(PixelPoint centre, double radius, const Paint& paint);
   void include(PixelPoint point, double margin);
   void include(const PixelBox& box);
 
@@ -139,6 +128,9 @@ class Svg {
   ElementRun run_;
   PixelBox bounds_;
   int open_groups_ = 0;
+  int hidden_from_ = 0;  ///< as many groups are open where one that is not shown begins, or 0
+  bool keeps_lines_ = false;
+  std::vector<PixelLine> lines_;
   std::optional<MovingGroup> moving_;
 };
 

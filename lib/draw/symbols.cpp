@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include <fmt/format.h>
-
 #include "draw/axes.hpp"
 
 namespace kinestat {
@@ -98,18 +96,12 @@ void draw_fixed_line(Svg& svg, PixelPoint from, PixelPoint to) {
   const PixelPoint along = unit_of(to - from);
   const PixelPoint right = -1.0 * left_of(along);
   const int count = static_cast<int>(length_of(to - from) / kDistance);
-  std::string data;
-  PixelBox box;
+  std::vector<PixelLine> hatching;
   for (int i = 1; i <= count; ++i) {
     const PixelPoint begin = from + (i * kDistance) * along;
-    const PixelPoint end = begin + kLength * unit_of(right - along);
-    data += fmt::format("M{:.1f},{:.1f}L{:.1f},{:.1f}", begin.x, begin.y, end.x, end.y);
-    box.add(begin);
-    box.add(end);
+    hatching.push_back({.from = begin, .to = begin + kLength * unit_of(right - along)});
   }
-  if (!data.empty()) {
-    svg.path(data, box, {.stroke = Ink::soft, .width = 1.0});
-  }
+  svg.strokes(hatching, {.stroke = Ink::soft, .width = 1.0});
   svg.line(from, to, {.stroke = Ink::ink, .width = 1.6});
 }
 
@@ -156,15 +148,14 @@ void draw_teeth(Svg& svg, PixelPoint centre, double radius, Ink ink) {
   constexpr double kPitch = 9.0;
   constexpr double kHalfTooth = 2.6;
   const int count = std::max(8, static_cast<int>(2 * std::numbers::pi * radius / kPitch));
-  std::string data;
+  std::vector<PixelLine> teeth;
   for (int i = 0; i < count; ++i) {
     const double angle = 2 * std::numbers::pi * i / count;
     const PixelPoint out = {.x = std::cos(angle), .y = std::sin(angle)};
-    const PixelPoint from = centre + (radius - kHalfTooth) * out;
-    const PixelPoint to = centre + (radius + kHalfTooth) * out;
-    data += fmt::format("M{:.1f},{:.1f}L{:.1f},{:.1f}", from.x, from.y, to.x, to.y);
+    teeth.push_back(
+        {.from = centre + (radius - kHalfTooth) * out, .to = centre + (radius + kHalfTooth) * out});
   }
-  svg.path(data, box_of_circle(centre, radius + kHalfTooth), {.stroke = ink, .width = 1.0});
+  svg.strokes(teeth, {.stroke = ink, .width = 1.0});
 }
 
 void draw_contact(Svg& svg, PixelPoint at, PixelPoint out) {
@@ -174,10 +165,7 @@ void draw_contact(Svg& svg, PixelPoint at, PixelPoint out) {
   svg.line(at - across, at + across, {.stroke = Ink::soft, .width = 0.9, .dash = "4 2"});
 }
 
-std::vector<std::pair<PixelPoint, PixelPoint>> draw_rack_bar(Svg& svg,
-                                                             PixelPoint at,
-                                                             PixelPoint away,
-                                                             Ink ink) {
+void draw_rack_bar(Svg& svg, PixelPoint at, PixelPoint away, Ink ink) {
   constexpr double kHalf = 110.0;
   constexpr double kPitch = 9.0;
   constexpr double kHalfTooth = 2.6;
@@ -191,7 +179,6 @@ std::vector<std::pair<PixelPoint, PixelPoint>> draw_rack_bar(Svg& svg,
     const PixelPoint tooth = at + s * along;
     svg.line(tooth - kHalfTooth * away, tooth + kHalfTooth * away, {.stroke = ink, .width = 1.0});
   }
-  return {{from, to}, {from + back, to + back}};
 }
 
 PixelBox box_of_circle(PixelPoint centre, double radius) {

@@ -82,11 +82,8 @@ void draw_contact(Svg& svg, PixelPoint at, PixelPoint out);
 
 inline constexpr double kRackDepth = 14.0;  ///< [px]
 
-/// A bar with strokes for its teeth, whose back lies `away` from the pitch point. Its long edges.
-std::vector<std::pair<PixelPoint, PixelPoint>> draw_rack_bar(Svg& svg,
-                                                             PixelPoint at,
-                                                             PixelPoint away,
-                                                             Ink ink);
+/// A bar with strokes for its teeth, whose back lies `away` from the pitch point.
+void draw_rack_bar(Svg& svg, PixelPoint at, PixelPoint away, Ink ink);
 
 /// The box around a circle.
 PixelBox box_of_circle(PixelPoint centre, double radius);

@@ -14,6 +14,7 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
+from covered import COVERED_IN_ONE  # noqa: E402
 from page_case import PageCase, run_tests, write_page  # noqa: E402
 
 # A winch of two planetary sets in teeth, the drum on the carrier of the second.
@@ -49,55 +50,6 @@ actuators:
   drum: {coupling: C2}
 cases:
   hoist: {motion: {motor: 1500 rpm}, action: {drum: -500 N*m}, input: motor, output: drum}
-"""
-
-# Of one of the figures of a picture that are shown: letters, without descenders and the room above
-# them, that cover others or are covered by what is painted full or as a line. What is drawn in the
-# grey of a grid is meant to lie behind; words may stand on a curve whose parts they name.
-COVERED = """
-const figure = [...document.querySelectorAll('figure')].filter((one) =>
-  one.dataset.picture === arguments[0] && one.getClientRects().length).at(arguments[1]);
-const svg = figure.querySelector('.picture svg');
-const back = svg.getScreenCTM().inverse();
-const isSeen = (one) => one.getClientRects().length && !one.closest('[display=none]') &&
-  getComputedStyle(one).visibility !== 'hidden';
-const texts = [...svg.querySelectorAll('text')].filter(isSeen).map((one) => {
-  const box = one.getBBox();
-  const base = Number(one.getAttribute('y'));
-  const top = base - 0.66 * Number(parseFloat(getComputedStyle(one).fontSize));
-  const m = back.multiply(one.getScreenCTM());
-  const corners = [[box.x + 1, top], [box.x + box.width - 1, base]]
-    .map(([x, y]) => new DOMPoint(x, y).matrixTransform(m));
-  const [x, y] = [corners.map((p) => p.x), corners.map((p) => p.y)];
-  return {text: one.textContent, left: Math.min(...x), right: Math.max(...x),
-          top: Math.min(...y), bottom: Math.max(...y)};
-});
-const found = [];
-texts.forEach((a, i) => texts.slice(0, i).forEach((b) => {
-  if (a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom)
-    found.push(a.text + ' and ' + b.text);
-}));
-const named = new Set([...svg.querySelectorAll('g:has(> path.ks-s-soft) > title')]
-  .map((one) => one.textContent));
-for (const shape of svg.querySelectorAll('line, path, polygon, circle, rect')) {
-  const style = getComputedStyle(shape);
-  const isPainted = style.stroke !== 'none' ||
-    (style.fill !== 'none' && !/ks-f-(paper|tint)/.test(shape.getAttribute('class')));
-  if (!isSeen(shape) || !isPainted || /ks-[fs]-grid/.test(shape.getAttribute('class'))) continue;
-  const m = back.multiply(shape.getScreenCTM());
-  const length = shape.getTotalLength();
-  const title = shape.parentElement.querySelector(':scope > title')?.textContent;
-  for (let s = 0; s <= length; ++s) {
-    const p = shape.getPointAtLength(s).matrixTransform(m);
-    const text = texts.find((t) => p.x > t.left && p.x < t.right && p.y > t.top && p.y < t.bottom &&
-      !(named.has(t.text) && named.has(title)));
-    if (text) {
-      found.push(text.text + ' and ' + shape.tagName + ' ' + shape.getAttribute('class'));
-      break;
-    }
-  }
-}
-return [texts.length, found];
 """
 
 # Of every drawing that is shown: its name, texts that cover others, and those that begin before it.
@@ -136,7 +88,7 @@ class LabelTest(PageCase):
         self.ask("for (const one of document.querySelectorAll('details')) one.open = true;")
         for picture in pictures:
             with self.subTest(path.stem, picture=picture):
-                count, covered = self.ask(COVERED, picture, which)
+                count, covered = self.ask(COVERED_IN_ONE, picture, which)
                 self.assertGreater(count, 3)
                 self.assertEqual(covered, [])
 
@@ -161,7 +113,7 @@ class LabelTest(PageCase):
         self.open(self.page("planar/watt_six_bar.yaml"), prefers_reduced_motion="reduce")
         for chart in (1, 3, 4, 5):
             with self.subTest(chart=chart):
-                count, covered = self.ask(COVERED, "motion-curves", chart)
+                count, covered = self.ask(COVERED_IN_ONE, "motion-curves", chart)
                 self.assertGreater(count, 3)
                 self.assertEqual(
                     [words for words in covered if words.startswith(("max", "min"))], [])

@@ -221,6 +221,24 @@ class PageTest(PageCase):
                 self.assertGreater(len(beyond), 5)
                 self.assertLess(max(beyond), 1)
 
+    def test_tables_are_as_wide_as_paper(self) -> None:
+        # Sheets of A4 within their margins, upright or, where the style says so, lying.
+        for name in ("planar/four_bar.yaml", "planar/stephenson_six_bar.yaml",
+                     "planar/four_stroke_engine.yaml", "spatial/ups_platform.yaml",
+                     "transmissions/dual_clutch_six_speed.yaml", "cables/block_and_tackle.yaml"):
+            with self.subTest(name):
+                self.browser.set_width(718)
+                self.browser.set_media("print")
+                self.browser.open(self.page(name))
+                tables = self.ask(
+                    "return [...document.querySelectorAll('table')]"
+                    ".filter((one) => one.getClientRects().length).map((one) => ["
+                    "  Math.max(one.getBoundingClientRect().right, ...[...one.rows].slice(0, 3)"
+                    "    .flatMap((row) => [...row.cells].map((c) => c.getBoundingClientRect().right))),"
+                    "  getComputedStyle(one.closest('.long') ?? one).page === 'lying' ? 1047 : 719]);")
+                self.assertGreater(len(tables), 3)
+                self.assertEqual([one for one in tables if one[0] > one[1]], [])
+
     def test_charts_stand_in_two_columns_on_paper(self) -> None:
         self.browser.set_width(720)
         self.browser.set_media("print")

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -9,7 +10,7 @@
 #include "core/contract.hpp"
 #include "core/rounding.hpp"
 #include "draw/axes.hpp"
-#include "draw/labels.hpp"
+#include "draw/name_placer.hpp"
 #include "draw/picture_title.hpp"
 #include "draw/text_styles.hpp"
 #include "kinematics/bounded_motion.hpp"
@@ -83,6 +84,7 @@ class LeverDrawing {
   }
 
   Picture run() {
+    svg_.keep_lines();
     draw_names();
     for (const CaseAnalysis* one : cases_) {
       draw_case(*one);
@@ -165,6 +167,7 @@ class LeverDrawing {
   }
 
   void draw_panel(const CaseAnalysis& one, const DiagramLever& lever, double left) {
+    const std::size_t first_line = svg_.lines().size();
     const double zero = y_ + place(0.0);
     const double right = left + kPanelWidth;
     svg_.line({.x = left - 24.0, .y = zero},
@@ -181,7 +184,7 @@ class LeverDrawing {
           {.x = x, .y = zero}, points.back(), {.stroke = Ink::blue, .width = 1.5, .dash = "3 2"});
     }
     svg_.line(points.front(), points.back(), {.stroke = Ink::blue, .width = 3.0});
-    draw_nodes(one, lever, points, zero);
+    draw_nodes(one, lever, points, zero, first_line);
   }
 
   static PixelPoint zero_place(double left, double zero) {
@@ -191,58 +194,42 @@ class LeverDrawing {
   void draw_nodes(const CaseAnalysis& one,
                   const DiagramLever& lever,
                   const std::vector<PixelPoint>& points,
-                  double zero) {
-    PointLabels placer({.left = points.front().x - kLabelReach,
-                        .top = y_ - 18.0,
-                        .right = points.back().x + kLabelReach,
-                        .bottom = y_ + kPanelHeight + 24.0});
-    avoid_line(points.front(), points.back(), placer);
-    avoid_line({.x = points.front().x - 24.0, .y = zero},
-               {.x = points.back().x + 24.0, .y = zero},
-               placer);
-    for (const PixelPoint& point : points) {
-      avoid_line({.x = point.x, .y = zero}, point, placer);
-    }
-    placer.take(text_box(zero_place(points.front().x, zero), "0", kZeroStyle));
+                  double zero,
+                  std::size_t first_line) {
     for (std::size_t i = 0; i < points.size(); ++i) {
       const std::vector<NodeTag> tags = tags_of(one, lever.nodes[i].body);
       const bool is_held = std::ranges::any_of(tags, &NodeTag::is_brake);
       svg_.circle(
           points[i], kNodeRadius, {.stroke = Ink::ink, .fill = is_held ? Ink::ink : Ink::paper});
       if (is_held) {
-        placer.take(draw_ground({.x = points[i].x, .y = zero}));
+        draw_ground({.x = points[i].x, .y = zero});
       }
-      placer.take(PixelBox{
-          .left = points[i].x, .top = points[i].y, .right = points[i].x, .bottom = points[i].y}
-                      .grown(kNodeRadius + 1.0));
     }
+    NamePlacer placer(PixelBox{.left = points.front().x - kLabelReach,
+                               .top = y_ - 18.0,
+                               .right = points.back().x + kLabelReach,
+                               .bottom = y_ + kPanelHeight + 24.0});
+    placer.keep_off(std::span(svg_.lines()).subspan(first_line));
+    placer.keep_free(text_box(zero_place(points.front().x, zero), "0", kZeroStyle));
     for (std::size_t i = 0; i < points.size(); ++i) {
       std::string label = label_number(speed(one, lever, lever.nodes[i].body));
       for (const NodeTag& tag : tags_of(one, lever.nodes[i].body)) {
         label += " " + tag.text;
       }
-      placer.write(points[i], label, {.size = kNameSize, .has_halo = true}, svg_);
+      constexpr TextStyle kNode = {.size = kNameSize, .has_halo = true};
+      const PlacedName placed = placer.place(points[i], label, kNode, kNodeRadius + 2.0);
+      if (placed.is_free) {
+        write_label(svg_, placed, label, kNode);
+      }
     }
   }
 
-  static void avoid_line(PixelPoint from, PixelPoint to, PointLabels& placer) {
-    constexpr int kSamples = 80;
-    std::vector<PixelPoint> line;
-    for (int i = 0; i <= kSamples; ++i) {
-      const double share = static_cast<double>(i) / kSamples;
-      line.push_back(
-          {.x = from.x + share * (to.x - from.x), .y = from.y + share * (to.y - from.y)});
-    }
-    placer.avoid(line);
-  }
-
-  // The sign of a fixed support; answers where it is.
-  PixelBox draw_ground(PixelPoint at) {
+  // The sign of a fixed support.
+  void draw_ground(PixelPoint at) {
     const PixelBox box = {
         .left = at.x - 11.0, .top = at.y + 6.0, .right = at.x + 11.0, .bottom = at.y + 13.0};
     svg_.hatch(box, Ink::ink, 4.0);
     svg_.line({.x = box.left, .y = box.top}, {.x = box.right, .y = box.top}, {.width = 1.5});
-    return box;
   }
 
   // Inputs and outputs of the case, and what holds the body or couples it to another one.

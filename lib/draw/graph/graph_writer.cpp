@@ -19,7 +19,6 @@ constexpr double kMostBetweenEdges = 70.0;
 constexpr double kBetweenLines = 5.0;  // the lines of one edge
 constexpr double kWidest = 11.0;
 constexpr double kHair = 1.2;
-constexpr double kDetour = 100.0;  // of a label, rather than upon an edge [px]
 constexpr double kHatching = 9.0;  // below the ground [px]
 
 bool holds(const PixelBox& box, PixelPoint p) {
@@ -387,7 +386,7 @@ class GraphWriter {
     }
     const TextStyle style = {.ink = Ink::green, .size = kLabelText, .has_halo = true};
     const PlacedName label = placer_.place(far, port.text, style, 5.0);
-    write_label(svg_, label, far, port.text, style);
+    write_label(svg_, label, port.text, style);
   }
 
   bool has_power(std::size_t e) const {
@@ -425,9 +424,9 @@ class GraphWriter {
         middles.push_back(curve.at(share) - away * across);
       }
     }
-    const PixelPoint anchor = curve.at(0.5);
-    const PlacedName label = placer_.place_at(middles, anchor, text, style);
-    write_label(svg_, label, anchor, text, style);
+    const std::array anchors = {curve.at(0.5)};
+    const PlacedName label = placer_.place_at(middles, anchors, text, style);
+    write_label(svg_, label, text, style);
   }
 
   Svg& svg_;
@@ -435,7 +434,7 @@ class GraphWriter {
   const std::vector<PixelPoint>& places_;
   std::vector<PixelBox> boxes_;
   std::vector<double> offsets_;
-  NamePlacer placer_{kDetour};
+  NamePlacer placer_;
   double largest_ = 0.0;
 };
 

@@ -64,6 +64,7 @@ LinkageCanvas::LinkageCanvas(const Analysis& analysis,
       view_(view),
       arrows_(find_arrows(analysis, options)),
       places_(analysis.mechanism.geometry.points) {
+  svg_.keep_lines();
   for (const DrawnArrow& arrow : arrows_) {
     if (is_force(arrow)) {
       largest_force_ = std::max(largest_force_, arrow.vector.norm());
@@ -108,8 +109,15 @@ void LinkageCanvas::open_layer(const std::string& name) {
 }
 
 void LinkageCanvas::name(std::string text, PixelPoint anchor, double distance, Ink ink) {
+  name(std::move(text), std::vector{anchor}, distance, ink);
+}
+
+void LinkageCanvas::name(std::string text,
+                         std::vector<PixelPoint> anchors,
+                         double distance,
+                         Ink ink) {
   names_.push_back({.text = std::move(text),
-                    .anchor = anchor,
+                    .anchors = std::move(anchors),
                     .distance = distance,
                     .style = {.ink = ink, .size = 13.0, .weight = Weight::bold, .has_halo = true}});
 }
@@ -145,7 +153,7 @@ void LinkageCanvas::name_couplings() {
          .title = one.couplings.size() > kMostNamed
                       ? plain_list(one.couplings, one.couplings.size())
                       : std::string(),
-         .anchor = one.at,
+         .anchors = {one.at},
          .distance = 8.0,
          .style = {.ink = Ink::ink, .size = 12.0, .has_halo = true, .is_italic = true}});
   }
@@ -158,9 +166,6 @@ void LinkageCanvas::draw_paths() {
     std::vector<PixelPoint> points;
     for (const Vec3& p : path.points) {
       points.push_back(view_.at(p));
-      if (points.size() > 1) {
-        placer_.keep_off(points[points.size() - 2], points.back());
-      }
     }
     const int series = static_cast<int>(i) + 1;
     svg_.open_group(path.name);
@@ -190,9 +195,8 @@ void LinkageCanvas::draw_arrow(const DrawnArrow& arrow, double factor) {
   const PixelPoint from = (pushes ? at - (length + 5.0) * unit : at) + side;
   const PixelPoint to = (pushes ? at - 5.0 * unit : at + length * unit) + side;
   svg_.arrow(from, to, {.stroke = ink_of(arrow.kind), .width = pushes ? 2.6 : 1.8}, 9.0);
-  placer_.keep_off(from, to);
   names_.push_back({.text = arrow.text,
-                    .anchor = pushes ? from : to,
+                    .anchors = {pushes ? from : to},
                     .distance = 4.0,
                     .style = {.ink = ink_of(arrow.kind), .size = 11.0, .has_halo = true}});
 }
@@ -208,9 +212,8 @@ void LinkageCanvas::draw_axial(const DrawnArrow& arrow) {
     const double radius = kTurningRadius + 9.0 * static_cast<double>(others);
     turnings_.push_back(at);
     draw_turning_arrow(svg_, at, radius, towards > 0.0, paint);
-    placer_.keep_off_circle(at, radius);
     names_.push_back({.text = arrow.text,
-                      .anchor = at,
+                      .anchors = {at},
                       .distance = radius + 4.0,
                       .style = {.ink = paint.stroke, .size = 11.0, .has_halo = true}});
     return;
@@ -220,9 +223,8 @@ void LinkageCanvas::draw_axial(const DrawnArrow& arrow) {
   const PixelPoint to = at + 44.0 * unit;
   svg_.arrow(at, to, paint, 9.0);
   svg_.arrow_head(to - 7.0 * unit, unit, paint.stroke, 9.0);
-  placer_.keep_off(at, to);
   names_.push_back({.text = arrow.text,
-                    .anchor = to,
+                    .anchors = {to},
                     .distance = 4.0,
                     .style = {.ink = paint.stroke, .size = 11.0, .has_halo = true}});
 }
@@ -268,12 +270,14 @@ void LinkageCanvas::draw_names() {
     names_.clear();
   }
   open_layer("names");
+  NamePlacer placer;
+  placer.keep_off(svg_.lines());
   for (const WaitingName& name : names_) {
-    const PlacedName label = placer_.place(name.anchor, name.text, name.style, name.distance);
+    const PlacedName label = placer.place(name.anchors, name.text, name.style, name.distance);
     if (!name.title.empty()) {
       svg_.open_group(name.title);
     }
-    write_label(svg_, label, name.anchor, name.text, name.style);
+    write_label(svg_, label, name.text, name.style);
     if (!name.title.empty()) {
       svg_.close_group();
     }

@@ -27,8 +27,6 @@ class LinkageCanvas {
 
   Svg& svg() { return svg_; }
 
-  NamePlacer& placer() { return placer_; }
-
   const LinkageView& view() const { return view_; }
 
   /// A group of what moves with the body.
@@ -41,6 +39,9 @@ class LinkageCanvas {
 
   /// The name of a body or of couplings, written with all others when everything is drawn.
   void name(std::string text, PixelPoint anchor, double distance, Ink ink);
+
+  /// Likewise at any of several places, the first rather than the last.
+  void name(std::string text, std::vector<PixelPoint> anchors, double distance, Ink ink);
 
   /// Where the symbol of a coupling stands: at its point, a cable in the middle, or beside another
   /// coupling that has the point already [m].
@@ -68,8 +69,8 @@ class LinkageCanvas {
  private:
   struct WaitingName {
     std::string text;
-    std::string title = {};  ///< shown under the pointer, where there is one
-    PixelPoint anchor;
+    std::string title = {};           ///< shown under the pointer, where there is one
+    std::vector<PixelPoint> anchors;  ///< any of them, the first rather than the last
     double distance = 0.0;
     TextStyle style;
   };
@@ -89,7 +90,6 @@ class LinkageCanvas {
   std::vector<Vec3> places_;    // of each coupling [m]
   double largest_force_ = 0.0;  // [N]
   Svg svg_;
-  NamePlacer placer_;
   std::vector<WaitingName> names_;
   std::vector<PixelPoint> turnings_;  // where turning arrows stand
 };

@@ -35,7 +35,6 @@ void LinkageDrawer::draw_springs() {
     draw_spring(
         svg_, spring, {.from = from, .to = to, .drawn = scale * line.drawn, .scale = scale});
     svg_.close_group();
-    canvas_.placer().keep_off(from, to);
   }
 }
 
@@ -80,6 +79,14 @@ void LinkageDrawer::add_place(PixelPoint place, std::vector<PixelPoint>& places)
   }
 }
 
+void LinkageDrawer::add_feet(PixelPoint place, std::vector<PixelPoint>& places) {
+  constexpr double kBelow = 26.0;  // the symbol of the ground [px]
+  constexpr double kBeside = 17.0;
+  for (const double x : {0.0, -kBeside, kBeside}) {
+    add_place(place + PixelPoint{.x = x, .y = x == 0.0 ? kBelow : kBeside}, places);
+  }
+}
+
 void LinkageDrawer::add_traced(BodyId body, std::vector<PixelPoint>& places) const {
   for (const TracedPath& path : options_.paths) {
     if (path.body == body) {
@@ -96,14 +103,6 @@ void LinkageDrawer::draw_traced(BodyId body) {
                   3.2,
                   {.stroke = Ink::paper, .fill = path_ink(i), .width = 0.8});
     }
-  }
-}
-
-void LinkageDrawer::keep_off_bar(const std::vector<PixelPoint>& places, double half) {
-  for (std::size_t i = 1; i < places.size(); ++i) {
-    const PixelPoint side = half * left_of(unit_of(places[i] - places[i - 1]));
-    canvas_.placer().keep_off(places[i - 1] + side, places[i] + side);
-    canvas_.placer().keep_off(places[i - 1] - side, places[i] - side);
   }
 }
 

@@ -59,14 +59,14 @@ class LinkageDrawer {
   /// Adds a place unless the list has it already.
   static void add_place(PixelPoint place, std::vector<PixelPoint>& places);
 
+  /// Adds where the ground may be named that stands below a place.
+  static void add_feet(PixelPoint place, std::vector<PixelPoint>& places);
+
   /// Adds those of the body's points whose path is shown.
   void add_traced(BodyId body, std::vector<PixelPoint>& places) const;
 
   /// A dot at each of them, which moves with the body along its path.
   void draw_traced(BodyId body);
-
-  /// Keeps names off the sides of a bar from place to place.
-  void keep_off_bar(const std::vector<PixelPoint>& places, double half);
 
   /// The coupling about whose axis a spring turns; empty for one that is a line.
   std::optional<CouplingId> hinge_of(const Spring& spring) const;

@@ -36,7 +36,6 @@ class PlanarCouplings : private PlanarDrawer {
     canvas_.open_body(carrier(coupling));
     draw_symbol(id, coupling);
     svg_.close_group();
-    canvas_.placer().keep_off(box_of_circle(at(id), 6.0));
   }
 
   void draw_symbol(CouplingId id, const CouplingTopology& coupling) {
@@ -52,7 +51,6 @@ class PlanarCouplings : private PlanarDrawer {
             p,
             sliding_direction(coupling),
             {.stroke = body_ink(moving), .fill = body_ink(moving), .width = 1.5, .opacity = 0.3});
-        canvas_.placer().keep_off(box_of_circle(p, 13.0));
         break;
       }
       case PlanarSymbol::slot:
@@ -87,7 +85,6 @@ class PlanarCouplings : private PlanarDrawer {
       if (length_of(along) > 0.0) {
         const PixelPoint end = p + kLength * unit_of(along);
         svg_.line(p, end, {.stroke = Ink::brown, .width = 2.0, .dash = "5 2"});
-        canvas_.placer().keep_off(p, end);
       }
     }
     draw_pin(svg_, p);
@@ -115,9 +112,7 @@ class PlanarCouplings : private PlanarDrawer {
     }
     svg_.close_group();
     canvas_.open_body(rack_body);
-    for (const auto& [from, to] : draw_rack_bar(svg_, p, away, body_ink(rack_body))) {
-      canvas_.placer().keep_off(from, to);
-    }
+    draw_rack_bar(svg_, p, away, body_ink(rack_body));
   }
 };
 

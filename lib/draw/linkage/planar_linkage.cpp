@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "couplings/kinds.hpp"
 #include "draw/linkage/file_numbers.hpp"
@@ -47,7 +48,6 @@ class PlanarDrawing : private PlanarDrawer {
       const PixelPoint from = canvas_.view().at(span.from);
       const PixelPoint to = canvas_.view().at(span.to);
       svg_.line(from, to, {.stroke = Ink::brown, .width = 2.2});
-      canvas_.placer().keep_off(from, to);
       svg_.close_group();
     }
     for (const CableArc& arc : parts_.arcs) {
@@ -126,7 +126,6 @@ class PlanarDrawing : private PlanarDrawer {
       if (point.coupling && is_new && stands_in_support(*point.coupling)) {
         supports.push_back(pin);
         draw_support(svg_, pin);
-        canvas_.placer().keep_off(box_of_circle(pin + PixelPoint{.x = 0.0, .y = 12.0}, 13.0));
       }
     }
     draw_wheels(BodyId{0});
@@ -156,7 +155,6 @@ class PlanarDrawing : private PlanarDrawer {
     const PixelPoint along = unit_of(other_end - at);
     const PixelPoint across = {.x = -along.y, .y = along.x};
     draw_fixed_line(svg_, at - kHalf * across, at + kHalf * across);
-    canvas_.placer().keep_off(at - kHalf * across, at + kHalf * across);
   }
 
   bool stands_in_support(CouplingId coupling) const {
@@ -191,7 +189,6 @@ class PlanarDrawing : private PlanarDrawer {
     const PixelPoint from = at(id) + side + (back - kGuideHalf) * along;
     const PixelPoint to = at(id) + side + (ahead + kGuideHalf) * along;
     draw_fixed_line(svg_, from, to);
-    canvas_.placer().keep_off(from, to);
   }
 
   // Where the block comes in a motion.
@@ -224,7 +221,6 @@ class PlanarDrawing : private PlanarDrawer {
     const Ink ink = body_ink(wheel.body);
     const PixelPoint centre = canvas_.view().at(wheel.centre);
     const double radius = wheel.radius * canvas_.view().scale;
-    canvas_.placer().keep_off_circle(centre, radius);
     if (wheel.kind == WheelKind::ring) {
       svg_.circle(centre, radius + kRingDepth, {.stroke = ink, .width = 1.4});
       svg_.circle(centre, radius, {.stroke = ink, .width = 1.2, .dash = "8 2 2 2"});
@@ -288,7 +284,6 @@ class PlanarDrawing : private PlanarDrawer {
     add_lobe(body, rounds);
     svg_.polygon(rounded_hull(rounds),
                  {.stroke = body_ink(body), .fill = body_ink(body), .width = 1.5, .opacity = 0.16});
-    keep_off_bar(reached, kHalfBar);
   }
 
   // Of the tail (0) or the head (1) where they touch [px]; empty if it is flat or not known.
@@ -354,9 +349,13 @@ class PlanarDrawing : private PlanarDrawer {
       if (wheel.body == body) {
         const double radius = wheel.radius * canvas_.view().scale;
         const double depth = wheel.kind == WheelKind::ring ? kRingDepth : 0.0;
-        const PixelPoint rim =
-            canvas_.view().at(wheel.centre) + (radius + depth) * unit_of({.x = 0.7, .y = -0.7});
-        canvas_.name(name, rim, 5.0, body_ink(body));
+        std::vector<PixelPoint> rim;
+        for (const double eighths : {1.0, 3.0, 5.0, 7.0, 0.0, 4.0, 2.0, 6.0}) {
+          const double angle = eighths * std::numbers::pi / 4;
+          rim.push_back(canvas_.view().at(wheel.centre) +
+                        (radius + depth) * PixelPoint{.x = std::cos(angle), .y = -std::sin(angle)});
+        }
+        canvas_.name(name, std::move(rim), 5.0, body_ink(body));
         return;
       }
     }
@@ -365,13 +364,16 @@ class PlanarDrawing : private PlanarDrawer {
     }
   }
 
-  // Below the first place where anything stands on it.
+  // Below a place where anything stands on it, or beside it.
   void name_ground() {
-    const auto at = std::ranges::find_if(
-        points(BodyId{0}), [](const BodyPoint& point) { return point.coupling.has_value(); });
-    if (at != points(BodyId{0}).end()) {
-      const PixelPoint below = canvas_.view().at(at->at) + PixelPoint{.x = 0.0, .y = 26.0};
-      canvas_.name(topology_.body(BodyId{0}).name, below, 3.0, Ink::soft);
+    std::vector<PixelPoint> anchors;
+    for (const BodyPoint& point : points(BodyId{0})) {
+      if (point.coupling) {
+        add_feet(canvas_.view().at(point.at), anchors);
+      }
+    }
+    if (!anchors.empty()) {
+      canvas_.name(topology_.body(BodyId{0}).name, std::move(anchors), 3.0, Ink::soft);
     }
   }
 };

@@ -169,8 +169,6 @@ class SpatialDrawing : private LinkageDrawer {
       svg_.line(p, foot, {.stroke = Ink::ink, .width = 1.4});
       const PixelPoint half = {.x = 13.0, .y = 0.0};
       draw_fixed_line(svg_, foot - half, foot + half);
-      canvas_.placer().keep_off(
-          {.left = p.x - 13, .top = foot.y - 2, .right = p.x + 13, .bottom = foot.y + 7});
     }
   }
 
@@ -198,9 +196,6 @@ class SpatialDrawing : private LinkageDrawer {
         const std::vector<PixelPoint> rim =
             circle_in_space(canvas_.view(), wheel.centre, wheel.axis, r);
         svg_.polygon(rim, {.stroke = ink, .fill = ink, .width = 1.3, .opacity = 0.1});
-        for (std::size_t i = 1; i < rim.size(); ++i) {
-          canvas_.placer().keep_off(rim[i - 1], rim[i]);
-        }
       }
     }
     const std::vector<PixelPoint> reached = places(body);
@@ -212,7 +207,6 @@ class SpatialDrawing : private LinkageDrawer {
       rounds.push_back({.centre = p, .radius = kHalfRod});
     }
     svg_.polygon(rounded_hull(rounds), {.stroke = ink, .fill = ink, .width = 1.4, .opacity = 0.16});
-    keep_off_bar(reached, kHalfRod);
   }
 
   void draw_cables() {
@@ -220,7 +214,6 @@ class SpatialDrawing : private LinkageDrawer {
       const PixelPoint from = canvas_.view().at(span.from);
       const PixelPoint to = canvas_.view().at(span.to);
       svg_.line(from, to, {.stroke = Ink::brown, .width = 2.2});
-      canvas_.placer().keep_off(from, to);
     }
   }
 
@@ -252,21 +245,6 @@ class SpatialDrawing : private LinkageDrawer {
                            .normal = normal,
                            .ink = body_ink(carrier(coupling))});
     svg_.close_group();
-    keep_off_symbol(id);
-  }
-
-  // What slides on an axis is as long as two others.
-  void keep_off_symbol(CouplingId id) {
-    const CouplingTopology& coupling = topology_.coupling(id);
-    const PixelPoint at = canvas_.view().at(place(id));
-    canvas_.placer().keep_off(box_of_circle(at, 9.0));
-    const SpaceSymbol symbol = kind_of(coupling.type).space_symbol;
-    if (symbol == SpaceSymbol::sleeve || symbol == SpaceSymbol::box) {
-      const PixelPoint half =
-          canvas_.view().along(10.0 / canvas_.view().scale * axes_of(coupling).front());
-      canvas_.placer().keep_off(box_of_circle(at + half, 7.0));
-      canvas_.placer().keep_off(box_of_circle(at - half, 7.0));
-    }
   }
 
   void name_body(BodyId body) {
@@ -274,10 +252,16 @@ class SpatialDrawing : private LinkageDrawer {
     if (is_virtual(body) || reached.empty()) {
       return;
     }
-    PixelPoint anchor = reached.front();
     if (body.value == 0) {
-      anchor = anchor + PixelPoint{.x = 0.0, .y = 24.0};
-    } else if (reached.size() > 1) {
+      std::vector<PixelPoint> anchors;
+      for (const PixelPoint& place : reached) {
+        add_feet(place, anchors);
+      }
+      canvas_.name(topology_.body(body).name, std::move(anchors), 6.0, body_ink(body));
+      return;
+    }
+    PixelPoint anchor = reached.front();
+    if (reached.size() > 1) {
       anchor = 0.5 * (reached[0] + reached[1]);
     }
     for (const Wheel& wheel : parts_.wheels) {

@@ -35,6 +35,7 @@ class SchemeWriter {
       : analysis_(analysis), options_(options), train_(train), layout_(layout) {}
 
   Svg write() {
+    svg_.keep_lines();
     if (layout_.axes.empty()) {
       draw_axis({.left = layout_.box.left - 30, .right = layout_.box.right + 30, .height = 0});
     }
@@ -44,7 +45,6 @@ class SchemeWriter {
     for (const DrawnShaft& shaft : layout_.shafts) {
       const double width = shaft.body == 0 ? 1.6 : kShaft;
       svg_.line(shaft.from, shaft.to, {.stroke = Ink::ink, .width = width, .round_ends = true});
-      placer_.keep_off(shaft.from, shaft.to);
     }
     for (const DrawnPin& pin : layout_.pins) {
       draw_pin_line(pin);
@@ -58,6 +58,7 @@ class SchemeWriter {
     for (const DrawnElement& element : layout_.elements) {
       draw_element(element);
     }
+    placer_.keep_off(svg_.lines());
     for (const DrawnElement& element : layout_.elements) {
       name_element(element);
     }
@@ -78,26 +79,17 @@ class SchemeWriter {
 
   void stroke(PixelPoint from, PixelPoint to, Ink ink, double width) {
     svg_.line(from, to, {.stroke = ink, .width = width});
-    PixelBox box;
-    box.add(from);
-    box.add(to);
-    placer_.keep_off(box.grown(1.0 + width / 2));
-    placer_.keep_off(from, to);
   }
 
   void draw_axis(const DrawnAxis& axis) {
     const PixelPoint from = at(axis.left, axis.height);
     const PixelPoint to = at(axis.right, axis.height);
     svg_.line(from, to, {.stroke = Ink::soft, .width = 0.9, .dash = "14 3 3 3"});
-    placer_.keep_off(from, to);
   }
 
   // Gears in mesh that stand apart.
   void draw_link(const DrawnLink& link) {
     svg_.polyline(link.points, {.stroke = Ink::soft, .width = 1.3, .dash = "4 3"});
-    for (std::size_t i = 0; i + 1 < link.points.size(); ++i) {
-      placer_.keep_off(link.points[i], link.points[i + 1]);
-    }
   }
 
   // The pin, on which the planet turns.
@@ -244,7 +236,6 @@ class SchemeWriter {
       box.bottom += below;
       svg_.line(side < 0 ? from : to, outer, {.stroke = Ink::ink, .width = kShaft});
       svg_.rectangle(box, plate(is_engaged(drawn)));
-      placer_.keep_off(box);
     }
   }
 
@@ -255,16 +246,13 @@ class SchemeWriter {
     const PixelPoint across = left_of(out);
     const PixelPoint flat = middle + 1.2 * out;
     std::vector<PixelPoint> corners;
-    PixelBox box;
     for (int i = 0; i <= kCorners; ++i) {
       const double angle = std::numbers::pi * i / kCorners;
       corners.push_back(flat + (radius * std::cos(angle)) * across +
                         (kDepth * std::sin(angle)) * out);
-      box.add(corners.back());
     }
     svg_.line(shaft, flat + kDepth * out, {.stroke = Ink::ink, .width = kShaft});
     svg_.polygon(corners, plate(false));
-    placer_.keep_off(box);
   }
 
   // A plate against the hatched housing; what is fixed has none.
@@ -279,14 +267,9 @@ class SchemeWriter {
       box.add(drawn.at + kPlate * across);
       box.add(drawn.at - kPlate * across + depth * out);
       svg_.rectangle(box, plate(is_engaged(drawn)));
-      placer_.keep_off(box);
     }
     // Hatched on the far side of the line.
     draw_fixed_line(svg_, wall - 1.3 * kPlate * across, wall + 1.3 * kPlate * across);
-    PixelBox box;
-    box.add(wall - 1.3 * kPlate * across);
-    box.add(wall + 1.3 * kPlate * across + 7.0 * out);
-    placer_.keep_off(box);
   }
 
   void draw_port(const DrawnElement& drawn, SchemeElementKind kind) {
@@ -298,7 +281,6 @@ class SchemeWriter {
     } else {
       svg_.arrow(drawn.at, far, paint, 11.0);
     }
-    placer_.keep_off(drawn.at, far);
   }
 
   void name_element(const DrawnElement& drawn) {
@@ -326,7 +308,7 @@ class SchemeWriter {
 
   void write(const std::string& text, PixelPoint anchor, double distance, const TextStyle& style) {
     const PlacedName label = placer_.place(anchor, text, style, distance);
-    write_label(svg_, label, anchor, text, style);
+    write_label(svg_, label, text, style);
   }
 
   void name_wheels() {
@@ -378,8 +360,11 @@ class SchemeWriter {
         places.push_back(place - (near + beyond) * across);
       }
     }
-    const PlacedName label = placer_.place_at(places, places.front(), name, style);
-    write_label(svg_, label, 0.5 * (shaft.from + shaft.to), name, style);
+    std::vector<PixelPoint> anchors;
+    for (const double share : {0.5, 0.3, 0.7, 0.1, 0.9}) {
+      anchors.push_back(shaft.from + share * (shaft.to - shaft.from));
+    }
+    write_label(svg_, placer_.place_at(places, anchors, name, style), name, style);
   }
 
   // Its wheel says what it is.

@@ -92,23 +92,28 @@ TEST(Chart, WritesLabelsOfMarksAndGuides) {
   EXPECT_TRUE(has(picture, ">dead point<"));
 }
 
-// A guide whose label stands in the second row runs through the first.
-TEST(Chart, LaysPaperBetweenALabelAndTheGuideOfAnother) {
-  const auto papers = [](std::vector<ChartGuide> guides) {
-    Chart chart = line_chart();
-    chart.guides = std::move(guides);
-    const std::string text = draw_figure(figure_of(chart)).elements;
-    std::size_t count = 0;
-    for (std::size_t at = text.find("<rect"); at != text.npos; at = text.find("<rect", at + 1)) {
-      const std::string paper = text.substr(at, text.find("/>", at) - at);
-      EXPECT_EQ(paper.find("ks-s-ink"), std::string::npos) << paper;
-      ++count;
-    }
-    return count;
-  };
-  const std::size_t none = papers({{.x = 45.0, .label = "one"}});
+TEST(Chart, TellsTheEventsOfCrowdedGuidesByNumbers) {
+  Chart chart = line_chart();
+  chart.width = 200.0;
+  const std::string words = "a dead point with a long name at ";
+  chart.guides = {{.x = 60.0, .label = words + "60"}, {.x = 110.0, .label = words + "110"}};
 
-  EXPECT_EQ(papers({{.x = 45.0, .label = "one"}, {.x = 46.0, .label = "two"}}), none + 2);
+  const Picture picture = draw_figure(figure_of(chart));
+
+  EXPECT_TRUE(has(picture, ">1 " + words + "60<"));
+  EXPECT_TRUE(has(picture, ">2 " + words + "110<"));
+  EXPECT_TRUE(has(picture, ">1<"));
+  EXPECT_TRUE(has(picture, ">2<"));
+}
+
+TEST(Chart, NamesGuidesUnderThePointerAloneWhereWordsStandElsewhere) {
+  Chart chart = line_chart();
+  chart.guides = {{.x = 45.0, .label = "dead point", .is_named = false}};
+
+  const Picture picture = draw_figure(figure_of(chart));
+
+  EXPECT_TRUE(has(picture, "<title>dead point</title>"));
+  EXPECT_FALSE(has(picture, ">dead point</text>"));
 }
 
 // A motion of many turns has thousands of dead points: all have a line, and as many a label as can

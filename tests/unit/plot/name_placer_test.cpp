@@ -57,5 +57,66 @@ TEST(NamePlacer, LeadsALineToANameThatIsFarAway) {
   EXPECT_TRUE(needs_line);
 }
 
+TEST(NamePlacer, PutsNamesFarAwayRatherThanUponLines) {
+  NamePlacer placer;
+  for (double y = -120.0; y <= 120.0; y += 6.0) {
+    placer.keep_off({.x = -150.0, .y = y}, {.x = 150.0, .y = y});
+  }
+
+  const PlacedName placed = placer.place({.x = 0.0, .y = 0.0}, "rocker", {}, 6.0);
+
+  EXPECT_TRUE(placed.is_free);
+  EXPECT_TRUE(placed.needs_line);
+}
+
+TEST(NamePlacer, LeadsNoLineThroughAnotherName) {
+  NamePlacer placer;
+  const PixelPoint anchor = {.x = 0.0, .y = 0.0};
+  std::vector<PlacedName> placed;
+  for (int i = 0; i < 60; ++i) {
+    placed.push_back(placer.place(anchor, "planet", {}, 6.0));
+  }
+
+  for (const PlacedName& one : placed) {
+    for (const PlacedName& other : placed) {
+      for (double share = 0.0; one.needs_line && share <= 1.0; share += 0.01) {
+        const PixelPoint at = {.x = share * one.line_end.x, .y = share * one.line_end.y};
+        EXPECT_FALSE(&one != &other && at.x > other.box.left && at.x < other.box.right &&
+                     at.y > other.box.top && at.y < other.box.bottom);
+      }
+    }
+  }
+}
+
+TEST(NamePlacer, StaysWithinItsArea) {
+  const PixelBox area = {.left = 0.0, .top = 0.0, .right = 300.0, .bottom = 200.0};
+  NamePlacer placer(area);
+
+  const PlacedName placed = placer.place({.x = 299.0, .y = 1.0}, "at the corner", {}, 6.0);
+
+  EXPECT_TRUE(placed.is_free);
+  EXPECT_LE(placed.box.right, area.right);
+  EXPECT_GE(placed.box.top, area.top);
+}
+
+TEST(NamePlacer, TellsWhereThereIsNoRoom) {
+  NamePlacer placer(PixelBox{.left = 0.0, .top = 0.0, .right = 20.0, .bottom = 20.0});
+
+  EXPECT_FALSE(placer.place({.x = 10.0, .y = 10.0}, "far too long", {}, 6.0).is_free);
+}
+
+TEST(NamePlacer, TakesTheAnchorThatHasRoom) {
+  NamePlacer placer;
+  for (double y = -60.0; y <= 60.0; y += 4.0) {
+    placer.keep_off({.x = -80.0, .y = y}, {.x = 80.0, .y = y});
+  }
+  const std::vector<PixelPoint> anchors = {{.x = 0.0, .y = 0.0}, {.x = 200.0, .y = 0.0}};
+
+  const PlacedName placed = placer.place(anchors, "ring", {}, 6.0);
+
+  EXPECT_FALSE(placed.needs_line);
+  EXPECT_GT(placed.box.left, 100.0);
+}
+
 }  // namespace
 }  // namespace kinestat

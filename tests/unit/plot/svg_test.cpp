@@ -181,5 +181,35 @@ TEST(PixelBox, OverlapsOnlyWhereAreasDo) {
   EXPECT_FALSE(box.overlaps({.left = 2.0, .top = 0.0, .right = 3.0, .bottom = 2.0}));
 }
 
+TEST(Svg, KeepsTheLinesThatAreSeen) {
+  Svg svg;
+  svg.line({.x = 0.0, .y = 0.0}, {.x = 9.0, .y = 0.0}, {.stroke = Ink::ink});
+  svg.keep_lines();
+  svg.line({.x = 0.0, .y = 0.0}, {.x = 9.0, .y = 0.0}, {.stroke = Ink::grid});
+  svg.rectangle({.left = 0.0, .top = 0.0, .right = 4.0, .bottom = 4.0},
+                {.stroke = Ink::none, .fill = Ink::paper});
+  const std::vector<Attribute> hidden = {{"display", "none"}};
+  svg.open_group({}, hidden);
+  svg.line({.x = 0.0, .y = 0.0}, {.x = 9.0, .y = 0.0}, {.stroke = Ink::ink});
+  svg.close_group();
+  EXPECT_TRUE(svg.lines().empty());
+
+  svg.rectangle({.left = 0.0, .top = 0.0, .right = 4.0, .bottom = 4.0}, {.stroke = Ink::blue});
+
+  EXPECT_EQ(svg.lines().size(), 4U);
+}
+
+// By both edges, between which no letter fits.
+TEST(Svg, KeepsTheEdgesOfWideLines) {
+  Svg svg;
+  svg.keep_lines();
+
+  svg.line({.x = 0.0, .y = 0.0}, {.x = 9.0, .y = 0.0}, {.stroke = Ink::ink, .width = 8.0});
+
+  ASSERT_EQ(svg.lines().size(), 2U);
+  EXPECT_EQ(std::abs(svg.lines()[0].from.y), 4.0);
+  EXPECT_EQ(svg.lines()[0].from.y, -svg.lines()[1].from.y);
+}
+
 }  // namespace
 }  // namespace kinestat

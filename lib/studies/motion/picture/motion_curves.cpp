@@ -304,6 +304,9 @@ Figure motion_figure(const MotionTable& motion, const std::string& title) {
   }
   for (const Group& group : groups_of(motion)) {
     figure.charts.push_back(chart_of(group, motion));
+    for (ChartGuide& guide : figure.charts.back().guides) {
+      guide.is_named = figure.charts.size() == 1;
+    }
     mark_extremes(motion, group, figure.charts.back());
   }
   return figure;

@@ -9,8 +9,6 @@
 
 #include <fmt/format.h>
 
-#include "draw/labels.hpp"
-
 namespace kinestat {
 
 namespace {

@@ -24,7 +24,7 @@ namespace {
 
 constexpr double kPanel = 168.0;  // of its longer side [px]
 constexpr double kGap = 26.0;
-constexpr double kWords = 52.0;  // three lines below it
+constexpr double kWords = 67.0;  // four lines below it
 constexpr std::size_t kColumns = 5;
 
 // "crank rocker" of a word of reports.
@@ -42,15 +42,16 @@ Point joint_of(const Dyad& dyad, const Pose& pose) {
 // One linkage within a square.
 class Panel {
  public:
-  Panel(const SynthesisTask& task, const LinkageCandidate& linkage, PixelPoint corner, Svg& svg)
-      : linkage_(linkage), corner_(corner), svg_(svg) {
+  Panel(const SynthesisTask& task, const LinkageCandidate& linkage, PixelPoint corner)
+      : linkage_(linkage), corner_(corner) {
+    svg_.keep_lines();
     for (const PositionJets& position : task.positions) {
       poses_.push_back(pose_of(position));
     }
     find_window();
   }
 
-  void draw() {
+  Svg draw() {
     svg_.rectangle({.left = corner_.x,
                     .top = corner_.y,
                     .right = corner_.x + kPanel,
@@ -64,6 +65,7 @@ class Panel {
       draw_position(poses_[i], i == 0);
     }
     draw_marks();
+    return std::move(svg_);
   }
 
  private:
@@ -165,7 +167,6 @@ class Panel {
         draw_block(svg_, joint, along(direction), {.stroke = Ink::vermilion, .fill = Ink::paper});
       }
       if (is_first) {
-        placer_.keep_off(box_of_circle(joint, 4.0));
         draw_pin(svg_, joint, 2.6);
         if (dyad->kind == DyadKind::crank) {
           draw_pin(svg_, at(dyad->centre_point), 2.6);
@@ -184,19 +185,21 @@ class Panel {
       const PixelPoint to = from + 17.0 * along(unit_vector(pose.angle));
       svg_.arrow(from, to, {.stroke = Ink::ink}, 5.0);
       svg_.circle(from, 2.2, {.stroke = Ink::none, .fill = Ink::ink});
-      placer_.keep_off(from, to);
     }
+    PixelBox area;
+    area.add(corner_);
+    area.add(corner_ + PixelPoint{.x = kPanel, .y = kPanel});
+    NamePlacer placer(area.grown(-1.0));
+    placer.keep_off(svg_.lines());
     for (std::size_t i = 0; i < poses_.size(); ++i) {
-      const PixelPoint from = at(poses_[i].origin);
       const std::string text = std::to_string(i + 1);
-      write_label(svg_, placer_.place(from, text, style, 4.0), from, text, style);
+      write_label(svg_, placer.place(at(poses_[i].origin), text, style, 4.0), text, style);
     }
   }
 
   const LinkageCandidate& linkage_;
   PixelPoint corner_;
-  Svg& svg_;
-  NamePlacer placer_;
+  Svg svg_;
   std::vector<Pose> poses_;
   double scale_ = 1.0;  // [px/m]
   Point middle_;
@@ -210,7 +213,7 @@ std::string name_of(const LinkagePlace& place, const SynthesisAnalysis& analysis
                      : fmt::format("linkage {}", place.number);
 }
 
-std::array<std::string, 3> words_of(const LinkagePlace& place, const SynthesisAnalysis& analysis) {
+std::array<std::string, 4> words_of(const LinkagePlace& place, const SynthesisAnalysis& analysis) {
   const LinkageCandidate& one = analysis.tasks[place.task].linkages[place.number];
   const PlaneText plane(analysis.description.units);
   const std::string kind =
@@ -223,7 +226,8 @@ std::array<std::string, 3> words_of(const LinkagePlace& place, const SynthesisAn
                         units.text(QuantityKind::angle))
           : std::string(phrase_of(one.defect));
   return {name_of(place, analysis),
-          fmt::format("{}, {}", kind, verdict),
+          kind,
+          verdict,
           fmt::format("links to {} {}, 1 : {}",
                       short_number(units.from_si(QuantityKind::length, one.longest)),
                       units.text(QuantityKind::length),
@@ -263,9 +267,9 @@ Picture draw_best_linkages(const SynthesisAnalysis& analysis) {
     const auto row = static_cast<double>(i / kColumns);
     const PixelPoint corner = {.x = column * (kPanel + kGap), .y = row * (kPanel + kWords + kGap)};
     const SynthesisTask& task = analysis.tasks[places[i].task];
-    const std::array<std::string, 3> words = words_of(places[i], analysis);
+    const std::array<std::string, 4> words = words_of(places[i], analysis);
     svg.open_group(words[0]);
-    Panel(task, task.linkages[places[i].number], corner, svg).draw();
+    svg.add(Panel(task, task.linkages[places[i].number], corner).draw());
     for (std::size_t line = 0; line < words.size(); ++line) {
       TextStyle style = kSmall;
       style.weight = line == 0 ? Weight::bold : Weight::normal;

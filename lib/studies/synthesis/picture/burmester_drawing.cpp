@@ -49,6 +49,7 @@ class BurmesterWriter {
   }
 
   Svg write() {
+    svg_.keep_lines();
     draw_frame();
     draw_circle();
     for (std::size_t i = 0; i < plane_.curves.size(); ++i) {
@@ -60,10 +61,7 @@ class BurmesterWriter {
     draw_coupler();
     draw_positions();
     draw_poles();
-    for (const auto& [text, at] : names_) {
-      const PlacedName label = placer_.place(at, text, kName, 7.0);
-      write_label(svg_, label, at, text, kName);
-    }
+    write_names();
     draw_legend();
     return std::move(svg_);
   }
@@ -84,14 +82,6 @@ class BurmesterWriter {
   void draw_frame() {
     const FileUnits& units = analysis_.description.units;
     const PixelPoint corner = at(plane_.window.high);
-    constexpr double kRim = 3.0;
-    const double right = corner.x + 140;
-    placer_.keep_free({.left = -60.0, .top = corner.y - 30, .right = kRim, .bottom = 30.0});
-    placer_.keep_free(
-        {.left = corner.x - kRim, .top = corner.y - 30, .right = right, .bottom = 30.0});
-    placer_.keep_free({.left = -60.0, .top = -kRim, .right = right, .bottom = 30.0});
-    placer_.keep_free(
-        {.left = -60.0, .top = corner.y - 30, .right = right, .bottom = corner.y + kRim});
     svg_.rectangle({.left = 0.0, .top = corner.y, .right = corner.x, .bottom = 0.0},
                    {.stroke = Ink::soft, .width = 1.0});
     const auto unit = [&units](double length) {
@@ -139,7 +129,6 @@ class BurmesterWriter {
       points.push_back(within(p) ? p : gap());
     }
     svg_.polyline(points, {.stroke = Ink::pink, .width = 1.3, .dash = "10 3 2 3"});
-    keep_off(points);
     if (plane_.ball && plane_.window.holds(*plane_.ball)) {
       svg_.circle(at(*plane_.ball), 3.5, {.stroke = Ink::none, .fill = Ink::pink});
       name("Ball", *plane_.ball);
@@ -154,14 +143,6 @@ class BurmesterWriter {
   bool within(PixelPoint p) const {
     const PixelPoint corner = at(plane_.window.high);
     return p.x >= 0.0 && p.x <= corner.x && p.y <= 0.0 && p.y >= corner.y;
-  }
-
-  void keep_off(const std::vector<PixelPoint>& points) {
-    for (std::size_t i = 1; i < points.size(); ++i) {
-      if (std::isfinite(points[i].x) && std::isfinite(points[i - 1].x)) {
-        placer_.keep_off(points[i - 1], points[i]);
-      }
-    }
   }
 
   std::vector<CurveBranch> branches(const PlaneCubic& cubic) const {
@@ -188,14 +169,11 @@ class BurmesterWriter {
   void draw_curves(const DrawnCurves& drawn, bool is_first) {
     const double width = is_first ? 1.9 : 1.0;
     for (const CurveBranch& branch : branches(drawn.curves.centre_points)) {
-      const std::vector<PixelPoint> points = visible(branch);
-      svg_.polyline(points, {.stroke = Ink::green, .width = width, .dash = "6 3"});
-      keep_off(points);
+      svg_.polyline(visible(branch), {.stroke = Ink::green, .width = width, .dash = "6 3"});
     }
     // Of five positions the curve of four on which the best linkage stands.
     const bool is_judged = is_first && (task_.curves.has_value() || partner());
     for (const CurveBranch& branch : branches(drawn.curves.circle_points)) {
-      keep_off(visible(branch));
       if (is_judged) {
         draw_judged(branch, drawn.positions);
       } else {
@@ -270,7 +248,6 @@ class BurmesterWriter {
       }
       if (plane_.window.holds(drawn.centre_point)) {
         draw_support(svg_, at(drawn.centre_point));
-        keep_off_support(at(drawn.centre_point));
         draw_pin(svg_, at(drawn.centre_point), 3.2);
         name(fmt::format("{}0", drawn.letter), drawn.centre_point);
       }
@@ -280,7 +257,6 @@ class BurmesterWriter {
       // A line of the plane slides through a block that turns on the centre point.
       const PixelPoint centre = at(drawn.centre_point);
       draw_support(svg_, centre);
-      keep_off_support(centre);
       draw_guided_block(centre, along(drawn.direction), ink);
       draw_pin(svg_, centre, 3.2);
       name(fmt::format("{}0", drawn.letter), drawn.centre_point);
@@ -289,21 +265,15 @@ class BurmesterWriter {
     }
     if (is_seen) {
       draw_pin(svg_, circle, drawn.is_chosen ? 4.0 : 3.0);
-      placer_.keep_off(box_of_circle(circle, 5.0));
       name(std::string(1, drawn.letter), drawn.circle_point);
     }
     svg_.close_group();
-  }
-
-  void keep_off_support(PixelPoint pin) {
-    placer_.keep_off(box_of_circle(pin + PixelPoint{.x = 0.0, .y = 12.0}, 13.0));
   }
 
   void draw_guided_block(PixelPoint p, PixelPoint direction, Ink ink) {
     const PixelPoint half = 70.0 * direction;
     svg_.line(p - half, p + half, {.stroke = ink, .width = 1.0, .dash = "9 3"});
     draw_block(svg_, p, direction, {.stroke = ink, .fill = Ink::paper});
-    placer_.keep_off(box_of_circle(p, 10.0));
   }
 
   void bar(PixelPoint from, PixelPoint to, Ink ink, double width, bool is_wide) {
@@ -314,7 +284,6 @@ class BurmesterWriter {
     const std::array<Round, 2> ends = {
         {{.centre = from, .radius = width}, {.centre = to, .radius = width}}};
     svg_.polygon(rounded_hull(ends), {.stroke = ink, .fill = ink, .width = 1.4, .opacity = 0.18});
-    placer_.keep_off(from, to);
   }
 
   // Of the chosen linkage: from circle point to circle point, with the origin of the moving frame.
@@ -328,10 +297,8 @@ class BurmesterWriter {
       }
     }
     if (rounds.size() > 2) {
-      std::vector<PixelPoint> rim = rounded_hull(rounds);
-      svg_.polygon(rim, {.stroke = Ink::brown, .fill = Ink::brown, .width = 1.3, .opacity = 0.14});
-      rim.push_back(rim.front());
-      keep_off(rim);
+      svg_.polygon(rounded_hull(rounds),
+                   {.stroke = Ink::brown, .fill = Ink::brown, .width = 1.3, .opacity = 0.14});
     }
   }
 
@@ -343,7 +310,6 @@ class BurmesterWriter {
       const PixelPoint to = from + 36.0 * along(unit_vector(position.angle.front()));
       svg_.arrow(from, to, {.stroke = Ink::ink, .width = 2.2}, 9.0);
       svg_.circle(from, 4.0, {.stroke = Ink::ink, .fill = Ink::ink});
-      placer_.keep_off(from, to);
       std::string text = fmt::format("{}", i + 1);
       if (position.order() > 1) {
         text += " " + std::string(static_cast<std::size_t>(position.order()), 'P');
@@ -358,18 +324,32 @@ class BurmesterWriter {
         continue;
       }
       const PixelPoint p = at(pole.at);
+      svg_.open_group(pole.name);
       for (const double side : {-1.0, 1.0}) {
         const PixelPoint half = {.x = 4.5, .y = 4.5 * side};
         svg_.line(p - half, p + half, {.stroke = Ink::ink, .width = 1.5});
       }
-      placer_.keep_off(box_of_circle(p, 5.0));
+      svg_.close_group();
       name(pole.name, pole.at);
     }
+  }
+
+  void write_names() {
+    PixelBox area;
+    area.add(at(plane_.window.low));
+    area.add(at(plane_.window.high));
+    NamePlacer placer(area.grown(-3.0));
+    placer.keep_off(svg_.lines());
+    // What has no room is told under the pointer alone.
+    for (const auto& [text, p] : names_) {
+      if (const PlacedName label = placer.place(p, text, kName, 7.0); label.is_free) {
+        write_label(svg_, label, text, kName);
+      }
+    }
+    TextStyle style = kSmall;
+    style.has_halo = true;
     for (const auto& [reason, p] : reasons_) {
-      TextStyle style = kSmall;
-      style.has_halo = true;
-      const PlacedName label = placer_.place(p, reason, style, 5.0);
-      write_label(svg_, label, p, reason, style);
+      write_label(svg_, placer.place(p, reason, style, 5.0), reason, style);
     }
   }
 
@@ -427,7 +407,6 @@ class BurmesterWriter {
   BurmesterPlane plane_;
   double scale_ = 1.0;  // [px/m]
   Svg svg_;
-  NamePlacer placer_;
   std::vector<std::pair<std::string, PixelPoint>> names_;
   std::vector<std::pair<std::string, PixelPoint>> reasons_;
   std::map<std::string, int> rejected_;  // points by reason

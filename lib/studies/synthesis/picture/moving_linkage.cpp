@@ -135,18 +135,11 @@ class LinkageMover {
     return rounds;
   }
 
-  // The rim of a link.
-  void keep_off(std::span<const Round> rounds) {
-    const std::vector<PixelPoint> rim = rounded_hull(rounds);
-    for (std::size_t i = 0; i < rim.size(); ++i) {
-      placer_.keep_off(rim[i], rim[(i + 1) % rim.size()]);
-    }
-  }
-
   Picture draw() {
     const std::array<Attribute, 3> marks = {{{"data-scale", fmt::format("{}", scale_)},
                                              {"data-x0", fmt::format("{}", x0_)},
                                              {"data-y0", fmt::format("{}", y0_)}}};
+    svg_.keep_lines();
     svg_.open_group({}, marks);
     draw_asked();
     draw_path();
@@ -181,8 +174,6 @@ class LinkageMover {
       svg_.arrow(from, to, {.stroke = Ink::ink, .width = 1.8}, 8.0);
       svg_.circle(from, 3.2, {.stroke = Ink::ink, .fill = Ink::ink});
       svg_.close_group();
-      placer_.keep_off(from, to);
-      keep_off(plane_rounds(pose));
       names_.emplace_back(fmt::format("{}", i + 1), from);
     }
   }
@@ -196,16 +187,12 @@ class LinkageMover {
       points.push_back(points.front());
     }
     svg_.polyline(points, {.stroke = Ink::blue, .width = 1.4, .dash = "7 3"});
-    for (std::size_t i = 1; i < points.size(); ++i) {
-      placer_.keep_off(points[i - 1], points[i]);
-    }
   }
 
   void draw_ground(const DyadBody& one) {
     if (one.dyad.kind != DyadKind::slider) {
       const PixelPoint centre = at(one.dyad.centre_point);
       draw_support(svg_, centre);
-      placer_.keep_off(box_of_circle(centre + PixelPoint{.x = 0.0, .y = 12.0}, 13.0));
       names_.emplace_back(fmt::format("{}0", one.letter), centre);
       return;
     }
@@ -253,7 +240,6 @@ class LinkageMover {
       const std::array<Round, 2> ends = {
           {{.centre = at(one.dyad.centre_point), .radius = 5.0}, {.centre = joint, .radius = 5.0}}};
       svg_.polygon(rounded_hull(ends), paint);
-      keep_off(ends);
       draw_pin(svg_, at(one.dyad.centre_point), 3.2);
     } else {
       draw_block(svg_,
@@ -265,11 +251,33 @@ class LinkageMover {
     svg_.close_group();
   }
 
+  // The linkage at the first step, where a page shows it.
+  void keep_off_begin(NamePlacer& placer) const {
+    const Pose& begin = motion_.poses.front();
+    const auto keep_off = [&](std::span<const Round> rounds) {
+      const std::vector<PixelPoint> rim = rounded_hull(rounds);
+      for (std::size_t i = 0; i < rim.size(); ++i) {
+        placer.keep_off(rim[i], rim[(i + 1) % rim.size()]);
+      }
+    };
+    keep_off(plane_rounds(begin));
+    for (const DyadBody& one : dyads_) {
+      if (one.dyad.kind == DyadKind::crank) {
+        keep_off(std::array<Round, 2>{{{.centre = at(one.dyad.centre_point), .radius = 5.0},
+                                       {.centre = at(one.joint(begin)), .radius = 5.0}}});
+      }
+    }
+    keep_off(std::array<Round, 1>{{{.centre = at(begin.origin), .radius = 5.0}}});
+  }
+
   void write_names() {
+    NamePlacer placer;
+    placer.keep_off(svg_.lines());
+    keep_off_begin(placer);
     for (const auto& [text, place] : names_) {
       constexpr TextStyle kNameStyle = {
           .ink = Ink::ink, .size = 12.5, .weight = Weight::bold, .has_halo = true};
-      write_label(svg_, placer_.place(place, text, kNameStyle, 7.0), place, text, kNameStyle);
+      write_label(svg_, placer.place(place, text, kNameStyle, 7.0), text, kNameStyle);
     }
   }
 
@@ -331,7 +339,6 @@ class LinkageMover {
   double x0_ = 0.0;
   double y0_ = 0.0;
   Svg svg_;
-  NamePlacer placer_;
   std::vector<std::pair<std::string, PixelPoint>> names_;
 };
 
