@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Weights of equal planets at equal angles: their sum on the axis of their carrier, by closed forms.
+"""Weights of gears: on their axes, those of equal planets on that of their carrier, by closed forms.
 
 Usage: planet_weight_test.py PROGRAM [unittest arguments]
 """
@@ -7,6 +7,7 @@ Usage: planet_weight_test.py PROGRAM [unittest arguments]
 from __future__ import annotations
 
 import math
+import re
 import sys
 import unittest
 
@@ -55,6 +56,10 @@ def analyze(text: str) -> dict:
     return program.run("analyze", "-", text=text)["cases"]["low"]
 
 
+def without_centre(text: str, body: str) -> str:
+    return re.sub(rf"(\b{body}: {{mass: [0-9.]+), centre_of_mass: \[[^]]*\]", r"\1", text)
+
+
 class PlanetWeights(unittest.TestCase):
     def near(self, actual: float, expected: float, what: object = None) -> None:
         self.assertAlmostEqual(actual, expected, delta=1e-12 * (1 + abs(expected)), msg=str(what))
@@ -98,6 +103,43 @@ class PlanetWeights(unittest.TestCase):
         self.assertEqual(sorted(one["statics"]["loads"]), ["gravity.carrier", "gravity.ring",
                                                            "gravity.sun"])
         self.near(one["statics"]["couplings"]["P"]["force"][0], 0.0)
+
+    def test_gears_without_a_centre_weigh_on_their_axes(self) -> None:
+        for gravity in DIRECTIONS:
+            text = train(3, gravity)
+            for name in ("sun", "ring", "planet"):
+                text = without_centre(text, name)
+            statics = analyze(text)["statics"]
+            self.assertEqual(statics["actions"]["c"], 0.0, gravity)
+            bears = {"S": MASSES["sun"], "R": MASSES["ring"],
+                     "C": MASSES["carrier"] + 3 * MASSES["planet"]}
+            for name, mass in bears.items():
+                for i in range(2):
+                    self.near(statics["couplings"][name]["force"][i], -mass * gravity[i], gravity)
+
+    def test_a_single_planet_without_a_centre_weighs_at_its_pin(self) -> None:
+        actions = analyze(without_centre(train(1, (-G, 0.0)), "planet"))["statics"]["actions"]
+        self.near(abs(actions["c"]), MASSES["planet"] * G * 0.042)
+
+    def test_where_along_an_axis_a_gear_hangs(self) -> None:
+        """It tells nothing of a weight along the axis; across it, it is asked for."""
+        def upright(gravity: tuple[float, ...]) -> str:
+            text = train(3, gravity).replace("planar", "spatial")
+            for name, at in zip("SRCP", (5, 15, 10, 30)):
+                text = text.replace(f"  {name}: {{", f"  {name}: {{at: {at}, axis: z, ")
+            text = text.replace("centre_of_mass: [0, 0]", "centre_of_mass: [0, 0, 0]")
+            for name in ("sun", "ring", "planet"):
+                text = without_centre(text, name)
+            return text.replace("carrier: carrier}", "carrier: carrier, at: 30}")
+
+        statics = analyze(upright((0.0, 0.0, -G)))["statics"]
+        for name, mass in (("S", 0.3), ("R", 1.1), ("C", 0.8 + 3 * 0.5)):
+            self.near(statics["couplings"][name]["force"][2], mass * G, name)
+            for moment in statics["couplings"][name]["moment"]:
+                self.near(moment, 0.0, name)
+        done = program.call("analyze", "-", text=upright((0.0, -G, 0.0)))
+        self.assertEqual(done.returncode, 3)
+        self.assertEqual(done.stderr.count("E0303"), 3, done.stderr)
 
     def test_in_space_they_tilt_their_carrier(self) -> None:
         """Planets 30 mm above the origin, a carrier borne at 10 mm: 3 m g times 20 mm."""
@@ -170,6 +212,17 @@ class PlanetWeights(unittest.TestCase):
                 self.assertEqual(actual, 0.0, (value, by))
             else:
                 self.near(actual, slope, (value, by))
+
+    def test_the_place_on_an_axis_that_moves(self) -> None:
+        """A planet at 21 z mm, z being the module: m g 21 mm for every millimetre of it."""
+        text = without_centre(train(1, (-G, 0.0)), "planet").replace("module: 2 mm", "module: z")
+        text = text.replace("space:", "parameters: {z: 2}\nspace:")
+        torque = MASSES["planet"] * G * 0.021
+        found = program.run("sensitivity", "--of", "c", "--by", "z", "-", text=text)
+        self.near(abs(found["cases"]["low"]["sensitivity"]["c"]["by"]["z"]["derivative"]), torque)
+        rows, _ = swept(text, "{vary: {z: [1, 2, 3]}, report: [c]}")
+        for row in rows:
+            self.near(abs(row["c [N*m]"]), row["z"] * torque)
 
     def test_swept(self) -> None:
         text = train(3, (-G, 0.0)).replace("planet: {mass: 0.5", "planet: {mass: mp").replace(
