@@ -272,6 +272,20 @@ void add_friction_at_rest(const JudgedFile& file, const CaseAnalysis& one, CaseF
                 "viscous friction");
     return;
   }
+  const auto turns_freely = [&](CouplingId id) {
+    return !one.motion->knows_rate(file.mechanism.topology.coupling(id).first_freedom);
+  };
+  if (std::ranges::all_of(one.action->at_rest, turns_freely)) {
+    found.error("E0606",
+                one.which.where,
+                fmt::format("case '{}': friction of {} has no direction: the gear leaves its speed "
+                            "open",
+                            one.which.label,
+                            names),
+                "what rubs there decides how fast it turns: hold it by an element of the gear, or "
+                "remove its friction");
+    return;
+  }
   found.error("E0606",
               one.which.where,
               fmt::format("case '{}': friction of {} has no direction: nothing moves there",
