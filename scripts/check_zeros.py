@@ -41,6 +41,7 @@ DECISIONS = {
     "lib/draw/linkage/drawn_case.cpp": "drawing: an arrow shorter than a hair is none",
     "lib/power/efficiency.cpp": "consistency: the powers of a case balance within kPowerBalance",
     "lib/power/power_flow.cpp": "consistency: the powers of a case balance within kPowerBalance",
+    "lib/power/power_record.cpp": "consistency: as of power/efficiency",
     "lib/power/transmission_efficiency.cpp": "search: which assumed senses are accepted",
     "lib/studies/duty/slip_finder.cpp": "search: rates so slow that the position is analysed whole",
     "lib/studies/duty/duty_case.cpp": "search: whether teeth press as where they were analysed",

@@ -272,6 +272,20 @@ void add_friction_at_rest(const JudgedFile& file, const CaseAnalysis& one, CaseF
                 "viscous friction");
     return;
   }
+  const auto turns_freely = [&](CouplingId id) {
+    return !one.motion->knows_rate(file.mechanism.topology.coupling(id).first_freedom);
+  };
+  if (std::ranges::all_of(one.action->at_rest, turns_freely)) {
+    found.error("E0606",
+                one.which.where,
+                fmt::format("case '{}': friction of {} has no direction: the gear leaves its speed "
+                            "open",
+                            one.which.label,
+                            names),
+                "what rubs there decides how fast it turns: hold it by an element of the gear, or "
+                "remove its friction");
+    return;
+  }
   found.error("E0606",
               one.which.where,
               fmt::format("case '{}': friction of {} has no direction: nothing moves there",
@@ -353,24 +367,6 @@ void add_indeterminacy(const JudgedFile& file, const CaseAnalysis& one, CaseFind
                          : ways_out(file, action.check, side));
 }
 
-struct ReactionWords {
-  std::string_view what;
-  std::string_view key;
-};
-
-ReactionWords words_of(Reaction reaction) {
-  switch (reaction) {
-    case Reaction::axial:
-      return {"axial force", "'thrust_radius', the mean radius of the collar that bears it"};
-    case Reaction::tilting:
-      return {"tilting moment", "'length', the bearing length of the journal or guide"};
-    case Reaction::torsion:
-      return {"torque about its axis",
-              "'radius', that of the spline or key that keeps it from turning"};
-  }
-  return {};
-}
-
 void add_ignored_reactions(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
   const FileUnits& units = file.description.units;
   for (const IgnoredReaction& ignored : one.action->ignored) {
@@ -418,6 +414,19 @@ void add_pulling_contacts(const JudgedFile& file, const CaseAnalysis& one, CaseF
 }
 
 }  // namespace
+
+ReactionWords words_of(Reaction reaction) {
+  switch (reaction) {
+    case Reaction::axial:
+      return {"axial force", "'thrust_radius', the mean radius of the collar that bears it"};
+    case Reaction::tilting:
+      return {"tilting moment", "'length', the bearing length of the journal or guide"};
+    case Reaction::torsion:
+      return {"torque about its axis",
+              "'radius', that of the spline or key that keeps it from turning"};
+  }
+  return {};
+}
 
 void add_action_status_findings(const JudgedFile& file,
                                 const CaseAnalysis& one,

@@ -82,10 +82,7 @@ std::vector<IdleFreedom> hold_beside_gear(const Mechanism& mechanism,
                                           const KinematicSolution& open,
                                           Case& which) {
   const std::vector<std::vector<int>>& completions = open.check.completions;
-  const std::vector<int> felt = felt_freedoms(mechanism, which);
-  const bool is_felt = std::ranges::any_of(open.check.undetermined,
-                                           [&](int f) { return std::ranges::count(felt, f) > 0; });
-  if (!which.is_gear || completions.empty() || is_felt) {
+  if (!which.is_gear || completions.empty()) {
     return {};
   }
   std::vector<Primary> known = which.motions;

@@ -17,7 +17,8 @@ std::vector<IdleFreedom> hold_idle_freedoms(const Mechanism& mechanism,
                                             Case& which);
 
 /// Likewise of a gear, which may leave open more than that: whatever moves while its inputs and
-/// engaged elements rest, as another shaft on which nothing turns that is engaged.
+/// engaged elements rest, as another shaft on which nothing turns that is engaged. What rubs there
+/// has no direction, and leaves open the actions alone.
 std::vector<IdleFreedom> hold_beside_gear(const Mechanism& mechanism,
                                           const CoordinateBasis& basis,
                                           const KinematicSolution& open,

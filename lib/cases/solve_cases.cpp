@@ -90,7 +90,8 @@ Frictions find_frictions(const Mechanism& mechanism,
                          ? find_friction_laws(mechanism, which, *motion)
                          : std::vector<std::optional<FrictionLaw>>(mechanism.frictions.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
-    if (found[i]) {
+    const CouplingTopology& coupling = mechanism.topology.coupling(mechanism.frictions[i].coupling);
+    if (found[i] && motion->knows_rate(coupling.first_freedom)) {
       result.laws.push_back(*found[i]);
     } else {
       std::vector<CouplingId>& couplings =

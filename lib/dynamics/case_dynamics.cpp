@@ -6,6 +6,7 @@
 #include "core/index.hpp"
 #include "core/tolerance.hpp"
 #include "dynamics/body_inertia.hpp"
+#include "dynamics/planet_inertia.hpp"
 #include "math/numbers/zero_within_bound.hpp"
 
 namespace kinestat {
@@ -105,22 +106,37 @@ std::optional<double> compare_two_ways(const Mechanism& mechanism,
   return worst;
 }
 
-// All loads on the moving bodies but those of springs, which join them with each other or the
-// ground.
-Wrench find_ground(const Case& which) {
-  BoundedWrench sum;
-  for (const Load& load : which.loads) {
-    if (!load.name.starts_with(kSpringPrefix)) {
-      sum = sum + written(load.acts.wrench);
-    }
-  }
-  return sum.zeroed();
+int count_of(const Mechanism& mechanism, BodyId body) {
+  return mechanism.masses.empty() ? 1 : mechanism.masses[at(body.value)].count;
 }
 
-// Planets that stand for several shake less than they would where the one is drawn.
-bool stands_for_several(const Mechanism& mechanism) {
-  return std::ranges::any_of(mechanism.masses,
-                             [](const BodyMass& one) { return one.counts() && one.count > 1; });
+// All loads on the moving bodies but those of springs, which join them with each other or the
+// ground. Nothing says at how many planets a load acts.
+std::optional<Wrench> find_ground(const Mechanism& mechanism,
+                                  const Case& which,
+                                  const std::optional<BoundedWrench>& shaking) {
+  std::optional<BoundedWrench> sum = shaking;
+  for (const Load& load : which.loads) {
+    if (!sum || load.name.starts_with(kSpringPrefix) || load.name.starts_with(kInertiaPrefix)) {
+      continue;
+    }
+    const bool is_on_planets = count_of(mechanism, load.acts.body) > 1;
+    sum = is_on_planets ? std::nullopt : std::optional(*sum + written(load.acts.wrench));
+  }
+  return sum ? std::optional(sum->zeroed()) : std::nullopt;
+}
+
+// Planets that stand for several where they are.
+std::optional<BoundedWrench> shaking_of(const Mechanism& mechanism,
+                                        BodyId body,
+                                        const BodyInertia& inertia,
+                                        const BoundedWrench& drawn,
+                                        const InertialMotion& motion) {
+  if (count_of(mechanism, body) == 1) {
+    return drawn;
+  }
+  const std::optional<PlanetAxis> axis = axis_of_planets(mechanism, body);
+  return axis ? spread_planets(drawn, *axis, inertia, motion) : std::nullopt;
 }
 
 }  // namespace
@@ -130,7 +146,7 @@ CaseDynamics find_dynamics(const Mechanism& mechanism,
                            const InertialMotion& motion,
                            const StaticSolution* action) {
   CaseDynamics result;
-  BoundedWrench shaking;
+  std::optional<BoundedWrench> shaking = BoundedWrench{};
   std::vector<StandingBody> standing;
   for (std::size_t b = 0; b < mechanism.masses.size(); ++b) {
     if (!mechanism.masses[b].counts()) {
@@ -150,15 +166,15 @@ CaseDynamics find_dynamics(const Mechanism& mechanism,
                              .kinetic_energy = kinetic_energy(body, twist)});
     result.kinetic_energy += result.bodies.back().kinetic_energy;
     result.kinetic_energy_rate -= power(inertial, twist);
-    shaking = shaking + bounded;
+    const auto shakes = shaking_of(mechanism, BodyId{static_cast<int>(b)}, body, bounded, motion);
+    shaking = shaking && shakes ? std::optional(*shaking + *shakes) : std::nullopt;
   }
-  const bool is_whole = !stands_for_several(mechanism);
-  if (is_whole) {
-    result.shaking = shaking.zeroed();
+  if (shaking) {
+    result.shaking = shaking->zeroed();
   }
   result.reduced = find_reduced(standing, motion);
   if (has_answer(action)) {
-    result.ground = is_whole ? std::optional(find_ground(which)) : std::nullopt;
+    result.ground = find_ground(mechanism, which, shaking);
     result.two_ways = compare_two_ways(mechanism, which, motion, *action);
   }
   return result;

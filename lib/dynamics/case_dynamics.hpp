@@ -33,10 +33,10 @@ struct CaseDynamics {
   std::vector<BodyDynamics> bodies;
   double kinetic_energy = 0.0;       ///< [J]
   double kinetic_energy_rate = 0.0;  ///< [W]
-  std::optional<Wrench> shaking;  ///< all forces of inertia together; empty where a planet stands
-                                  ///< for several
-  std::optional<Wrench> ground;   ///< of all couplings and springs on the ground; likewise, and
-                                  ///< where equilibrium has no answer
+  std::optional<Wrench> shaking;     ///< all forces of inertia together; empty where the axis that
+                                     ///< several planets stand around turns over
+  std::optional<Wrench> ground;  ///< of all couplings and springs on the ground; likewise, where a
+                                 ///< load acts on such planets, and where equilibrium has no answer
   ReducedEquation reduced;
   std::optional<double> two_ways;  ///< virtual power of all that acts on the motion of each drive:
                                    ///< the largest sum relative to its largest term, which is zero

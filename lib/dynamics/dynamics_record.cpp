@@ -160,17 +160,19 @@ const Record<DynamicsView>& dynamics_record() {
             });
         keys.map("bodies", body_record(), "Every body with mass or inertia.", emit_bodies)
             .in_tables_as("body");
-        keys.sixfold("shaking",
-                     moment,
-                     force,
-                     "Shaking wrench, the sum of all inertia forces: couple about the origin and "
-                     "force; null where one planet represents several.",
-                     [](const DynamicsView& v) { return in_world(v, v.dynamics.shaking); });
+        keys.sixfold(
+            "shaking",
+            moment,
+            force,
+            "Shaking wrench, the sum of all inertia forces: couple about the origin and "
+            "force, of planets with a count at the places of all; null where the axis about "
+            "which these stand turns over.",
+            [](const DynamicsView& v) { return in_world(v, v.dynamics.shaking); });
         keys.sixfold("ground",
                      moment,
                      force,
                      "What all couplings and springs exert on the ground: couple about the origin "
-                     "and force; likewise.",
+                     "and force; likewise, and null where a load acts on planets with a count.",
                      [](const DynamicsView& v) { return in_world(v, v.dynamics.ground); });
         keys.map("reduced", reduced_record(), "By the freedoms that the case drives.", emit_reduced)
             .in_tables_as("reduced");

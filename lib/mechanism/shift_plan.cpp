@@ -313,7 +313,7 @@ std::vector<Case> bind_described_cases(const MechanismDescription& description,
       bind_cases(description, mechanism.topology, mechanism.curves, evaluator, said_before);
   KINESTAT_EXPECTS(!said_before.has_errors());
   std::vector<CaseLoads> loads = bind_loads(context, bind_masses(context), mechanism.curves);
-  carry_planet_weights(context, mechanism.masses, loads);
+  place_gear_weights(context, mechanism.masses, loads);
   add_loads(std::move(loads), cases);
   return cases;
 }

@@ -1,5 +1,6 @@
 #include "power/power_record.hpp"
 
+#include "core/tolerance.hpp"
 #include "power/internal/efficiency_record.hpp"
 #include "power/internal/power_graph_record.hpp"
 
@@ -35,6 +36,30 @@ void emit_friction(const PowerView& v, const EachNumber& each) {
   for (std::size_t i = 0; i < v.flow.friction.size(); ++i) {
     const CouplingId coupling = v.action.friction[i].coupling;
     each(v.mechanism.topology.coupling(coupling).name, v.flow.friction[i], QuantityKind::power);
+  }
+}
+
+// Of the inputs that the case names.
+std::vector<std::string> absorbing_inputs(const PowerView& v) {
+  std::vector<std::string> names;
+  const auto add = [&](const std::string& name, double power) {
+    if (power < -kPowerBalance * v.flow.largest) {
+      names.push_back(name);
+    }
+  };
+  for (const int i : v.which.inputs) {
+    const auto a = static_cast<std::size_t>(i);
+    add(v.mechanism.topology.actuators[a].name, v.flow.actuators[a]);
+  }
+  for (const std::size_t i : v.which.input_loads) {
+    add(v.which.loads[i].name, v.flow.loads[i]);
+  }
+  return names;
+}
+
+void emit_absorbing(const PowerView& v, const EachName& each) {
+  for (const std::string& name : absorbing_inputs(v)) {
+    each(name);
   }
 }
 
@@ -103,6 +128,11 @@ void add_balance(Record<PowerView>& keys) {
                 "Power of the inputs that the case names, else of all actuators and loads that "
                 "drive.",
                 [](const PowerView& v) { return std::optional(v.flow.input); });
+  keys.names("absorbing_inputs",
+             "The inputs that the case names and that absorb power, so that it has no efficiency; "
+             "no key if none does.",
+             emit_absorbing)
+      .only_if([](const PowerView& v) { return !absorbing_inputs(v).empty(); });
   keys.number("balance_residual",
               Bare::number,
               "Sum of all supplied powers and those of the loads relative to the largest; zero in "

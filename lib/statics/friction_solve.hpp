@@ -51,4 +51,9 @@ struct FrictionMagnitudes {
 /// f_i = law_i(actions(f)).
 FrictionMagnitudes solve_friction_balance(const FrictionBalance& given);
 
+/// Reactions of the coupling of a law that press without friction, where all its actions are known.
+std::vector<IgnoredReaction> ignored_reactions(const Mechanism& mechanism,
+                                               const FrictionLaw& law,
+                                               std::span<const std::optional<double>> magnitudes);
+
 }  // namespace kinestat

@@ -175,7 +175,14 @@ def moved_origin(sizes: float) -> Callable[[MechanismFile], Factors | None]:
 
 # Units
 
-LENGTHS = {"radius", "thrust_radius", "length", "pitch", "lead", "module", "centre_distance"}
+LENGTHS = {"radius", "thrust_radius", "length", "pitch", "lead", "module", "centre_distance",
+           "free_length"}
+
+
+def _known(file: MechanismFile) -> list[dict]:
+    """What says which motions, actions and loads are known."""
+    simulation = file.tree.get("simulation")
+    return [*(file.tree.get("cases") or {}).values(), *([simulation] if simulation else [])]
 
 
 def _names_curve(file: MechanismFile, text: str) -> bool:
@@ -203,7 +210,7 @@ def _give_units(file: MechanismFile, tree: dict | list, unit: str) -> None:
 
 
 def _give_case_units(file: MechanismFile, slide_of: dict[str, bool], speed: str) -> None:
-    for case in (file.tree.get("cases") or {}).values():
+    for case in _known(file):
         for name, value in (case.get("motion") or {}).items():
             if slide_of.get(name, name.split(".")[-1].startswith("v")):
                 case["motion"][name] = _with_unit(file, value, speed)
@@ -227,7 +234,7 @@ def other_units(unit: str) -> Callable[[MechanismFile], Factors | None]:
             return None
         for point in _points(file):
             point[:] = [_with_unit(file, x, old) for x in point]
-        for section in ("couplings", "cables", "gears"):
+        for section in ("couplings", "cables", "gears", "springs"):
             _give_units(file, file.tree.get(section) or {}, old)
         slide_of = slides_of(file)
         _give_case_units(file, slide_of, f"{old}/{time}")
@@ -287,7 +294,7 @@ def _give_known_units(file: MechanismFile) -> None:
     def slides_at(name: str) -> bool:
         return slides.get(name, name.split(".")[-1][:1] in ("v", "R", "F"))
 
-    for case in (file.tree.get("cases") or {}).values():
+    for case in _known(file):
         _each_with_unit(file, case.get("action"),
                         lambda name: USUAL["force" if slides_at(name) else "moment"])
         rates = {n: x for n, x in (case.get("motion") or {}).items() if not slides_at(n)}
@@ -300,8 +307,7 @@ def _give_known_units(file: MechanismFile) -> None:
 
 def _give_load_units(file: MechanismFile) -> None:
     """To loads, masses and stiffness."""
-    cases = (file.tree.get("cases") or {}).values()
-    for loads in [file.tree.get("loads"), *(case.get("loads") for case in cases)]:
+    for loads in [file.tree.get("loads"), *(case.get("loads") for case in _known(file))]:
         for load in (loads or {}).values():
             _give_unit(file, load, "force", USUAL["force"])
             _give_unit(file, load, "couple", USUAL["moment"])

@@ -220,7 +220,8 @@ class MetamorphicTest(unittest.TestCase):
 
     def check_studies(self, change: Callable[[MechanismFile], Factors | None], least: int) -> None:
         """At least so many reports are compared."""
-        commands = ("mobility", "inputs", "sensitivity", "tolerance", "shift", "motion")
+        commands = ("mobility", "inputs", "sensitivity", "tolerance", "shift", "motion",
+                    "simulate")
         count = 0
         with tempfile.TemporaryDirectory() as folder:
             for name, path in self.files.items():

@@ -436,6 +436,14 @@ class Answers(unittest.TestCase):
 
     def test_input_that_takes_power(self) -> None:
         self.check("backwards", "the inputs absorb power: the outputs drive")
+        self.assertEqual(self.powers["backwards"]["absorbing_inputs"], ["in"])
+        self.assertNotIn("absorbing_inputs", self.powers["run"])
+
+    def test_input_that_takes_power_without_losses(self) -> None:
+        text = PAIR.format(bearing="", more="").replace("idle:", (
+            "both: {motion: {in: 1}, action: {in: -100}, input: [in, out]}\n  idle:"))
+        for case, inputs in (("run", None), ("backwards", ["in"]), ("both", ["in"])):
+            self.assertEqual(powers_of(text)[case].get("absorbing_inputs"), inputs, case)
 
     def test_input_without_torque(self) -> None:
         self.check("idle", "the inputs supply no power")

@@ -134,13 +134,39 @@ class OpenGear(unittest.TestCase):
         self.assertEqual((gears["sp.shaft"], gears["rp.planet"]), (None, None))
         self.assertAlmostEqual(gears["ab.wheel"], 20 / (2 * math.pi), delta=1e-12)
 
-    def test_drag_on_what_turns_freely_is_an_error(self) -> None:
-        text = TRAIN.replace("R: {type: revolute, bodies: [housing, ring]}",
-                             "R: {type: revolute, bodies: [housing, ring], friction: {tau: 1 N*m}}")
-        done = program.call("analyze", "-", text=text)
-        self.assertIn("E0501", done.stderr)
-        self.assertIn("not determined: R.wz", done.stderr)
-        self.assertIsNone(program.report(done)["cases"]["direct"].get("ratio"))
+    def test_drag_on_what_turns_freely(self) -> None:
+        """It changes no speed that is determined, and nobody knows its sense."""
+        for where, drag in (("R: {type: revolute, bodies: [housing, ring]", "{tau: 1 N*m}"),
+                            ("K: {type: revolute, bodies: [housing, carrier]", "{c: 1}"),
+                            ("C2: {type: clutch, bodies: [carrier, idler]", "{tau: 1 N*m}")):
+            text = TRAIN.replace(where, f"{where}, friction: {drag}")
+            self.assertNotEqual(text, TRAIN)
+            done = program.call("analyze", "-", text=text)
+            self.assertEqual(done.returncode, 5, done.stderr)
+            self.assertNotIn("E0501", done.stderr)
+            self.assertEqual(done.stderr.count("E0606"), 1, done.stderr)
+            report = program.report(done)
+            one = report["cases"]["direct"]
+            for name, rate in KNOWN.items():
+                self.assertAlmostEqual(one["kinematics"]["freedoms"][name], rate, delta=1e-13)
+            for name in OPEN:
+                self.assertIsNone(one["kinematics"]["freedoms"][name], name)
+            self.assertAlmostEqual(one["ratio"], -2.5, delta=1e-14)
+            self.assertIsNone(one["torque_ratio"])
+            self.assertEqual(one["statics"]["status"], "at_rest")
+            shift = program.call("shift", "-", text=text)
+            self.assertEqual(shift.returncode, 5)
+            self.assertEqual(shift.stderr, done.stderr)
+            gear = program.report(shift)["shift"]["states"]["direct"]
+            self.assertEqual(gear, report["shift"]["states"]["direct"])
+            self.assertEqual(gear["ratio"], one["ratio"])
+
+    def test_drag_on_what_is_determined(self) -> None:
+        """Beside what turns freely it counts: 2 N*m at the idler."""
+        text = TRAIN.replace("J: {type: revolute, bodies: [housing, idler]",
+                             "J: {type: revolute, bodies: [housing, idler], friction: {tau: 2 N*m}")
+        one = program.run("analyze", "-", text=text)["cases"]["direct"]
+        self.assertAlmostEqual(one["statics"]["actions"]["out"], 245.0, delta=1e-11)
 
 
 if __name__ == "__main__":

@@ -150,6 +150,44 @@ simulation: {motion: {drive: 0.3}, action: {slip: 0}, time: 5 s, steps: 50, tole
 """
 
 
+# A crank drives a rocker by a rod between two balls; the rod has neither mass nor inertia.
+BALLS = """
+kinestat: 1
+ground: frame
+bodies:
+  crank: {mass: 1, centre_of_mass: [0, 0, 0], inertia: [0.01, 0.01, 0.02]}
+  rod: {}
+  rocker: {mass: 1, centre_of_mass: [1, 0, 0], inertia: [0.01, 0.01, 0.02]}
+couplings:
+  a: {type: revolute, bodies: [frame, crank], at: [0, 0, 0], axis: z}
+  b: {type: spherical, bodies: [crank, rod], at: [0, 0.2, 0]}
+  c: {type: spherical, bodies: [rod, rocker], at: [1, 0.5, 0.1]}
+  d: {type: revolute, bodies: [frame, rocker], at: [1, 0, 0], axis: [0, 0.3, 1]}
+actuators: {m: {coupling: a}}
+loads: {twist: {body: rod, LOAD}}
+simulation: {action: {m: 1}, time: 0.1 s, steps: 2}
+"""
+
+# Links of 0.2 m and 0.5 m, drawn at 60 degrees.
+PARALLELOGRAM = """
+kinestat: 1
+space: planar
+ground: frame
+parameters: {y: 0.1*sqrt(3)}
+bodies:
+  crank: {mass: 1, centre_of_mass: [0.05, y/2], inertia: 0.01}
+  coupler: {mass: 0.5, centre_of_mass: [0.35, y], inertia: 0.02}
+  rocker: {mass: 1, centre_of_mass: [0.55, y/2], inertia: 0.01}
+couplings:
+  a: {type: revolute, bodies: [frame, crank], at: [0, 0]}
+  b: {type: revolute, bodies: [crank, coupler], at: [0.1, y]}
+  c: {type: revolute, bodies: [coupler, rocker], at: [0.6, y]}
+  d: {type: revolute, bodies: [frame, rocker], at: [0.5, 0]}
+actuators: {m: {coupling: a}}
+simulation: {action: {m: 0.5}, start: {m: {speed: 5}}, time: 3 s, steps: STEPS}
+"""
+
+
 class Simulation:
     """The rows of a report by the names of their columns."""
 
@@ -453,6 +491,32 @@ class Edges(unittest.TestCase):
         self.assertGreater(len([1 for one in found["events"] if one["kind"] == "impact"]), 1)
         self.assertGreater(found["rows"][-1][-2], 0.1)  # lost in impacts
         self.assertLess(found["energy_drift"], 1e-7 * found["energy_scale"])
+
+    def test_what_acts_on_the_spin_of_a_massless_rod_is_refused(self) -> None:
+        """Nothing but its inertia would say how fast it spins; a force at its ball does not spin it."""
+        self.assertIn("body 'rod'", self.refused(BALLS.replace("LOAD", "couple: [5, 1.5, 0.5]"),
+                                                 "E0516"))
+        self.refused(BALLS.replace("LOAD", "at: [0.5, 0, 0], force: [0, 0, 3]"), "E0516")
+        free = self.last(BALLS.replace("LOAD", "couple: [0, 0, 0]"))
+        pushed = self.last(BALLS.replace("LOAD", "at: [0, 0.2, 0], force: [1, 0, 0]"))
+        # At the crank pin 1 N at 0.2 m turns it back with 0.2 N*m of the 1 N*m of the motor.
+        begins = [one["rows"][0][[c["name"] for c in one["columns"]].index("a.wz/acceleration")]
+                  for one in (free, pushed)]
+        self.assertAlmostEqual(begins[1] / begins[0], 0.8, delta=1e-12)
+
+    def test_a_parallelogram_keeps_its_branch_through_its_change_points(self) -> None:
+        """Where its links are in line it could turn into an antiparallelogram, which would have other
+        speeds; 0.5 N*m on 0.02 + 0.02 + 0.02 kg*m^2 for 52.5 rad, however many steps there are."""
+        for steps in (1, 7, 20, 100, 333):
+            found = self.last(PARALLELOGRAM.replace("STEPS", str(steps)))
+            names = [one["name"] for one in found["columns"]]
+            self.assertEqual(found["status"], "complete")
+            for cells in found["rows"]:
+                row = dict(zip(names, cells))
+                turned = 5 * row["time"] + 0.25 / 0.06 * row["time"] ** 2
+                for name in ("a.wz", "d.wz", "c.wz"):
+                    self.assertLess(abs(row[f"{name}/position"] - turned), 1e-7, (steps, name))
+                self.assertLess(abs(row["b.wz/position"] + turned), 1e-7, steps)
 
     def test_a_stop_of_what_is_held_is_refused(self) -> None:
         section = "action: {swing: 0}, motion: {push: 1}, stops: {push: {to: 0.53}}"

@@ -103,6 +103,21 @@ couplings:
 simulation: {{time: 0.5 s, steps: 5, report: [position, velocity, action, energy]}}
 """
 
+# It falls on a stop, from which it rises again.
+FALL = """kinestat: 1
+space: planar
+units: {units}
+gravity: [0, -9.81 m/s^2]
+ground: g
+bodies: {{block: {{mass: 2 kg, centre_of_mass: [0 m, 1 m]}}}}
+couplings:
+  a: {{type: prismatic, bodies: [g, block], at: [0 m, 1 m], axis: y}}
+simulation:
+  stops: {{a.vy: {{from: -0.4 m, restitution: 0.5}}}}
+  time: 0.5 s
+  steps: 5
+"""
+
 IN_METRES = "{length: m}"
 IN_OTHERS = "{length: mm, angle: deg, angular_velocity: rpm, force: kN, moment: N*mm, power: kW}"
 
@@ -140,6 +155,19 @@ class Compare(unittest.TestCase):
         for form in ("json", "csv"):
             self.assertEqual(self.differences("simulate", form, PENDULUM.format(units=IN_METRES),
                                               PENDULUM.format(units=IN_OTHERS)), [])
+
+    def test_one_fall_in_two_sets_of_units_is_the_same(self) -> None:
+        """Where and how fast it strikes, too."""
+        for form in ("json", "csv"):
+            self.assertEqual(self.differences("simulate", form, FALL.format(units=IN_METRES),
+                                              FALL.format(units=IN_OTHERS)), [])
+        speeds = "{length: mm, velocity: ft/s}"
+        report = program.run("simulate", "-", text=FALL.format(units=speeds))
+        event = report["simulation"]["events"][0]
+        self.assertEqual((event["kind"], event["unit"], event["speed_unit"]),
+                         ("impact", "mm", "ft/s"))
+        self.assertAlmostEqual(event["position"], -400, delta=1e-9)
+        self.assertAlmostEqual(event["speed"], -math.sqrt(2 * 9.81 * 0.4) / 0.3048, delta=1e-7)
 
     def test_another_motion_is_not(self) -> None:
         text = CRANK_AND_SLIDER.format(units=IN_METRES)

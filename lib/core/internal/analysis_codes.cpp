@@ -186,7 +186,8 @@ constexpr auto kStudyCodes = std::to_array<Code>({
      "A coupling with friction is at rest in the case, like the ram of a press at its dead centre: "
      "friction may have any value up to its limit there, and statics alone cannot determine it. "
      "'kinestat motion' gives the actions in the positions around it. Draw another position, or "
-     "omit the friction of a coupling that is always at rest. See 'kinestat help friction'."},
+     "omit the friction of a coupling that is always at rest. Nor has friction a direction where a "
+     "gear leaves a speed open. See 'kinestat help friction'."},
     {"E0701",
      no_answer,
      "power balance is violated",

@@ -132,7 +132,9 @@ const Mapping<BodyDescription>& body() {
             .may(&BodyDescription::reference, point());
         m.key("mass", "Mass, for gravity and inertia forces; default: none.")
             .may(&BodyDescription::mass, mass(), "2.5 kg");
-        m.key("centre_of_mass", "The centre of mass in the drawn position, where gravity acts.")
+        m.key("centre_of_mass",
+              "The centre of mass in the drawn position, where gravity acts; default: of a gear, "
+              "on its axis.")
             .may(&BodyDescription::centre_of_mass, point());
         m.key("inertia",
               "Inertia about the centre of mass: one number in the plane; in space the moments "

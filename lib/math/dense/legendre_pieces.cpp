@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "core/motion_tolerance.hpp"
 #include "core/tolerance.hpp"
 
 namespace kinestat {
@@ -315,22 +316,28 @@ GreatestValue LegendrePieces::greatest(const std::function<double(double argumen
   for (const double place : places) {
     heights.push_back(value(place));
   }
-  const auto top = std::ranges::max_element(heights) - heights.begin();
-  GreatestValue best{.value = heights[static_cast<std::size_t>(top)],
-                     .argument = places[static_cast<std::size_t>(top)]};
+  const double top = std::abs(*std::ranges::max_element(heights));
+  std::vector<GreatestValue> peaks;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const std::size_t before = i == 0 ? 0 : i - 1;
     const std::size_t behind = std::min(i + 1, places.size() - 1);
-    if (heights[i] < heights[before] || heights[i] < heights[behind]) {
+    const double flat = kSameValue * top;
+    if (heights[i] + flat < heights[before] || heights[i] + flat < heights[behind]) {
       continue;
     }
-    const GreatestValue there =
-        climb(value, places[before], places[behind], kCancellation * (to() - from()));
-    if (there.value > best.value) {
-      best = there;
+    peaks.push_back({.value = heights[i], .argument = places[i]});
+    if (heights[i] > heights[before] + flat || heights[i] > heights[behind] + flat) {
+      const GreatestValue there =
+          climb(value, places[before], places[behind], kCancellation * (to() - from()));
+      peaks.back() = there.value > heights[i] ? there : peaks.back();
     }
   }
-  return at_vertex(value, best, from(), to());
+  const double best = std::ranges::max_element(peaks, {}, &GreatestValue::value)->value;
+  // Peaks that only what the polynomials leave tells apart are equal.
+  const auto first = std::ranges::find_if(
+      peaks, [&](const GreatestValue& one) { return one.value >= best - kCycleNoise * top; });
+  const GreatestValue found = at_vertex(value, *first, from(), to());
+  return {.value = std::max(found.value, best), .argument = found.argument};
 }
 
 }  // namespace kinestat

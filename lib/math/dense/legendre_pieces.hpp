@@ -85,7 +85,7 @@ class LegendrePieces {
   /// At the points of Gauss, of pieces that are no wider than that.
   void for_each_point(double widest, const AtPoint& take) const;
 
-  /// Of a function that is smooth where these are.
+  /// Of a function that is smooth where these are; of equal peaks the first.
   GreatestValue greatest(const std::function<double(double argument)>& value) const;
 
  private:

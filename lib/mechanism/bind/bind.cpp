@@ -200,7 +200,7 @@ void bind_sections(const SectionContext& context, bool has_structure, Mechanism&
   result.springs = std::move(springs);
   if (!masses.empty()) {
     result.masses = masses_of_bodies(context, result, masses);
-    carry_planet_weights(context, result.masses, loads);
+    place_gear_weights(context, result.masses, loads);
   }
   add_loads(std::move(loads), result.cases);
   bind_load_ends(context, result.cases);

@@ -108,9 +108,12 @@ WrenchOf<Scalar> NumberRebinder<Scalar>::bind_load(const Load& load,
   const Scalar mass = Scalar(count) * number(*at->mass, QuantityKind::mass);
   const Vec3Of<Scalar> gravity =
       vector(description_.gravity->coordinates, QuantityKind::acceleration);
-  Vec3Of<Scalar> place = expect(evaluator_.point(*at->centre_of_mass));
+  KINESTAT_EXPECTS(gears_.has_value() || (at->centre_of_mass && count == 1));
+  Vec3Of<Scalar> place =
+      at->centre_of_mass
+          ? expect(evaluator_.point(*at->centre_of_mass))
+          : place_on_axis<Scalar>(gears_->layout, gears_->layout.train.axis_on(body), evaluator_);
   if (count > 1) {
-    KINESTAT_EXPECTS(gears_.has_value());
     place = place_of_planet_weights<Scalar>(gears_->layout, body, evaluator_, place);
   }
   return force_at(place, mass * gravity);

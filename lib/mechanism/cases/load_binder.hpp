@@ -38,16 +38,18 @@ void bind_load_ends(const SectionContext& context, std::vector<Case>& cases);
 
 /// One load gravity.BODY for every body with a mass, at its centre of mass: mass · gravity, about
 /// the origin of the evaluator. None without gravity; `masses` are those of the description's
-/// bodies. Bodies without a mass are massless. A mass without a centre is an error, gravity without
-/// any mass a warning.
+/// bodies. Bodies without a mass are massless. A mass without a centre is an error unless it is
+/// that of a gear, which place_gear_weights puts in its place; gravity without any mass is a
+/// warning.
 std::vector<Load> bind_weights(const SectionContext& context,
                                const std::vector<DescribedMass>& masses);
 
-/// Gives the weights of equal planets, which turn about their carrier at equal angles, to that
-/// carrier: the sum of all of them, on its axis. Those that the ground carries are left out.
-/// `masses` are those of the bodies of the topology.
-void carry_planet_weights(const SectionContext& context,
-                          const std::vector<BodyMass>& masses,
-                          std::vector<CaseLoads>& cases);
+/// Gives the weights of gears without a centre their place on the axis, and those of equal planets,
+/// which turn about their carrier at equal angles, to that carrier: the sum of all of them, on its
+/// axis. Those that the ground carries are left out. `masses` are those of the bodies of the
+/// topology.
+void place_gear_weights(const SectionContext& context,
+                        const std::vector<BodyMass>& masses,
+                        std::vector<CaseLoads>& cases);
 
 }  // namespace kinestat

@@ -13,15 +13,26 @@ namespace kinestat {
 
 namespace {
 
+// The centre of a gear is on its axis; where along it makes no difference in the plane, nor for a
+// weight along it.
+bool has_place(const BodyDescription& body, const SectionContext& context, const Vec3& gravity) {
+  const bool tilts =
+      context.description.space == Space::spatial && (gravity[0] != 0.0 || gravity[1] != 0.0);
+  return body.centre_of_mass || (!tilts && is_on_axis(context.description, body.name.text));
+}
+
 void complain_of_missing_centre(const BodyDescription& body, const SectionContext& context) {
   const bool is_planar = context.description.space == Space::planar;
+  const bool is_gear = is_on_axis(context.description, body.name.text);
   context.found.error(
       "E0303",
       body.mass->where,
-      fmt::format("body '{}' has a mass, on which gravity acts, but no centre of mass",
-                  body.name.text),
-      fmt::format("add centre_of_mass: {}, a point in the drawn position, or remove the mass",
-                  is_planar ? "[x, y]" : "[x, y, z]"));
+      fmt::format("body '{}' has a mass, on which gravity acts{}, but no centre of mass",
+                  body.name.text,
+                  is_gear ? " across its axis" : ""),
+      fmt::format("add centre_of_mass: {}, a point in the drawn position{}, or remove the mass",
+                  is_planar ? "[x, y]" : "[x, y, z]",
+                  is_gear ? " (z decides on the forces in its bearings)" : ""));
 }
 
 // Bare numbers that count in a unit other than m/s^2 and are no acceleration of any planet then.
@@ -69,10 +80,11 @@ std::vector<Load> bind_weights(const SectionContext& context,
   std::vector<Load> weights;
   for (const DescribedMass& described : masses) {
     const BodyDescription& body = context.description.bodies[described.body];
-    if (body.mass && gravity && !body.centre_of_mass) {
+    const bool hangs = body.mass && acceleration && has_place(body, context, *acceleration);
+    if (body.mass && acceleration && !hangs) {
       complain_of_missing_centre(body, context);
     }
-    if (body.mass && body.centre_of_mass && acceleration) {
+    if (hangs) {
       const Vec3& centre = described.mass.centre;
       const Vec3 force = described.mass.mass * *acceleration;
       const Vec3 moment = moment_of_load(centre, force, Vec3::Zero());
@@ -88,32 +100,62 @@ std::vector<Load> bind_weights(const SectionContext& context,
 
 namespace {
 
-// The weight of one planet as that of all on their carrier.
-void carry(const SectionContext& context, const GearFrame& frame, int count, Load& weight) {
-  const std::string body = weight.name.substr(kWeightPrefix.size());
-  const GearTrain& train = frame.layout.train;
-  const std::string& carrier = train.axes[at(train.axis_on(body))].carrier;
-  weight.point = place_of_planet_weights(frame.layout, body, context.evaluator, *weight.point);
-  weight.acts.body = BodyId{context.names.bodies.find(carrier)};
-  weight.acts.wrench.force *= count;
-  weight.acts.wrench.moment = moment_of_load(*weight.point, weight.acts.wrench.force, Vec3::Zero());
-}
+// Gives each weight of a gear its place in the train.
+class GearWeights {
+ public:
+  GearWeights(const SectionContext& context, const std::vector<BodyMass>& masses)
+      : context_(context),
+        masses_(masses),
+        frame_(bind_gear_frame<double>(context.description, context.evaluator)) {
+    KINESTAT_EXPECTS(frame_.has_value());
+  }
+
+  void place(Load& weight) const {
+    const std::string body = weight.name.substr(kWeightPrefix.size());
+    const auto& bodies = context_.description.bodies;
+    const auto described =
+        std::ranges::find(bodies, body, [](const BodyDescription& one) { return one.name.text; });
+    KINESTAT_EXPECTS(described != bodies.end());
+    if (!described->centre_of_mass) {
+      weight.point = place_on_axis(layout(), layout().train.axis_on(body), context_.evaluator);
+    }
+    const int count = masses_[at(weight.acts.body.value)].count;
+    if (count > 1) {
+      carry(body, count, weight);
+    }
+    weight.acts.wrench.moment =
+        moment_of_load(*weight.point, weight.acts.wrench.force, Vec3::Zero());
+  }
+
+ private:
+  const GearLayout& layout() const { return frame_->layout; }
+
+  // The weight of one planet as that of all on their carrier.
+  void carry(const std::string& body, int count, Load& weight) const {
+    const std::string& carrier = layout().train.axes[at(layout().train.axis_on(body))].carrier;
+    weight.point = place_of_planet_weights(layout(), body, context_.evaluator, *weight.point);
+    weight.acts.body = BodyId{context_.names.bodies.find(carrier)};
+    weight.acts.wrench.force *= count;
+  }
+
+  const SectionContext& context_;
+  const std::vector<BodyMass>& masses_;
+  std::optional<GearFrame> frame_;
+};
 
 }  // namespace
 
-void carry_planet_weights(const SectionContext& context,
-                          const std::vector<BodyMass>& masses,
-                          std::vector<CaseLoads>& cases) {
-  if (std::ranges::none_of(masses, [](const BodyMass& one) { return one.count > 1; })) {
+void place_gear_weights(const SectionContext& context,
+                        const std::vector<BodyMass>& masses,
+                        std::vector<CaseLoads>& cases) {
+  if (!context.description.gears || !context.description.gravity) {
     return;
   }
-  const auto frame = bind_gear_frame<double>(context.description, context.evaluator);
-  KINESTAT_EXPECTS(frame.has_value());
+  const GearWeights gears(context, masses);
   for (CaseLoads& one : cases) {
     for (Load& load : one.loads) {
-      const int count = masses[at(load.acts.body.value)].count;
-      if (load.name.starts_with(kWeightPrefix) && count > 1) {
-        carry(context, *frame, count, load);
+      if (load.name.starts_with(kWeightPrefix)) {
+        gears.place(load);
       }
     }
     std::erase_if(one.loads, [](const Load& load) { return load.acts.body.value == 0; });

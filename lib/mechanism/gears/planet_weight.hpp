@@ -1,4 +1,4 @@
-// Where the weights of equal planets act together.
+// Where the weights of gears act: on their axis, those of equal planets together.
 #pragma once
 
 #include <string_view>
@@ -9,18 +9,27 @@
 
 namespace kinestat {
 
+/// The point at z = 0 of the axis about which a body of the train turns: from the origin of the
+/// evaluator, as all places here.
+template <class Scalar>
+Vec3Of<Scalar> place_on_axis(const GearLayoutOf<Scalar>& layout,
+                             int axis,
+                             const EvaluatorOf<Scalar>& evaluator) {
+  return evaluator.from_origin(axis < 0 ? Vec3Of<Scalar>(Vec3Of<Scalar>::Zero())
+                                        : layout.centres[at(axis)]);
+}
+
 /// Two or more equal planets at equal angles have their centre of mass on the axis about which
 /// their carrier turns, wherever they stand and however they are balanced: the point of that axis
-/// that is level with `centre`, both from the origin of the evaluator. `body` is a planet.
+/// that is level with `centre`. `body` is a planet.
 template <class Scalar>
 Vec3Of<Scalar> place_of_planet_weights(const GearLayoutOf<Scalar>& layout,
                                        std::string_view body,
                                        const EvaluatorOf<Scalar>& evaluator,
                                        const Vec3Of<Scalar>& centre) {
   const GearTrain& train = layout.train;
-  const int about = train.axes[at(train.axis_on(body))].about;
-  Vec3Of<Scalar> place = evaluator.from_origin(about < 0 ? Vec3Of<Scalar>(Vec3Of<Scalar>::Zero())
-                                                         : layout.centres[at(about)]);
+  Vec3Of<Scalar> place =
+      place_on_axis(layout, train.axes[at(train.axis_on(body))].about, evaluator);
   place[2] = centre[2];
   return place;
 }

@@ -34,15 +34,6 @@ bool has_inertia(const MechanismDescription& description) {
          std::ranges::any_of(description.cases, &CaseDescription::has_inertia);
 }
 
-// Where an axis of the train tells where the centre of the body is.
-bool is_on_axis(const MechanismDescription& description, const std::string& body) {
-  if (!description.gears) {
-    return false;
-  }
-  const auto& members = description.gears->members;
-  return std::ranges::any_of(members, [&](const GearMember& one) { return one.body.text == body; });
-}
-
 class MassBinder {
  public:
   MassBinder(const BodyDescription& body, const SectionContext& context)
@@ -221,6 +212,14 @@ void warn_of_gyration(const BodyMass& one,
 }
 
 }  // namespace
+
+bool is_on_axis(const MechanismDescription& description, const std::string& body) {
+  if (!description.gears) {
+    return false;
+  }
+  const auto& members = description.gears->members;
+  return std::ranges::any_of(members, [&](const GearMember& one) { return one.body.text == body; });
+}
 
 std::vector<BodyMass> masses_of_bodies(const SectionContext& context,
                                        const Mechanism& mechanism,

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "mechanism/check/section_context.hpp"
@@ -21,6 +22,9 @@ struct DescribedMass {
 /// no body has (E0322), and of masses without a centre where a case has inertia, unless gears turn
 /// the body about a known axis.
 std::vector<DescribedMass> bind_masses(const SectionContext& context);
+
+/// Whether gears turn a body about an axis of their train, on which its centre is by default.
+bool is_on_axis(const MechanismDescription& description, const std::string& body);
 
 /// The same for each body of the topology: with the centres of gears on their axes and the planets
 /// counted. Warns of radii of gyration that do not suit the size of the mechanism (W0311).

@@ -29,7 +29,41 @@ std::vector<double> values_of(std::span<const Primary> primaries) {
   return values;
 }
 
+// What a coupling bears without its friction.
+Vec6 passive_wrench(const Mechanism& mechanism, CouplingId id, const VecX& magnitudes) {
+  const CouplingTopology& coupling = mechanism.topology.coupling(id);
+  Vec6 sum = Vec6::Zero();
+  for (int a = coupling.first_action; a < coupling.first_action + coupling.action_count; ++a) {
+    sum += magnitudes[a] * mechanism.geometry.actions[static_cast<std::size_t>(a)].coordinates();
+  }
+  return sum;
+}
+
 }  // namespace
+
+std::vector<IgnoredReaction> ignored_reactions(const Mechanism& mechanism,
+                                               const FrictionLaw& law,
+                                               std::span<const std::optional<double>> magnitudes) {
+  std::vector<IgnoredReaction> found;
+  if (law.ignored.empty()) {
+    return found;
+  }
+  const double length = mechanism.geometry.length;
+  VecX known(mechanism.topology.action_count());
+  for (Eigen::Index a = 0; a < known.size(); ++a) {
+    known[a] = magnitudes[static_cast<std::size_t>(a)].value_or(std::nan(""));
+  }
+  const Vec6 wrench = passive_wrench(mechanism, law.coupling, known);
+  const double force = wrench.tail<3>().norm() + wrench.head<3>().norm() / length;
+  for (const IgnoredPart& one : law.ignored) {
+    const double size = (one.part * wrench).norm();
+    const bool is_couple = one.reaction != Reaction::axial;
+    if (size > kNoReaction * force * (is_couple ? length : 1.0)) {
+      found.push_back({.coupling = law.coupling, .reaction = one.reaction, .size = size});
+    }
+  }
+  return found;
+}
 
 FrictionSystem::FrictionSystem(const Mechanism& mechanism,
                                const CoordinateBasis& basis,
@@ -101,12 +135,7 @@ std::vector<BodyWrench> FrictionSystem::pair_of(const FrictionLaw& law, double m
 }
 
 Vec6 FrictionSystem::coupling_wrench(CouplingId id, const VecX& magnitudes) const {
-  const CouplingTopology& coupling = mechanism_.topology.coupling(id);
-  Vec6 sum = Vec6::Zero();
-  for (int a = coupling.first_action; a < coupling.first_action + coupling.action_count; ++a) {
-    sum += magnitudes[a] * mechanism_.geometry.actions[static_cast<std::size_t>(a)].coordinates();
-  }
-  return sum;
+  return passive_wrench(mechanism_, id, magnitudes);
 }
 
 bool FrictionSystem::needs_open_action(const FrictionLaw& law) const {
@@ -207,24 +236,10 @@ void FrictionSystem::add_friction(const ChosenFrictions& frictions,
   }
 }
 
-// Reactions that press without friction, where all actions of their coupling are known.
 void FrictionSystem::add_ignored(StaticSolution& solution) const {
-  const double length = mechanism_.geometry.length;
-  VecX magnitudes(mechanism_.topology.action_count());
-  for (Eigen::Index a = 0; a < magnitudes.size(); ++a) {
-    magnitudes[a] = solution.magnitudes[static_cast<std::size_t>(a)].value_or(std::nan(""));
-  }
   for (const FrictionLaw& law : laws_) {
-    const Vec6 wrench = coupling_wrench(law.coupling, magnitudes);
-    const double force = wrench.tail<3>().norm() + wrench.head<3>().norm() / length;
-    for (const IgnoredPart& one : law.ignored) {
-      const double size = (one.part * wrench).norm();
-      const bool is_couple = one.reaction != Reaction::axial;
-      if (size > kNoReaction * force * (is_couple ? length : 1.0)) {
-        solution.ignored.push_back(
-            {.coupling = law.coupling, .reaction = one.reaction, .size = size});
-      }
-    }
+    std::ranges::copy(ignored_reactions(mechanism_, law, solution.magnitudes),
+                      std::back_inserter(solution.ignored));
   }
 }
 

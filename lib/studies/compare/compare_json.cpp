@@ -69,6 +69,10 @@ class ReportPath {
 
   const std::string& place() const { return place_; }
 
+  std::string_view last_key() const {
+    return std::string_view(place_).substr(place_.rfind('/') + 1);
+  }
+
   const Labels& labels() const { return labels_; }
 
   // Goes below a key for the time of a visit.
@@ -119,7 +123,7 @@ class Collector {
   const ValueUnit& unit_of(const Visited& at) const {
     if (at.shape != nullptr && at.object != nullptr &&
         at.shape->measure == Measure(ByContext::beside)) {
-      return units_.beside(*at.object);
+      return units_.beside(*at.object, path_.last_key());
     }
     return at.shape != nullptr && at.reference != nullptr && is_magnitude(at.shape->measure)
                ? units_.per(*at.reference, *at.shape, path_.labels())

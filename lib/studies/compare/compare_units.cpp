@@ -219,7 +219,15 @@ void ReportUnits::read_synthesis(const Json& report) {
   }
 }
 
-const ValueUnit& ReportUnits::beside(const Json& object) const {
+const ValueUnit& ReportUnits::beside(const Json& object, std::string_view key) const {
+  while (!key.empty()) {
+    const auto own = object.find(fmt::format("{}_unit", key));
+    if (own != object.end()) {
+      return named(*own);
+    }
+    const std::size_t word = key.rfind('_');
+    key = key.substr(0, word == std::string_view::npos ? 0 : word);
+  }
   return named(member(object, "unit"));
 }
 

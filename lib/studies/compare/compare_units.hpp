@@ -34,8 +34,9 @@ class ReportUnits {
   /// report.
   const ValueUnit& unit_of(const Shape* shape, const Labels& labels) const;
 
-  /// The unit that the object names; unknown if that is none.
-  const ValueUnit& beside(const Json& object) const;
+  /// The unit that the object names; unknown if that is none. Of the number behind a key that is
+  /// "unit", unless it has a key of its own, as "speed_after" has "speed_unit".
+  const ValueUnit& beside(const Json& object, std::string_view key = "") const;
 
   /// Likewise of a rate or an action that is for one of the unit which a text names.
   const ValueUnit& per(const Json& reference, const Shape& shape, const Labels& labels) const;

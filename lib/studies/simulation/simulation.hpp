@@ -72,13 +72,14 @@ struct SimulationSolution {
   std::vector<int> coordinates;  ///< freedoms that it begins with
   std::vector<SimulationRow> rows;
   std::vector<SimulationEvent> events;
-  std::vector<CouplingId> unchecked;  ///< cables and contacts whose force nothing determines
-  int evaluations = 0;                ///< of the accelerations
-  int integrated = 0;                 ///< steps of the integration
-  int changes = 0;                    ///< of the coordinates, at dead points of those before
-  double energy_drift = 0.0;          ///< largest of what nothing explains, since the begin [J]
-  double energy_scale = 0.0;          ///< the largest kinetic energy, change of potential, work [J]
-  double closure_error = 0.0;         ///< the largest of a row, as share of the size
+  std::vector<CouplingId> unchecked;     ///< cables and contacts whose force nothing determines
+  std::vector<IgnoredReaction> ignored;  ///< of couplings that rub or stick: the largest of a row
+  int evaluations = 0;                   ///< of the accelerations
+  int integrated = 0;                    ///< steps of the integration
+  int changes = 0;                       ///< of the coordinates, at dead points of those before
+  double energy_drift = 0.0;             ///< largest of what nothing explains, since the begin [J]
+  double energy_scale = 0.0;   ///< the largest kinetic energy, change of potential, work [J]
+  double closure_error = 0.0;  ///< the largest of a row, as share of the size
 };
 
 /// From `start`, a closed configuration of the network, with these rates of its joints. Held

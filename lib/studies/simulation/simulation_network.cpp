@@ -28,9 +28,9 @@ class IdleMotion {
   IdleMotion(const Mechanism& mechanism, const SimulationPlan& plan, const PassiveFreedom& idle)
       : mechanism_(mechanism), plan_(plan), idle_(idle) {}
 
-  bool counts() const {
-    return has_inertia() || has_spring() || has_load() || has_friction() || is_named();
-  }
+  bool counts() const { return has_inertia() || is_pushed(); }
+
+  bool is_pushed() const { return has_spring() || has_load() || has_friction() || is_named(); }
 
  private:
   const Twist* twist_of(BodyId body) const {
@@ -83,7 +83,7 @@ class IdleMotion {
                [&](const Load& one) {
                  return one.point ? shifts(one.acts.body, *one.point) ||
                                         (turns(one.acts.body) && couple_of(one).norm() > 0.0)
-                                  : turns(one.acts.body);
+                                  : turns(one.acts.body) && one.acts.wrench.moment.norm() > 0.0;
                }) ||
            std::ranges::any_of(which.moving_loads, [&](const MovingLoad& one) {
              return turns(one.body) || (one.point && shifts(one.body, *one.point));
@@ -174,6 +174,21 @@ std::optional<Configuration> carried_over(const Mechanism& mechanism,
 }
 
 }  // namespace
+
+std::optional<BodyId> pushed_idle_body(const Mechanism& mechanism,
+                                       const SimulationPlan& plan,
+                                       const MotionNetwork& network) {
+  if (network.passive_motions.empty()) {
+    return std::nullopt;
+  }
+  for (const PassiveFreedom& one :
+       find_passive_freedoms(mechanism, spatial_basis(ScrewKind::twist, network.length))) {
+    if (!has_joint(network, one) && IdleMotion(mechanism, plan, one).is_pushed()) {
+      return one.bodies.front();
+    }
+  }
+  return std::nullopt;
+}
 
 std::vector<int> sticking_freedoms(const Mechanism& mechanism) {
   std::vector<int> all;

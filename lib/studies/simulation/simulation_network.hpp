@@ -21,6 +21,12 @@ MotionNetwork make_simulation_network(const Mechanism& mechanism,
                                       std::vector<int> first,
                                       std::span<const int> more);
 
+/// A body that turns or slides by itself in a motion that stays idle, as no joint tells it,
+/// although a spring, a load, friction, a curve or the plan is about it.
+std::optional<BodyId> pushed_idle_body(const Mechanism& mechanism,
+                                       const SimulationPlan& plan,
+                                       const MotionNetwork& network);
+
 /// The freedoms that stick by themselves, and so should be joints of the tree.
 std::vector<int> sticking_freedoms(const Mechanism& mechanism);
 

@@ -112,6 +112,24 @@ TEST(LegendrePieces, FindTheGreatestOfSeveralPeaks) {
   EXPECT_NEAR(top.value, 1.9, 1e-12);
 }
 
+TEST(LegendrePieces, FindTheFirstOfEqualPeaks) {
+  // Rounding makes each a little higher than the one before it.
+  const LegendrePieces waves =
+      pieces_of([](double x) { return (1.0 + 1e-13 * x) * std::sin(x); }, 8.0 * kPi);
+
+  const GreatestValue top = waves.greatest([&](double x) { return std::abs(waves.value(0, x)); });
+
+  EXPECT_NEAR(top.argument, 0.5 * kPi, 1e-8);
+  EXPECT_NEAR(top.value, 1.0, 1e-11);
+}
+
+TEST(LegendrePieces, FindTheBeginOfWhatStaysGreatest) {
+  const LegendrePieces flat =
+      pieces_of([](double x) { return 1.0 + 1e-15 * std::sin(x); }, 8.0 * kPi);
+
+  EXPECT_EQ(flat.greatest([&](double x) { return flat.value(0, x); }).argument, 0.0);
+}
+
 TEST(LegendrePieces, AreNoneWhereAPlaceHasNoValue) {
   const FunctionsAt holed = [](double x) -> std::optional<FunctionValues> {
     if (x > 0.7) {

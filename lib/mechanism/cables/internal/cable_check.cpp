@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/tolerance.hpp"
+#include "mechanism/gears/internal/gear_binder.hpp"
 
 namespace kinestat {
 
@@ -51,10 +52,27 @@ void check_axis(const CableStation& pulley,
   }
 }
 
+// What to type for the centre of a pulley, as drawn.
+std::string centre_text(const CouplingDescription* geared_bearing, const SectionContext& context) {
+  const bool is_planar = context.description.space == Space::planar;
+  // Gears that are wrong have no places.
+  const auto frame = geared_bearing != nullptr && !context.found.has_errors()
+                         ? bind_gear_frame<double>(context.description, context.evaluator)
+                         : std::nullopt;
+  if (!frame) {
+    return is_planar ? "[x, y]" : "[x, y, z]";
+  }
+  const Vec3 centre = frame->layout.axis_of(geared_bearing->tail.text, geared_bearing->head.text);
+  const FileUnits& units = context.description.units;
+  return fmt::format("[{:.10g}, {:.10g}{}]",
+                     units.from_si(QuantityKind::length, centre[0]),
+                     units.from_si(QuantityKind::length, centre[1]),
+                     is_planar ? "" : ", z");
+}
+
 void check_centre(const CableStation& pulley,
                   const std::string& what,
                   const SectionContext& context) {
-  const bool is_planar = context.description.space == Space::planar;
   const bool needs_centre = pulley.points.empty() || pulley.slip;
   const bool is_declared = context.names.bodies.contains(pulley.body.text);
   const CouplingDescription* bearing = bearing_of(pulley.body, context.description);
@@ -67,11 +85,8 @@ void check_centre(const CableStation& pulley,
                                     what,
                                     is_placed_by_gears ? "'gears' places the bearing of its body"
                                                        : "no revolute coupling joins its body"),
-                        fmt::format("add 'at: {}', its centre as drawn{}",
-                                    is_planar ? "[x, y]" : "[x, y, z]",
-                                    !is_placed_by_gears ? ""
-                                    : is_planar         ? "; on the main axis 'at: [0, 0]'"
-                                                        : "; on the main axis 'at: [0, 0, z]'"));
+                        fmt::format("add 'at: {}', its centre as drawn",
+                                    centre_text(is_placed_by_gears ? bearing : nullptr, context)));
   }
 }
 

@@ -35,7 +35,7 @@ void add_by_freedom(Record<ActuatorView>& keys,
 void add_place(Record<ActuatorView>& keys, std::string key, PlacedValue ActuatorFigures::*value) {
   keys.by_context(std::move(key),
                   ByContext::drive,
-                  "Where that is: position of the first drive.",
+                  "Where that is: position of the first drive; of equal peaks the first.",
                   [value](const ActuatorView& v) {
                     return std::pair(std::optional((v.actuator.*value).at), v.of.place_kind());
                   })

@@ -22,7 +22,7 @@ const Record<CycleSpeed>& speed_record() {
             });
         keys.quantity("greatest_at",
                       QuantityKind::angle,
-                      "Where that is: position of the drive.",
+                      "Where that is: position of the drive; of equal ones the first.",
                       [](const View& v) { return v.greatest_at; })
             .not_compared();
         keys.quantity(
@@ -31,7 +31,7 @@ const Record<CycleSpeed>& speed_record() {
             });
         keys.quantity("least_at",
                       QuantityKind::angle,
-                      "Where that is: position of the drive.",
+                      "Where that is: position of the drive; of equal ones the first.",
                       [](const View& v) { return v.least_at; })
             .not_compared();
         keys.number("fluctuation",
@@ -149,7 +149,7 @@ const Record<ShakingView>& shaking_record() {
     });
     keys.by_context("greatest_at",
                     ByContext::drive,
-                    "Where that is: position of the first drive.",
+                    "Where that is: position of the first drive; of equal ones the first.",
                     [](const View& v) { return place_of(v.of, v.force.greatest_at); })
         .not_compared();
   });
@@ -250,7 +250,7 @@ const Record<LimitView>& limit_record() {
             .only_if(slides);
         keys.by_context("at",
                         ByContext::drive,
-                        "Where that is: position of the first drive.",
+                        "Where that is: position of the first drive; of equal ones the first.",
                         [](const View& v) { return place_of(v.of, v.limit.at); })
             .not_compared();
       });

@@ -248,7 +248,12 @@ bool Simulator::add_row(double time, std::span<const double> y) {
     return false;
   }
   const std::size_t free = free_count();
-  ReducedState now = system_->tell(configuration, speeds_of(y), accelerations, plan_.asks_actions);
+  const bool has_actions = plan_.asks_actions || has_dry();
+  ReducedState now = system_->tell(configuration, speeds_of(y), accelerations, has_actions);
+  note_ignored(now.borne);
+  if (!plan_.asks_actions) {
+    now.borne.clear();
+  }
   // What sticks alone has all that holds it.
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     if (groups_[g].frictions.size() == 1) {
@@ -275,6 +280,26 @@ bool Simulator::add_row(double time, std::span<const double> y) {
        .supplied = y[2 * free],
        .lost = y[2 * free + 1]});
   return true;
+}
+
+// Reactions that press where something slides or sticks, for which the file gives no dimension.
+void Simulator::note_ignored(const std::vector<std::optional<double>>& borne) {
+  for (const std::size_t friction : dry_) {
+    if (borne.empty() || rests(friction)) {
+      continue;
+    }
+    const FrictionLaw law = balance_.law_of(friction, 1.0, 0.0, false);
+    for (const IgnoredReaction& one : ignored_reactions(balance_.moved(), law, borne)) {
+      const auto known = std::ranges::find_if(result_.ignored, [&](const IgnoredReaction& other) {
+        return other.coupling == one.coupling && other.reaction == one.reaction;
+      });
+      if (known == result_.ignored.end()) {
+        result_.ignored.push_back(one);
+      } else {
+        known->size = std::max(known->size, one.size);
+      }
+    }
+  }
 }
 
 SimulationSolution Simulator::stuck() {

@@ -130,6 +130,7 @@ class Simulator : private StateInTime {
   bool begin_contacts();
   bool add_rows(double until);
   bool add_row(double time, std::span<const double> y);
+  void note_ignored(const std::vector<std::optional<double>>& borne);
   SimulationSolution stuck();
   SimulationSolution finish();
 

@@ -232,7 +232,7 @@ const Record<ShownItem<SimulationEvent>>& event_record() {
                   "When; of a rest: after the impacts that would follow each other ever faster.",
                   [](const View& v) { return v.item.time; });
     keys.converted("position",
-                   ByContext::drive,
+                   ByContext::beside,
                    "Where, from the drawn position; null for what is no freedom, as is the speed.",
                    [](const View& v) {
                      const QuantityKind kind = position_kind(v.item.is_rotation);
@@ -241,18 +241,28 @@ const Record<ShownItem<SimulationEvent>>& event_record() {
                                           : std::nullopt,
                                       v.units().text(kind));
                    });
+    keys.text("unit",
+              "That of the position.",
+              [](const View& v) { return v.units().text(position_kind(v.item.is_rotation)); })
+        .not_in_tables()
+        .not_compared();
     const auto speed = [](const View& v, const std::optional<double>& value) {
       const QuantityKind kind = rate_kind(v.item.is_rotation);
       return std::pair(value ? std::optional(v.units().from_si(kind, *value)) : std::nullopt,
                        v.units().text(kind));
     };
-    keys.converted("speed", ByContext::drive, "The speed before.", [speed](const View& v) {
+    keys.converted("speed", ByContext::beside, "The speed before.", [speed](const View& v) {
       return speed(v, v.item.speed);
     });
     keys.converted("speed_after",
-                   ByContext::drive,
+                   ByContext::beside,
                    "Speed after an impact; null for other events.",
                    [speed](const View& v) { return speed(v, v.item.speed_after); });
+    keys.text("speed_unit",
+              "That of both speeds.",
+              [](const View& v) { return v.units().text(rate_kind(v.item.is_rotation)); })
+        .not_in_tables()
+        .not_compared();
   });
   return record;
 }

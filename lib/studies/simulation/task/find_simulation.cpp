@@ -271,7 +271,9 @@ class StartFinder {
                    "begin near it");
       return false;
     }
-    if (const std::optional<BodyId> body = spinning_body(begin, speeds.size())) {
+    std::optional<BodyId> body = spinning_body(begin, speeds.size());
+    body = body ? body : pushed_idle_body(mechanism_, plan_, begin.network);
+    if (body) {
       refuse(SimulationLimit::idle_inertia,
              topology_.body(*body).where,
              fmt::format("body '{}'", topology_.body(*body).name),

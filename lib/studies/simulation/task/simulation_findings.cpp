@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/action_findings.hpp"
 #include "core/index.hpp"
 #include "core/simulation_tolerance.hpp"
 #include "core/text.hpp"
@@ -209,6 +210,26 @@ void warn_of_unchecked(const FoundSimulation& simulation, Diagnostics& found) {
   }
 }
 
+// Reactions that press, but of which no friction comes.
+void warn_of_ignored(const FoundSimulation& simulation,
+                     const FileUnits& units,
+                     Diagnostics& found) {
+  for (const IgnoredReaction& one : simulation.solution.ignored) {
+    const QuantityKind kind =
+        one.reaction == Reaction::axial ? QuantityKind::force : QuantityKind::moment;
+    const CouplingTopology& coupling = simulation.mechanism.topology.coupling(one.coupling);
+    const ReactionWords words = words_of(one.reaction);
+    found.warning("W0604",
+                  coupling.where,
+                  fmt::format("the simulation: friction of '{}' ignores its {} of up to {} {}",
+                              coupling.name,
+                              words.what,
+                              format_short(units.from_si(kind, one.size)),
+                              units.text(kind)),
+                  fmt::format("give its friction {}", words.key));
+  }
+}
+
 void warn_of_parting(const FoundSimulation& simulation,
                      const FileUnits& units,
                      Diagnostics& found) {
@@ -263,6 +284,7 @@ void add_simulation_findings(const FoundSimulation& simulation,
                              Diagnostics& found) {
   warn_of_energy(simulation, units, found);
   warn_of_unchecked(simulation, found);
+  warn_of_ignored(simulation, units, found);
   switch (simulation.solution.end) {
     case SimulationEnd::complete:
       return warn_of_missed_goals(simulation, units, found);

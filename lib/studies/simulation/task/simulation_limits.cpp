@@ -30,7 +30,7 @@ constexpr std::array<LimitWords, 9> kLimits = {{
              "and a revolute between bodies without mass"},
     {.name = "bodies that turn freely about a point",
      .hint = "model the ball as couplings with one axis each, such as a universal and a revolute"},
-    {.name = "inertia moved by a freedom that no other body feels",
+    {.name = "inertia or loads in a freedom that no other body feels",
      .hint = "take that freedom away, for example by a universal joint instead of a ball"},
     {.name = "actuators on contacts or segments of cables",
      .hint = "put it on a coupling whose freedom has a position"},

@@ -17,7 +17,7 @@ enum class SimulationLimit {
   freewheel,
   unguided_body,  ///< that only contacts, teeth and cables hold
   ball,
-  idle_inertia,  ///< moved by a freedom that no other body feels
+  idle_inertia,  ///< or loads, in a freedom that no other body feels
   contact_actuator
 };
 

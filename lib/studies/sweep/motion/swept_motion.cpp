@@ -222,7 +222,13 @@ bool MotionColumnSearch::can_report(const MotionReport& report) {
 }
 
 std::optional<SweptMotion> MotionColumnSearch::take() {
-  return can_report(asked_.report) ? std::optional(std::move(asked_)) : std::nullopt;
+  if (!can_report(asked_.report)) {
+    return std::nullopt;
+  }
+  MotionPlan plan = plan_;
+  plan.report = asked_.report;
+  add_motion_loss_findings(plan, mechanism_, found_);
+  return std::move(asked_);
 }
 
 SweepColumn MotionColumnSearch::add(const Name& name, SweptFigure figure, std::string unit) {

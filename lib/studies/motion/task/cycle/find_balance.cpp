@@ -52,8 +52,7 @@ class BalanceFinder {
       return CycleProblem{
           "in some position of the motion there is no shaking force, or it jumps too often, or "
           "rounding leaves it too few digits",
-          "the rows of the motion say where; planets with a count shake less than "
-          "where one is drawn, which is not worked out"};
+          "the rows of the motion say where"};
     }
     return solve(*found);
   }

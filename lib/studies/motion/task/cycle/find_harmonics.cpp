@@ -32,8 +32,7 @@ class HarmonicFinder {
       return CycleProblem{
           "in some position of the cycle actions or the ground wrench have no value, or they jump "
           "too often, or rounding leaves them too few digits",
-          "the rows of the motion say where; planets with a count shake less than "
-          "where one is drawn, which is not worked out"};
+          "the rows of the motion say where"};
     }
     if (auto problem = why_not_closed(*found, mechanism_)) {
       return *std::move(problem);
