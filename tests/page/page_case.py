@@ -14,6 +14,16 @@ from browser import Browser, find_browser
 ROOT = Path(__file__).resolve().parents[2]
 SKIPPED = 77  # SKIP_RETURN_CODE of the tests
 
+# Relative luminance by WCAG 2.2 of a computed colour.
+LUMINANCE = """
+function luminance(colour) {
+  const [r, g, b, a] = colour.match(/[\\d.]+/g).map(Number);
+  if (a === 0) return NaN;
+  const part = (x) => { x /= 255; return x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4; };
+  return 0.2126 * part(r) + 0.7152 * part(g) + 0.0722 * part(b);
+}
+"""
+
 _program = Path("kinestat")
 
 

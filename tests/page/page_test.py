@@ -16,7 +16,7 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from page_case import ROOT, PageCase, program, run_tests, write_page  # noqa: E402
+from page_case import LUMINANCE, ROOT, PageCase, program, run_tests, write_page  # noqa: E402
 
 # A mechanism of each kind, the headings of its page, and the pictures that it must have.
 SOLVED = ["Summary", "Structure", "Mobility", "Cases", "Data"]
@@ -206,48 +206,6 @@ class PageTest(PageCase):
         self.assertEqual(titles[:2], ["Findings", "Summary"])
         self.assertEqual(quoted, [[0, True, True]])
 
-    def test_tables_on_paper_cover_nothing(self) -> None:
-        # On a screen some are scrolled; on paper they have room for all rows.
-        for name in ("planar/watt_six_bar.yaml", "planar/four_stroke_engine.yaml"):
-            with self.subTest(name):
-                self.browser.set_width(720)
-                self.browser.set_media("print")
-                self.browser.open(self.page(name))
-                beyond = self.ask(
-                    "return [...document.querySelectorAll('.box')]"
-                    ".filter((one) => one.getClientRects().length)"
-                    ".map((one) => one.querySelector('table').getBoundingClientRect().bottom"
-                    "  - one.getBoundingClientRect().bottom);")
-                self.assertGreater(len(beyond), 5)
-                self.assertLess(max(beyond), 1)
-
-    def test_tables_are_as_wide_as_paper(self) -> None:
-        # Sheets of A4 within their margins, upright or, where the style says so, lying.
-        for name in ("planar/four_bar.yaml", "planar/stephenson_six_bar.yaml",
-                     "planar/four_stroke_engine.yaml", "spatial/ups_platform.yaml",
-                     "transmissions/dual_clutch_six_speed.yaml", "cables/block_and_tackle.yaml"):
-            with self.subTest(name):
-                self.browser.set_width(718)
-                self.browser.set_media("print")
-                self.browser.open(self.page(name))
-                tables = self.ask(
-                    "return [...document.querySelectorAll('table')]"
-                    ".filter((one) => one.getClientRects().length).map((one) => ["
-                    "  Math.max(one.getBoundingClientRect().right, ...[...one.rows].slice(0, 3)"
-                    "    .flatMap((row) => [...row.cells].map((c) => c.getBoundingClientRect().right))),"
-                    "  getComputedStyle(one.closest('.long') ?? one).page === 'lying' ? 1047 : 719]);")
-                self.assertGreater(len(tables), 3)
-                self.assertEqual([one for one in tables if one[0] > one[1]], [])
-
-    def test_charts_stand_in_two_columns_on_paper(self) -> None:
-        self.browser.set_width(720)
-        self.browser.set_media("print")
-        self.browser.open(self.page("planar/four_stroke_engine.yaml"))
-        lefts = self.ask(
-            "return [...new Set([...document.querySelectorAll('.charts figure')]"
-            ".map((one) => Math.round(one.getBoundingClientRect().left)))];")
-        self.assertEqual(len(lefts), 2)
-
     def test_captions_keep_names_as_the_file_writes_them(self) -> None:
         text = (ROOT / "mechanisms/sweeps/four_bar_height.yaml").read_text(encoding="utf-8")
         text = text[:text.index("published:")].replace("Tin", "tin").replace("crank turns:", "'a: b':")
@@ -397,21 +355,6 @@ class PageTest(PageCase):
         self.assertEqual(set(self.is_shown("section.panel")), {True})
         self.assertEqual(set(self.is_shown(".script")), {False})
 
-    def test_on_paper_everything_is_shown_and_nothing_that_is_pressed(self) -> None:
-        self.open(self.page("transmissions/ravigneaux.yaml"), prefers_color_scheme="dark")
-        self.ask("for (const one of document.querySelectorAll('details')) one.open = false;")
-        self.browser.set_media("print", prefers_color_scheme="dark")
-
-        self.assertEqual(set(self.is_shown("section.panel")), {True})
-        self.assertEqual(set(self.is_shown(".script, button, input")), {False})
-        self.assertEqual({one for one in self.is_shown("table")}, {True})
-        cut = self.ask("return [...document.querySelectorAll('.box')].filter((one) =>"
-                       " getComputedStyle(one).overflow !== 'visible').length;")
-        self.assertEqual(cut, 0)
-        self.assertGreater(self.ask(
-            "return luminance(getComputedStyle(document.body).backgroundColor) || 1;" + LUMINANCE
-        ), 0.9)
-
     # What others write
 
     def test_what_a_file_says_stays_text(self) -> None:
@@ -513,16 +456,6 @@ class PageTest(PageCase):
             write_page(again, ROOT / "mechanisms" / name)
             self.assertEqual(again.read_bytes(), self.page(name).read_bytes(), name)
 
-
-# Relative luminance by WCAG 2.2 of a computed colour.
-LUMINANCE = """
-function luminance(colour) {
-  const [r, g, b, a] = colour.match(/[\\d.]+/g).map(Number);
-  if (a === 0) return NaN;
-  const part = (x) => { x /= 255; return x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4; };
-  return 0.2126 * part(r) + 0.7152 * part(g) + 0.0722 * part(b);
-}
-"""
 
 # Elements with text of their own whose colour does not stand out from what is behind.
 CONTRAST = LUMINANCE + """

@@ -1,0 +1,189 @@
+#!/usr/bin/env python3
+"""What simulations of edges do: stops, curves, dead points, what is held or has no mass.
+
+Usage: simulation_edge_test.py PROGRAM [unittest arguments]
+"""
+
+from __future__ import annotations
+
+import math
+import sys
+import unittest
+
+import program
+
+# A crank drives a rocker by a rod between two balls; the rod has neither mass nor inertia.
+BALLS = """
+kinestat: 1
+ground: frame
+bodies:
+  crank: {mass: 1, centre_of_mass: [0, 0, 0], inertia: [0.01, 0.01, 0.02]}
+  rod: {}
+  rocker: {mass: 1, centre_of_mass: [1, 0, 0], inertia: [0.01, 0.01, 0.02]}
+couplings:
+  a: {type: revolute, bodies: [frame, crank], at: [0, 0, 0], axis: z}
+  b: {type: spherical, bodies: [crank, rod], at: [0, 0.2, 0]}
+  c: {type: spherical, bodies: [rod, rocker], at: [1, 0.5, 0.1]}
+  d: {type: revolute, bodies: [frame, rocker], at: [1, 0, 0], axis: [0, 0.3, 1]}
+actuators: {m: {coupling: a}}
+loads: {twist: {body: rod, LOAD}}
+simulation: {action: {m: 1}, time: 0.1 s, steps: 2}
+"""
+
+# Links of 0.2 m and 0.5 m, drawn at 60 degrees.
+PARALLELOGRAM = """
+kinestat: 1
+space: planar
+ground: frame
+parameters: {y: 0.1*sqrt(3)}
+bodies:
+  crank: {mass: 1, centre_of_mass: [0.05, y/2], inertia: 0.01}
+  coupler: {mass: 0.5, centre_of_mass: [0.35, y], inertia: 0.02}
+  rocker: {mass: 1, centre_of_mass: [0.55, y/2], inertia: 0.01}
+couplings:
+  a: {type: revolute, bodies: [frame, crank], at: [0, 0]}
+  b: {type: revolute, bodies: [crank, coupler], at: [0.1, y]}
+  c: {type: revolute, bodies: [coupler, rocker], at: [0.6, y]}
+  d: {type: revolute, bodies: [frame, rocker], at: [0.5, 0]}
+actuators: {m: {coupling: a}}
+simulation: {action: {m: 0.5}, start: {m: {speed: 5}}, time: 3 s, steps: STEPS}
+"""
+
+CART = """
+kinestat: 1
+space: planar
+ground: frame
+bodies: {cart: {mass: 2, centre_of_mass: [0, 0], inertia: 0.1},
+         pendulum: {mass: 1, centre_of_mass: [0.3, -0.4], inertia: 0.01}}
+couplings: {a: {type: prismatic, bodies: [frame, cart], at: [0, 0], axis: x},
+            b: {type: revolute, bodies: [cart, pendulum], at: [0, 0]}}
+actuators: {push: {coupling: a}, swing: {coupling: b}}
+simulation: {SECTION, time: 2 s, steps: 4}
+"""
+ALONE = """
+kinestat: 1
+space: planar
+ground: frame
+bodies: {cart: {mass: 2, centre_of_mass: [0, 0], inertia: 0.1}}
+couplings: {a: {type: prismatic, bodies: [frame, cart], at: [0, 0], axis: x}}
+actuators: {push: {coupling: a}}
+curves: {saw: {over: time, points: [[0, 0 N], [HALF, 1 N], [PERIOD, 0 N]], period: PERIOD}}
+simulation: {SECTION}
+"""
+
+
+class Edges(unittest.TestCase):
+    """What hung or was called singular."""
+
+    def last(self, text: str) -> dict:
+        done = program.call("simulate", "-", text=text)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return program.report(done)["simulation"]
+
+    def refused(self, text: str, code: str) -> str:
+        done = program.call("simulate", "-", text=text)
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn(code, done.stderr)
+        return done.stderr
+
+    def test_what_coasts_against_a_stop_without_restitution_stays_there(self) -> None:
+        text = ALONE.replace("SECTION", "action: {push: 0}, start: {push: {speed: 1}}, "
+                             "stops: {push: {to: 0.53}}, time: 2 s, steps: 4")
+        found = self.last(text.replace("HALF", "1").replace("PERIOD", "2"))
+        self.assertEqual([one["kind"] for one in found["events"]], ["impact", "rest"])
+        self.assertLess(abs(found["events"][0]["time"] - 0.53), 1e-12)
+        self.assertLess(found["energy_drift"], 1e-12)
+
+    def test_a_curve_may_repeat_as_often_as_it_likes(self) -> None:
+        """Triangles of 1 N on 2 kg speed up by 0.25 m/s^2 in the mean."""
+        for period, time in ((0.1, 1.0), (0.05, 0.5), (0.2, 2.0), (0.3, 3.0), (0.1, 10.0)):
+            text = ALONE.replace("SECTION", "action: {push: saw}, start: {push: {speed: 1}}, "
+                                 f"time: {time} s, steps: 3")
+            found = self.last(text.replace("HALF", str(period / 2)).replace("PERIOD", str(period)))
+            with self.subTest(period=period, time=time):
+                rows = found["rows"]
+                self.assertEqual(len(rows), 4)
+                names = [one["name"] for one in found["columns"]]
+                speed = rows[-1][names.index("a.vx/velocity")]
+                self.assertLess(abs(speed - 1.0 - 0.25 * time), 1e-9 * (1 + time))
+
+    def test_no_point_of_a_curve_over_position_is_stepped_over(self) -> None:
+        """A pulse of 1 N within 20 mm does 0.01 J, whatever the steps."""
+        text = ALONE.replace("SECTION", "action: {push: saw}, start: {push: {speed: 1}}, time: 3 s, "
+                             "steps: STEPS").replace("over: time, points: [[0, 0 N], [HALF, 1 N], "
+                             "[PERIOD, 0 N]], period: PERIOD", "over: push, points: [[-1, 0 N], "
+                             "[1, 0 N], [1.01, 1 N], [1.02, 0 N], [99, 0 N]]")
+        for steps in (1, 7, 100):
+            found = self.last(text.replace("STEPS", str(steps)))
+            names = [one["name"] for one in found["columns"]]
+            supplied = found["rows"][-1][names.index("energy/supplied")]
+            self.assertLess(abs(supplied - 0.01), 1e-9, steps)
+            speed = found["rows"][-1][names.index("a.vx/velocity")]
+            self.assertLess(abs(speed - math.sqrt(1.01)), 1e-9, steps)
+
+    def test_a_speed_that_an_impact_turns_round_does_not_pass_zero(self) -> None:
+        """Dropped from 1 m it comes up again with half its speed, and is at rest at 1/4 m."""
+        text = ALONE.replace("SECTION", "action: {push: -20}, start: {push: {position: 1}}, "
+                             "stops: {push: {from: 0, restitution: 0.5}}, until: {push: {speed: 0}}, "
+                             "time: 3 s, steps: 6").replace("HALF", "1").replace("PERIOD", "2")
+        found = self.last(text)
+        self.assertEqual([one["kind"] for one in found["events"]], ["impact", "goal"])
+        self.assertLess(abs(found["events"][1]["position"] - 0.25), 1e-9)
+
+    def test_what_holds_a_speed_bears_impacts(self) -> None:
+        """A pendulum between stops on a cart that is held at 1 m/s: no energy without a source."""
+        section = ("action: {swing: 0}, motion: {push: 1}, start: {swing: {speed: 3}}, "
+                   "stops: {swing: {from: -1.2, to: 0.2, restitution: 0.5}}")
+        text = CART.replace("ground: frame", "ground: frame\ngravity: [0, -9.81]")
+        found = self.last(text.replace("SECTION", section))
+        self.assertGreater(len([1 for one in found["events"] if one["kind"] == "impact"]), 1)
+        self.assertGreater(found["rows"][-1][-2], 0.1)  # lost in impacts
+        self.assertLess(found["energy_drift"], 1e-7 * found["energy_scale"])
+
+    def test_what_acts_on_the_spin_of_a_massless_rod_is_refused(self) -> None:
+        """Nothing but its inertia would say how fast it spins; a force at its ball does not spin it."""
+        self.assertIn("body 'rod'", self.refused(BALLS.replace("LOAD", "couple: [5, 1.5, 0.5]"),
+                                                 "E0516"))
+        self.refused(BALLS.replace("LOAD", "at: [0.5, 0, 0], force: [0, 0, 3]"), "E0516")
+        free = self.last(BALLS.replace("LOAD", "couple: [0, 0, 0]"))
+        pushed = self.last(BALLS.replace("LOAD", "at: [0, 0.2, 0], force: [1, 0, 0]"))
+        # At the crank pin 1 N at 0.2 m turns it back with 0.2 N*m of the 1 N*m of the motor.
+        begins = [one["rows"][0][[c["name"] for c in one["columns"]].index("a.wz/acceleration")]
+                  for one in (free, pushed)]
+        self.assertAlmostEqual(begins[1] / begins[0], 0.8, delta=1e-12)
+
+    def test_a_parallelogram_keeps_its_branch_through_its_change_points(self) -> None:
+        """Where its links are in line it could turn into an antiparallelogram, which would have other
+        speeds; 0.5 N*m on 0.02 + 0.02 + 0.02 kg*m^2 for 52.5 rad, however many steps there are."""
+        for steps in (1, 7, 20, 100, 333):
+            found = self.last(PARALLELOGRAM.replace("STEPS", str(steps)))
+            names = [one["name"] for one in found["columns"]]
+            self.assertEqual(found["status"], "complete")
+            for cells in found["rows"]:
+                row = dict(zip(names, cells))
+                turned = 5 * row["time"] + 0.25 / 0.06 * row["time"] ** 2
+                for name in ("a.wz", "d.wz", "c.wz"):
+                    self.assertLess(abs(row[f"{name}/position"] - turned), 1e-7, (steps, name))
+                self.assertLess(abs(row["b.wz/position"] + turned), 1e-7, steps)
+
+    def test_a_stop_of_what_is_held_is_refused(self) -> None:
+        section = "action: {swing: 0}, motion: {push: 1}, stops: {push: {to: 0.53}}"
+        self.refused(CART.replace("SECTION", section), "E0517")
+
+    def test_stops_press_through_each_other(self) -> None:
+        """Alone the cart would run away from under the pendulum, which the stop of the cart prevents."""
+        section = "action: {swing: 0.05, push: 5}, stops: {swing: {to: 0}, push: {to: 0}}"
+        found = self.last(CART.replace("SECTION", section))
+        self.assertEqual([one["kind"] for one in found["events"]], ["rest", "rest"])
+        # Pulled back, both go together with 5 N on 3 kg, which presses the pendulum on its stop.
+        found = self.last(CART.replace("SECTION", section.replace("push: 5", "push: -5")))
+        self.assertEqual([one["element"] for one in found["events"]], ["swing"])
+        names = [one["name"] for one in found["columns"]]
+        last = dict(zip(names, found["rows"][-1]))
+        self.assertLess(abs(last["a.vx/position"] + 5 / 3 * 2), 1e-8)
+        self.assertEqual(last["b.wz/position"], 0.0)
+
+
+if __name__ == "__main__":
+    program.use(sys.argv.pop(1))
+    unittest.main()
