@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "core/contract.hpp"
+#include "core/index.hpp"
 
 namespace kinestat {
 namespace {
@@ -51,14 +52,15 @@ void write_eight_digits(std::uint32_t number, char* text) {
 }
 
 int count_digits(std::uint64_t number) {
-  const int at_most = (std::bit_width(number) * 1233) >> 12;  // 1233 / 4096 is about lg 2
-  return at_most + (number >= kPowersOfTen[at_most] ? 1 : 0);
+  const int bits = static_cast<int>(std::bit_width(number));
+  const int at_most = (bits * 1233) >> 12;  // 1233 / 4096 is about lg 2
+  return at_most + (number >= kPowersOfTen[at(at_most)] ? 1 : 0);
 }
 
 char* write_exponent(int exponent, char* text) {
   *text++ = 'e';
   *text++ = exponent < 0 ? '-' : '+';
-  const int size = std::abs(exponent);
+  const auto size = static_cast<std::uint32_t>(std::abs(exponent));
   if (size >= 100) {
     *text++ = static_cast<char>('0' + size / 100);
   }
@@ -81,7 +83,7 @@ char* write_exact(double value, char* text) {
 
   const int count = count_digits(decimal.significand);
   const int whole = count + decimal.exponent;  // digits before the point
-  const std::uint64_t filled = decimal.significand * kPowersOfTen[kMostDigits - count];
+  const std::uint64_t filled = decimal.significand * kPowersOfTen[at(kMostDigits - count)];
   char digits[2 * kBlock] = {};
   const auto last = static_cast<std::uint32_t>(filled % 1'000'000'000);
   write_eight_digits(static_cast<std::uint32_t>(filled / 1'000'000'000), digits);
