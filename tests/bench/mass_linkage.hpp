@@ -35,11 +35,11 @@ struct LinkageBody {
 struct MassLinkage {
   std::string name;
   bool is_planar = false;
-  std::vector<LinkageBody> bodies;  ///< without the ground
-  std::vector<LinkageJoint> joints;
-  std::vector<std::size_t> drives;  ///< joints
-  double stroke = 0.0;              ///< of each drive [rad or m]
-  double speed = 0.0;               ///< [rad/s or m/s]
+  std::vector<LinkageBody> bodies = {};  ///< without the ground
+  std::vector<LinkageJoint> joints = {};
+  std::vector<std::size_t> drives = {};  ///< joints
+  double stroke = 0.0;                   ///< of each drive [rad or m]
+  double speed = 0.0;                    ///< [rad/s or m/s]
 };
 
 /// 9.81 m/s^2 against y in the plane, against z in space.

@@ -115,7 +115,6 @@ class Simulator : private StateInTime {
   bool meet(const Happening& what);
   SimulationEvent& note(SimulationEvent::Kind kind, const NamedFreedom& of);
   void note_impact(const SimulationStop& stop, double before);
-
   // Newton's impact, and those that it makes of other stops that are touched. What rests is let go
   // before and rests again behind, if it does.
   bool strike(std::size_t index);
