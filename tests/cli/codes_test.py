@@ -42,7 +42,7 @@ EXAMPLE = "Example, wrong with -, right with +:"
 
 def kinestat(*arguments: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
-        [PROGRAM, *arguments], capture_output=True, encoding="utf-8", check=False, timeout=60
+        [PROGRAM, *arguments], capture_output=True, encoding="utf-8", check=False, timeout=240
     )
 
 

@@ -33,7 +33,7 @@ PROGRAM = Path("kinestat")
 def kinestat(*arguments: str | Path, cwd: Path = ROOT) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
         [PROGRAM, *map(str, arguments)], capture_output=True, encoding="utf-8", check=False,
-        timeout=60, cwd=cwd,
+        timeout=240, cwd=cwd,
     )
 
 
@@ -241,7 +241,7 @@ class Consoles(unittest.TestCase):
             told = subprocess.run(
                 ["bash", "-c", match[1]], cwd=folder, env={**os.environ, "PATH": path},
                 stdout=subprocess.PIPE, stderr=subprocess.STDOUT, encoding="utf-8", check=False,
-                timeout=120,
+                timeout=480,
             )
             if not matches(match[2], told.stdout):
                 self.assertEqual(match[2], told.stdout, match[1])
