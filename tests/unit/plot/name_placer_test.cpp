@@ -69,25 +69,6 @@ TEST(NamePlacer, PutsNamesFarAwayRatherThanUponLines) {
   EXPECT_TRUE(placed.needs_line);
 }
 
-TEST(NamePlacer, LeadsNoLineThroughAnotherName) {
-  NamePlacer placer;
-  const PixelPoint anchor = {.x = 0.0, .y = 0.0};
-  std::vector<PlacedName> placed;
-  for (int i = 0; i < 60; ++i) {
-    placed.push_back(placer.place(anchor, "planet", {}, 6.0));
-  }
-
-  for (const PlacedName& one : placed) {
-    for (const PlacedName& other : placed) {
-      for (double share = 0.0; one.needs_line && share <= 1.0; share += 0.01) {
-        const PixelPoint at = {.x = share * one.line_end.x, .y = share * one.line_end.y};
-        EXPECT_FALSE(&one != &other && at.x > other.box.left && at.x < other.box.right &&
-                     at.y > other.box.top && at.y < other.box.bottom);
-      }
-    }
-  }
-}
-
 TEST(NamePlacer, StaysWithinItsArea) {
   const PixelBox area = {.left = 0.0, .top = 0.0, .right = 300.0, .bottom = 200.0};
   NamePlacer placer(area);
