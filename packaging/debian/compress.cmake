@@ -17,7 +17,7 @@ foreach(package IN LISTS CPACK_PACKAGE_FILES)
   foreach(command
       "${AR_PROGRAM};x;${package}"
       "${XZ_PROGRAM};-d;data.tar.xz"
-      "${XZ_PROGRAM};-T1;--x86;--lzma2=preset=9e;data.tar"
+      "${XZ_PROGRAM};-T1;--x86;--lzma2=preset=9e,lc=4,pb=0;data.tar"
       "${AR_PROGRAM};rcD;compressed.deb;debian-binary;control.tar.gz;data.tar.xz")
     execute_process(COMMAND ${command} WORKING_DIRECTORY "${work}" COMMAND_ERROR_IS_FATAL ANY)
   endforeach()
