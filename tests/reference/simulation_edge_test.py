@@ -166,6 +166,37 @@ class Edges(unittest.TestCase):
                     self.assertLess(abs(row[f"{name}/position"] - turned), 1e-7, (steps, name))
                 self.assertLess(abs(row["b.wz/position"] + turned), 1e-7, steps)
 
+    def test_rows_in_change_points_tell_what_is_determined_there(self) -> None:
+        """Free at 120 deg/s from 60 deg it is in line after 1 s and 2.5 s, where only the speed of
+        its coordinate is determined; it passes, or ends there by its time or its goal."""
+        free = PARALLELOGRAM.replace("m: 0.5", "m: 0").replace("speed: 5", "speed: 120 deg/s")
+        speed = math.radians(120)
+        for steps, end, until in ((6, 3, ""), (60, 3, ""), (3000, 3, ""), (1, 1, ""), (10, 1, ""),
+                                  (6, 3, ", until: {m: {position: 120 deg}}"),
+                                  (6, 3, ", until: {d.wz: {position: 120 deg}}")):
+            text = free.replace("time: 3 s", f"time: {end} s{until}").replace("STEPS", str(steps))
+            done = program.call("simulate", "-", text=text)
+            with self.subTest(steps=steps, end=end, until=until):
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertIn("W0507", done.stderr)
+                found = program.report(done)["simulation"]
+                names = [one["name"] for one in found["columns"]]
+                rows = [dict(zip(names, cells)) for cells in found["rows"]]
+                self.assertAlmostEqual(rows[-1]["time"], 1.0 if until else end, delta=1e-9)
+                for row in rows:
+                    time = row["time"]
+                    in_line = min(abs(time - 1.0), abs(time - 2.5)) < 1e-6
+                    self.assertLess(abs(row["d.wz/position"] - speed * time), 1e-7)
+                    self.assertLess(abs(row["a.wz/velocity"] - speed), 1e-8)
+                    if in_line:
+                        self.assertIsNone(row["d.wz/velocity"])
+                        self.assertIsNone(row["energy/kinetic"])
+                    else:
+                        self.assertLess(abs(row["d.wz/velocity"] - speed), 1e-8)
+                        self.assertLess(abs(row["energy/kinetic"] - 0.03 * speed**2), 1e-8)
+                for event in found["events"]:
+                    self.assertLess(abs(event["position"] - math.radians(120)), 1e-8)
+
     def test_a_stop_of_what_is_held_is_refused(self) -> None:
         section = "action: {swing: 0}, motion: {push: 1}, stops: {push: {to: 0.53}}"
         self.refused(CART.replace("SECTION", section), "E0517")

@@ -157,6 +157,7 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "velocities or accelerations omitted",
      "A row of a motion lacks velocities, although the case gives speeds: in this position the "
      "drives do not determine them, or the known speeds do not determine how fast the drives run. "
+     "A row of a simulation lacks them where it falls on such a position. "
      "Near such a position individual velocities, and accelerations a little earlier, are left out "
      "where the error of the position, some roundings, would dominate them. The values given are "
      "correct. Give the speeds of the drives themselves, or choose steps that avoid the position."},

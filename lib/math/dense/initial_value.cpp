@@ -22,6 +22,10 @@ constexpr double kCaution = 0.9;
 constexpr double kLeastFactor = 0.2;
 constexpr double kMostFactor = 5.0;
 
+// By how much longer a step is tried that met a place without a slope: none of its looks falls on
+// one of those before.
+constexpr double kPassing = 1.19;
+
 bool is_finite(const OdeState& all) {
   return std::ranges::all_of(all, [](double one) { return std::isfinite(one); });
 }
@@ -54,7 +58,7 @@ struct InitialValueProblem::Stepper {
     return worst;
   }
 
-  bool step(double end) {
+  bool step(double end, double latest) {
     if (!is_finite(f)) {
       return false;
     }
@@ -68,6 +72,7 @@ struct InitialValueProblem::Stepper {
     };
     const double left = end - now;
     double length = std::min(next_step, left);
+    bool may_pass = true;
     while (length > kLostStep * std::max(std::abs(now), length)) {
       method.do_step(system, y_before, f_before, now, y, f, length, missed);
       const double error = worst_error(length);
@@ -81,7 +86,9 @@ struct InitialValueProblem::Stepper {
                              length == left ? next_step : 0.0);
         return true;
       }
-      length *= std::clamp(factor, kLeastFactor, kCaution);
+      const bool passes = may_pass && !std::isfinite(error) && kPassing * length <= latest - now;
+      may_pass = may_pass && std::isfinite(error);
+      length *= passes ? kPassing : std::clamp(factor, kLeastFactor, kCaution);
     }
     y.swap(y_before);
     f.swap(f_before);
@@ -117,8 +124,8 @@ void InitialValueProblem::start(double time, std::span<const double> y, double s
   s.slope(s.y, s.f, time);
 }
 
-bool InitialValueProblem::step(double end) {
-  return stepper_->step(end);
+bool InitialValueProblem::step(double end, double latest) {
+  return stepper_->step(end, latest);
 }
 
 double InitialValueProblem::time_before() const {

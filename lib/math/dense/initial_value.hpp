@@ -12,7 +12,8 @@ namespace kinestat {
 /// its two times.
 class InitialValueProblem {
  public:
-  /// Writes f; false where it has no value: then a shorter step is tried.
+  /// Writes f; false where it has no value: then another step is tried, once a longer one, which
+  /// may pass over that place, and then shorter ones.
   using Slope = std::function<bool(double time, std::span<const double> y, std::span<double> f)>;
 
   /// Writes by how much a step that came to this state may be off in each component.
@@ -27,9 +28,10 @@ class InitialValueProblem {
   /// From there on; `step` is tried first.
   void start(double time, std::span<const double> y, double step);
 
-  /// On by a step that ends no later than `end`, which is behind the time. False where none leads
-  /// on, be it so short that it is lost in the rounding of the time: nothing has changed then.
-  [[nodiscard]] bool step(double end);
+  /// On by a step that ends no later than `end`, which is behind the time, or no later than
+  /// `latest` where that is how it passes over a place without a slope. False where none leads on,
+  /// be it so short that it is lost in the rounding of the time: nothing has changed then.
+  [[nodiscard]] bool step(double end, double latest);
 
   double time_before() const;
   double time() const;

@@ -81,7 +81,7 @@ class Follower {
       }
       part *= 0.5;
       if (part < kFinestPart) {
-        return false;
+        return to_ == from_;  // nothing leads on from a singular position, but it stands there
       }
     }
     return true;

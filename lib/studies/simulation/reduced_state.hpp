@@ -56,7 +56,7 @@ struct ReducedState {
   std::vector<double> actions;                   ///< that the case knows, in its order
   std::vector<std::optional<double>> friction;   ///< of each friction that slides, tail on head
   std::vector<std::optional<double>> borne;      ///< of all actions, where asked for
-  double kinetic = 0.0;                          ///< [J]
+  std::optional<double> kinetic;                 ///< [J]; none in a singular position
   double potential = 0.0;                        ///< of weights and springs, as drawn zero [J]
 };
 

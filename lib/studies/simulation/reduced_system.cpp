@@ -279,11 +279,21 @@ std::optional<BodyId> ReducedSystem::wrong_rotor() const {
   return std::nullopt;
 }
 
-double ReducedSystem::potential() const {
+double ReducedSystem::kinetic(const MotionState& state) const {
+  double sum = 0.0;
+  for (std::size_t b = 0; b < mechanism_.masses.size(); ++b) {
+    if (mechanism_.masses[b].counts()) {
+      sum += kinetic_energy(inertia_at(mechanism_.masses[b], state.poses[b]), state.twists[b]);
+    }
+  }
+  return sum;
+}
+
+double ReducedSystem::potential(const MotionState& state) const {
   double sum = 0.0;
   for (const Load& load : which_.loads) {
     if (is_weight(load) && load.point) {
-      const Vec3 now = state_.poses[at(load.acts.body.value)].point(*load.point);
+      const Vec3 now = state.poses[at(load.acts.body.value)].point(*load.point);
       sum -= load.acts.wrench.force.dot(now - *load.point);
     }
   }
@@ -359,13 +369,40 @@ ReducedState ReducedSystem::tell(const Configuration& configuration,
     balance_->place(configuration, result.state.poses, result.state.bounds.place);
     find_borne(result.state, result);
   }
-  for (std::size_t b = 0; b < mechanism_.masses.size(); ++b) {
-    if (mechanism_.masses[b].counts()) {
-      result.kinetic +=
-          kinetic_energy(inertia_at(mechanism_.masses[b], state_.poses[b]), state_.twists[b]);
-    }
+  result.kinetic = kinetic(state_);
+  result.potential = potential(state_);
+  return result;
+}
+
+std::optional<ReducedState> ReducedSystem::tell_singular(const Configuration& configuration,
+                                                         std::span<const double> speeds) {
+  if (obstacle_.kind != SimulationObstacle::Kind::singular) {
+    return std::nullopt;
   }
-  result.potential = potential();
+  ReducedState result;
+  set_speeds(speeds, {});
+  result.state = states_.solve_bounded(configuration, speeds_, StateDetail::velocity);
+  result.positions = freedom_positions(network_, mechanism_, configuration);
+  MotionState& state = result.state;
+  if (state.is_singular) {
+    state.rates.assign(mechanism_.topology.freedoms.size(), std::nullopt);
+    for (std::size_t d = 0; d < speeds.size(); ++d) {
+      state.rates[at(network_.driven_freedoms[d])] = speeds[d];
+    }
+  } else {
+    result.kinetic = kinetic(state);
+  }
+  if (!mechanism_.springs.empty()) {
+    const std::vector<double> none(mechanism_.springs.size(), 0.0);
+    const auto springs = spring_states(
+        mechanism_, {.poses = state.poses, .positions = result.positions, .time = {}}, none);
+    if (const SpringObstacle* const no_force = std::get_if<SpringObstacle>(&springs)) {
+      obstacle_ = {.kind = SimulationObstacle::Kind::spring, .of_spring = *no_force};
+      return std::nullopt;
+    }
+    springs_ = std::get<std::vector<SpringState>>(springs);
+  }
+  result.potential = potential(state);
   return result;
 }
 

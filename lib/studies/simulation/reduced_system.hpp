@@ -16,12 +16,10 @@
 
 namespace kinestat {
 
-/// Coordinates are those of the drives of a network: the free ones first, then those whose
-/// acceleration is given. One a thread.
+/// Coordinates are the drives of a network, free ones before those that are held. One a thread.
 class ReducedSystem {
  public:
-  /// The mechanism and the case must outlive it. `balance` may be null where nothing rubs and no
-  /// actions are asked for.
+  /// All must outlive it. `balance` may be null where nothing rubs and no actions are asked for.
   ReducedSystem(const Mechanism& mechanism,
                 const Case& which,
                 MotionNetwork network,
@@ -41,7 +39,7 @@ class ReducedSystem {
   /// Of each of `find_rubbing`; none act before. `is_open`: shares of what sticks are not known.
   void set_friction(std::vector<FrictionSense> senses, bool is_open);
 
-  /// Of the free coordinates, the held ones being steady. False where there are none: `obstacle`.
+  /// Of the free coordinates, the held ones steady. False where there are none: `obstacle`.
   [[nodiscard]] bool accelerate(double time,
                                 const Configuration& configuration,
                                 std::span<const double> speeds,
@@ -88,6 +86,11 @@ class ReducedSystem {
                     std::span<const double> accelerations,
                     bool with_actions);
 
+  /// Of one without accelerations because it is singular, or nearly: positions, potential, and the
+  /// speeds that are determined. None where that is not why: `obstacle`.
+  std::optional<ReducedState> tell_singular(const Configuration& configuration,
+                                            std::span<const double> speeds);
+
  private:
   bool fail(SimulationObstacle::Kind kind) {
     obstacle_ = {.kind = kind};
@@ -108,7 +111,8 @@ class ReducedSystem {
   bool add_forces(double time, const Configuration& configuration);
   void add_wrench(BodyId body, const Wrench& wrench);
   void add_springs(const std::vector<SpringState>& springs, std::span<const double> forces);
-  double potential() const;
+  double kinetic(const MotionState& state) const;
+  double potential(const MotionState& state) const;
   std::optional<BodyId> wrong_rotor() const;
   double unit_rate(std::size_t drive, int freedom) const;
 

@@ -32,13 +32,19 @@ struct SimulationRow {
   std::vector<std::optional<double>> borne = {};  ///< of all actions; none unless the plan asks
   std::vector<std::optional<double>> friction = {};  ///< of each friction of the mechanism, of tail
                                                      ///< on head about or along its freedom
-  double kinetic = 0.0;                              ///< [J]
+  std::optional<double> kinetic = {};                ///< [J]; none in a singular position
   double potential = 0.0;                            ///< of weights and springs, as drawn zero [J]
   double supplied = 0.0;  ///< by actions, loads and what is held, since the begin [J]
   double lost = 0.0;      ///< in dampers, friction and impacts, likewise
 
   /// What of the energy nothing explains.
-  double balance() const { return kinetic + potential - supplied + lost; }
+  std::optional<double> balance() const {
+    return kinetic ? std::optional(*kinetic + potential - supplied + lost) : std::nullopt;
+  }
+
+  /// In a singular position, or so near to one that they would be rounding; then it has no actions
+  /// either.
+  bool lacks_accelerations = false;
 };
 
 struct SimulationEvent {

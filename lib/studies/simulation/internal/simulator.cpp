@@ -131,15 +131,19 @@ bool Simulator::makes_progress(double before, std::size_t told) {
   return true;
 }
 
+double Simulator::next_turn() const {
+  const auto turn = std::ranges::upper_bound(turns_, time_ + least_step());
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  return std::min(turn == turns_.end() ? kNone : *turn, turn_.value_or(kNone));
+}
+
 // What begins or ends at a time is seen by the steps before and behind it; where something might
 // happen unseen there are no long ones.
 double Simulator::next_end() const {
   const bool is_watched = !plan_.stops.empty() || !plan_.goals.empty() ||
                           !mechanism_.curves.empty() || has_dry() || !one_sided_.empty() ||
                           !one_sided_springs_.empty();
-  const auto turn = std::ranges::upper_bound(turns_, time_ + least_step());
-  double end = turn == turns_.end() ? plan_.duration : std::min(plan_.duration, *turn);
-  end = std::min(end, turn_.value_or(end));
+  const double end = std::min(plan_.duration, next_turn());
   const double watched = time_ + plan_.duration / std::max(plan_.steps, kLeastWatched);
   return is_watched && watched < end - least_step() ? watched : end;
 }
@@ -154,7 +158,7 @@ bool Simulator::advance() {
   borne_at_.reset();
   obstacle_ = {.kind = SimulationObstacle::Kind::no_step};
   note_fastest();
-  if (!integration_->step(next_end())) {
+  if (!integration_->step(next_end(), next_turn())) {
     return false;
   }
   ++result_.integrated;
@@ -167,13 +171,13 @@ bool Simulator::advance() {
   }
   turn_.reset();
   const std::optional<Happening> first = find_first();
-  const double end = first ? first->time : integration_->time();
+  const double end = first ? first->time : std::min(integration_->time(), plan_.duration);
   if (!add_rows(end)) {
     return false;
   }
   state_.resize(integration_->state().size());
-  first ? integration_->state_at(end, state_)
-        : void(std::ranges::copy(integration_->state(), state_.begin()));
+  end < integration_->time() ? integration_->state_at(end, state_)
+                             : void(std::ranges::copy(integration_->state(), state_.begin()));
   Configuration there;
   if (!place(end, state_, there)) {
     return false;
@@ -244,8 +248,11 @@ bool Simulator::add_rows(double until) {
 bool Simulator::add_row(double time, std::span<const double> y) {
   Configuration configuration;
   std::vector<double> accelerations(free_count());
-  if (!place(time, y, configuration) || !accelerate(time, configuration, y, accelerations)) {
+  if (!place(time, y, configuration)) {
     return false;
+  }
+  if (!accelerate(time, configuration, y, accelerations)) {
+    return add_singular_row(time, y, std::move(configuration));
   }
   const std::size_t free = free_count();
   const bool has_actions = plan_.asks_actions || has_dry();
@@ -279,6 +286,32 @@ bool Simulator::add_row(double time, std::span<const double> y) {
        .potential = now.potential,
        .supplied = y[2 * free],
        .lost = y[2 * free + 1]});
+  return true;
+}
+
+bool Simulator::add_singular_row(double time,
+                                 std::span<const double> y,
+                                 Configuration configuration) {
+  std::optional<ReducedState> now = system_->tell_singular(configuration, speeds_of(y));
+  if (!now) {
+    obstacle_ = system_->obstacle();
+    return false;
+  }
+  const std::size_t count = topology_.freedoms.size();
+  const std::size_t free = free_count();
+  using Unknown = std::vector<std::optional<double>>;
+  result_.rows.push_back({.time = time,
+                          .configuration = std::move(configuration),
+                          .positions = std::move(now->positions),
+                          .rates = reported(now->state.rates, now->state.bounds.rates, count),
+                          .rate_rates = Unknown(count),
+                          .borne = Unknown(topology_.actions.size()),
+                          .friction = Unknown(frictions_.size()),
+                          .kinetic = now->kinetic,
+                          .potential = now->potential,
+                          .supplied = y[2 * free],
+                          .lost = y[2 * free + 1],
+                          .lacks_accelerations = true});
   return true;
 }
 
@@ -323,10 +356,11 @@ SimulationSolution Simulator::finish() {
   }
   for (const SimulationRow& row : result_.rows) {
     const SimulationRow& first = result_.rows.front();
-    result_.energy_drift =
-        std::max(result_.energy_drift, std::abs(row.balance() - first.balance()));
+    const std::optional<double> balance = row.balance();
+    result_.energy_drift = std::max(
+        result_.energy_drift, balance ? std::abs(*balance - first.balance().value_or(0.0)) : 0.0);
     result_.energy_scale = std::max({result_.energy_scale,
-                                     row.kinetic,
+                                     row.kinetic.value_or(0.0),
                                      std::abs(row.potential - first.potential),
                                      std::abs(row.supplied),
                                      std::abs(row.lost)});

@@ -31,8 +31,8 @@ class Simulator : private StateInTime {
   // False where something happens again and again at one time, or the steps are too many; `told`
   // events were there before the step that began then.
   bool makes_progress(double before, std::size_t told);
-
   void find_turns();
+  double next_turn() const;  // no step goes over it
   double next_end() const;
 
   // One step, cut short by what happens in it.
@@ -54,8 +54,7 @@ class Simulator : private StateInTime {
   bool is_joint(std::size_t friction) const;      // of the tree, so that it can be held
   double no_sliding(std::size_t friction) const;  // what counts as none
 
-  // Which frictions slide, by the speeds there are; the others do not.
-  void read_senses();
+  void read_senses();  // which frictions slide, by the speeds there are
 
   // What slides on, sticks and gives way where speeds are zero: of all ways the one that fits, with
   // most that sticks. `given` gives way. False where none does, or several.
@@ -129,6 +128,7 @@ class Simulator : private StateInTime {
   bool begin_contacts();
   bool add_rows(double until);
   bool add_row(double time, std::span<const double> y);
+  bool add_singular_row(double time, std::span<const double> y, Configuration configuration);
   void note_ignored(const std::vector<std::optional<double>>& borne);
   SimulationSolution stuck();
   SimulationSolution finish();

@@ -123,7 +123,7 @@ std::vector<Happening> Simulator::possible() const {
 std::optional<Happening> Simulator::find_first() {
   std::optional<Happening> first;
   const double from = integration_->time_before();
-  const double to = integration_->time();
+  const double to = std::min(integration_->time(), plan_.duration);
   for (Happening what : possible()) {
     double low = from;
     const double end = first ? first->time : to;

@@ -36,6 +36,9 @@ struct ShownItem {
 std::optional<double> held_action(const SimulationReportView& v,
                                   const SimulationRow& row,
                                   const ActuatorTopology& actuator) {
+  if (row.lacks_accelerations) {
+    return std::nullopt;
+  }
   const Case& which = v.mechanism.cases.front();
   for (std::size_t a = 0; a < which.actions.size(); ++a) {
     if (which.actions[a].index == actuator.action) {
@@ -71,9 +74,10 @@ class ColumnMaker {
     add("", "energy/potential", energy, [](const SimulationRow& row) { return row.potential; });
     add("", "energy/supplied", energy, [](const SimulationRow& row) { return row.supplied; });
     add("", "energy/lost", energy, [](const SimulationRow& row) { return row.lost; });
-    const double first = v_.solution.rows.front().balance();
+    const double first = v_.solution.rows.front().balance().value_or(0.0);
     add("", "energy/error", energy, [first](const SimulationRow& row) {
-      return row.balance() - first;
+      const std::optional<double> balance = row.balance();
+      return balance ? std::optional(*balance - first) : std::nullopt;
     });
     return std::move(columns_);
   }

@@ -230,6 +230,29 @@ void warn_of_ignored(const FoundSimulation& simulation,
   }
 }
 
+void warn_of_singular_rows(const FoundSimulation& simulation,
+                           const FileUnits& units,
+                           Diagnostics& found) {
+  const std::vector<SimulationRow>& rows = simulation.solution.rows;
+  const auto first = std::ranges::find_if(rows, &SimulationRow::lacks_accelerations);
+  const bool is_stuck = simulation.solution.end == SimulationEnd::stuck;  // which says why
+  if (first == rows.end() || (is_stuck && first + 1 == rows.end())) {
+    return;
+  }
+  const auto more = std::ranges::count_if(rows, &SimulationRow::lacks_accelerations) - 1;
+  found.warning(
+      "W0507",
+      simulation.plan.where,
+      fmt::format("{} are omitted at {} {}{}",
+                  first->kinetic ? "accelerations and actions"
+                                 : "most speeds, and all accelerations and actions,",
+                  format_short(units.from_si(QuantityKind::time, first->time)),
+                  units.text(QuantityKind::time),
+                  more > 0 ? fmt::format(" and in {} more row{}", more, more > 1 ? "s" : "") : ""),
+      "the position is singular, or so near to it that nothing but rounding would be "
+      "left; the simulation passes it, and the other rows are complete");
+}
+
 void warn_of_parting(const FoundSimulation& simulation,
                      const FileUnits& units,
                      Diagnostics& found) {
@@ -285,6 +308,7 @@ void add_simulation_findings(const FoundSimulation& simulation,
   warn_of_energy(simulation, units, found);
   warn_of_unchecked(simulation, found);
   warn_of_ignored(simulation, units, found);
+  warn_of_singular_rows(simulation, units, found);
   switch (simulation.solution.end) {
     case SimulationEnd::complete:
       return warn_of_missed_goals(simulation, units, found);
