@@ -297,6 +297,37 @@ motion: {drive: m, to: 360 deg, steps: %s, report: [position]}
                     self.close(first, crank, 1e-6, f"{what}: first rocker at {crank}")
                     self.close(second, crank, 1e-6, f"{what}: second rocker at {crank}")
 
+    SCISSOR_LIFT = """\
+kinestat: 1
+space: planar
+units: {length: mm, angle: deg}
+parameters: {arm: 1200, tilt: 15 deg, x: arm*cos(tilt), y: arm*sin(tilt)}
+ground: base
+bodies: [arm1, arm2, platform]
+couplings:
+  a: {type: revolute, bodies: [base, arm1], at: [0, 0]}
+  m: {type: revolute, bodies: [arm1, arm2], at: [x/2, y/2]}
+  r: {type: pin_in_slot, bodies: [arm2, base], at: [x, 0], slot: x}
+  p: {type: revolute, bodies: [platform, arm2], at: [0, y]}
+  r2: {type: pin_in_slot, bodies: [arm1, platform], at: [x, y], slot: x}
+actuators: {turn: {coupling: a}}
+motion: {drive: turn, to: %s deg, steps: %s, report: [top/at],
+         trace: [{body: arm2, at: [0, y], name: top}]}
+"""
+
+    def test_where_arms_of_a_scissor_stand_upright_lead_on_by_any_number_of_steps(self) -> None:
+        """Both slots could turn with the arms from there on; the platform stays level above them."""
+        for to in (105, 150, 74, 75, -10):
+            for steps in (1, 2, 3, 4, 5, 7, 10, 11, 13, 15, 20, 30, 31):
+                motion = run(self.SCISSOR_LIFT % (to, steps))
+                what = f"to {to} in {steps}"
+                self.assertEqual([round(one, 5) for one in motion.events("singular")],
+                                 [75.0] if to > 74 else [], what)
+                for turn, x, y in zip(motion["turn/drive"], motion["top/at/x"], motion["top/at/y"]):
+                    self.close(x, 0.0, 1e-4, f"{what}: x at {turn}")
+                    self.close(y, 1200 * math.sin(math.radians(15 + turn)), 1e-4,
+                               f"{what}: y at {turn}")
+
     THREE_CRANKS = """\
 kinestat: 1
 space: planar

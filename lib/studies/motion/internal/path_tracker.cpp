@@ -359,7 +359,7 @@ double PathTracker<Frames>::orientation(const std::vector<double>& a,
     return 1.0;  // Nothing is open that could turn over.
   }
   const int rows = static_cast<int>(a.size()) / columns;
-  qr_.factor(a, rows, columns);
+  qr_.factor(a, rows, columns, kSize);
   const int rank = qr_.rank();
   const std::vector<double>& null = qr_.null_vectors();
   const auto turned = [&](const std::vector<double>& matrix) {
@@ -377,10 +377,10 @@ double PathTracker<Frames>::orientation(const std::vector<double>& a,
   double sign = qr_.turned_sign();
   const std::vector<double> turned_b = turned(b);
   if (rank < columns) {
-    qr_.factor(turned(a), columns, columns);
+    qr_.factor(turned(a), columns, columns, kSize);
     sign = qr_.sign();
   }
-  qr_.factor(turned_b, columns, columns);
+  qr_.factor(turned_b, columns, columns, kSize);
   return sign * qr_.sign();
 }
 
