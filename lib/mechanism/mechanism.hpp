@@ -35,9 +35,11 @@ struct Mechanism {
   OrderChoice kinematic_order = OrderChoice::minimal;
   OrderChoice static_order = OrderChoice::minimal;
   IndeterminateChoice indeterminate = IndeterminateChoice::report;
-  double closure_error = 0.0;        ///< of moved positions, as share of the size; 0: as drawn
-  std::vector<double> compliances;   ///< of each action [m/N or rad/(N·m)]; 0: rigid
-  std::vector<int> planet_counts;    ///< of each action: how many equal planets share it
+  double closure_error = 0.0;       ///< of moved positions, as share of the size; 0: as drawn
+  std::vector<bool> is_unplaced;    ///< of each coupling: nothing says where it is; its moments are
+                                    ///< about the origin
+  std::vector<double> compliances;  ///< of each action [m/N or rad/(N·m)]; 0: rigid
+  std::vector<int> planet_counts;   ///< of each action: how many equal planets share it
   std::vector<double> load_sharing;  ///< likewise: what the most loaded bears over the mean
   std::vector<BodyMass> masses;      ///< of each body; empty if none has any
   std::vector<DrawnCoupling> drawn_couplings;  ///< of each coupling, where a case has inertia: what

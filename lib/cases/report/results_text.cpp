@@ -214,7 +214,9 @@ LargestActions largest_actions(const Mechanism& mechanism, const CaseAnalysis& o
     const Vec3 moment = moment_at(*wrench, mechanism.geometry.points[e]).zeroed();
     const double share = most_loaded_share(mechanism, coupling);
     count(share * size(wrench->force.zeroed()), coupling.name, largest.force);
-    count(share * size(moment), coupling.name, largest.moment);
+    if (!mechanism.is_unplaced[e]) {
+      count(share * size(moment), coupling.name, largest.moment);
+    }
     largest.is_per_planet = largest.is_per_planet || share < 1.0;
     largest.has_central_hinges = largest.has_central_hinges || central[e];
   }

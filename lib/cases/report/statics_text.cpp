@@ -74,11 +74,24 @@ TextBlocks wrenches_blocks(const Mechanism& mechanism,
       moment.rows.emplace_back(std::nullopt);
     }
   }
+  std::vector<std::string_view> about_origin;
+  for (std::size_t e = 0; e < moment.rows.size(); ++e) {
+    if (mechanism.is_unplaced[e] && moment.rows[e] && !moment.rows[e]->isZero(0.0)) {
+      about_origin.push_back(mechanism.topology.couplings[e].name);
+    }
+  }
   std::vector<TextColumn> columns = {std::move(names)};
   force.add_to(columns);
   moment.add_to(columns);
-  const bool is_empty = columns.size() == 1;
-  return is_empty ? TextBlocks() : TextBlocks(std::move(columns));
+  if (columns.size() == 1) {
+    return {};
+  }
+  TextBlocks blocks(std::move(columns));
+  if (!about_origin.empty()) {
+    blocks += fmt::format("  moments of {} are about the origin; 'at' gives another point\n\n",
+                          fmt::join(about_origin, ", "));
+  }
+  return blocks;
 }
 
 // Every passive action by itself, "?" where equilibrium does not determine it.

@@ -55,6 +55,7 @@ class StructureBinder {
         topology_(result.topology),
         geometry_(result.geometry),
         frictions_(result.frictions),
+        is_unplaced_(result.is_unplaced),
         actuators_(description, result, found) {}
 
   void run() {
@@ -212,12 +213,17 @@ class StructureBinder {
                                    .where = coupling.name.where});
     geometry_.points.push_back(local.at);
     has_point_.push_back(has_place(coupling));
+    is_unplaced_.push_back(!has_place(coupling) && !is_on_axis(coupling));
     add_screws(id, screws);
     if (local.other_flank) {
       add_other_flank(binder, local);
     }
     actuators_.add(id, coupling, drawn, local.at);
     add_friction(id, coupling, screws);
+  }
+
+  bool is_on_axis(const CouplingDescription& coupling) const {
+    return gears_ && gears_->layout.train.axis_between(coupling.tail.text, coupling.head.text) >= 0;
   }
 
   // Of the mesh that was added last; its force is its only constraint.
@@ -297,6 +303,7 @@ class StructureBinder {
   Topology& topology_;
   Geometry& geometry_;
   std::vector<CouplingFriction>& frictions_;
+  std::vector<bool>& is_unplaced_;
   std::map<std::string, BodyId> body_ids_;
   std::map<std::string, SourceRange> declared_;
   std::vector<bool> has_point_;  ///< of each coupling of the topology
