@@ -129,7 +129,8 @@ const Mapping<MeshDescription>& mesh() {
 
 void declare_teeth(Mapping<GearsDescription>& m) {
   m.key("module",
-        "Module of the teeth: pitch diameter over number of teeth. Optional if meshes have their "
+        "Module of the teeth: pitch diameter over number of teeth; of helical gears the transverse "
+        "module, which is the normal module over cos(helix_angle). Optional if meshes have their "
         "own or members have a centre_distance.")
       .may(&GearsDescription::module, size(), "2 mm");
   m.key("pressure_angle", "Pressure angle of the teeth in the transverse plane.")
