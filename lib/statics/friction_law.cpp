@@ -70,7 +70,8 @@ FrictionLawOf<Scalar> turning(const SlidingOf<Scalar>& s) {
   FrictionLawOf<Scalar> law =
       law_of(s, unit_couple<Scalar>(sense * axis), Scalar(-sense * rate), true);
   const std::optional<Scalar> tau = tau_at(s.friction, law.speed);
-  law.constant = tau.value_or(Scalar(0.0)) + s.friction.viscous * law.speed;
+  law.constant = static_cast<double>(s.friction.planets) *
+                 (tau.value_or(Scalar(0.0)) + s.friction.viscous * law.speed);
   law.has_value = tau.has_value();
   return law;
 }
@@ -178,7 +179,9 @@ FrictionLawOf<Scalar> journal(const SlidingOf<Scalar>& s) {
   if (value_of(mu) == 0.0) {
     return law;
   }
-  add_across(s, axis, Scalar(mu * s.friction.radius), law);
+  if (!s.friction.is_balanced) {
+    add_across(s, axis, Scalar(mu * s.friction.radius), law);
+  }
   if (value_of(s.friction.thrust_radius) > 0.0) {
     law.parts.push_back(axial_part(axis, Scalar(mu * s.friction.thrust_radius)));
   } else {

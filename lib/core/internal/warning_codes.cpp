@@ -108,6 +108,16 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "large loss of a mesh",
      "The loss of a mesh is the fraction of the rolling power that is lost, a few hundredths for "
      "real teeth, and this is above 0.3. If it is an efficiency, write it as one: {eta: 0.98}."},
+    {"W0315",
+     done,
+     "friction counts forces of planets that cancel",
+     "Equal planets press a central bearing from all sides, so that it bears no radial force, and "
+     "its "
+     "friction counts none. Here loads or other meshes press the bearing too. The mechanism has "
+     "one "
+     "planet in the place of all, and its radial force is not taken out of what presses: friction "
+     "is "
+     "too large. Give 'tau' in place of 'mu'."},
     {"W0501",
      done,
      "rounding decides on a rank",

@@ -25,6 +25,7 @@
 #include "mechanism/gears/internal/gear_check.hpp"
 #include "mechanism/gears/internal/mesh_loss_binder.hpp"
 #include "mechanism/gears/internal/planet_set.hpp"
+#include "mechanism/gears/planet_load.hpp"
 #include "mechanism/inertia/mass_binder.hpp"
 #include "mechanism/springs/spring_binder.hpp"
 #include "mechanism/unanalysed.hpp"
@@ -280,6 +281,9 @@ std::optional<Mechanism> bind_for(Purpose purpose,
     (void)check_gears(context);
   }
   bind_sections(context, has_structure, result);
+  if (has_structure && has_planets(result)) {
+    settle_planet_frictions(result, found);
+  }
   if (found.error_count() == errors_before && description.losses) {
     result.lossy_meshes = bind_losses(description, evaluator, found);
     result.loss_model = description.losses->model;

@@ -97,6 +97,8 @@ class DerivativeBinder {
     for (const CouplingFriction& friction : mechanism_.frictions) {
       result.frictions.push_back(friction.converter ? converter_of(friction)
                                                     : friction_of(friction.coupling));
+      result.frictions.back().planets = friction.planets;
+      result.frictions.back().is_balanced = friction.is_balanced;
     }
   }
 

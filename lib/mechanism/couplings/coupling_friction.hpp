@@ -53,6 +53,9 @@ struct CouplingFrictionOf {
   Scalar viscous = 0.0;                           ///< c [N·m·s/rad or N·s/m]
   std::shared_ptr<const ConverterLawOf<Scalar>> converter;  ///< of a torque converter; may be null
   std::vector<CableFriction> cables;  ///< over the pulley that turns on the coupling
+  int planets = 1;  ///< equal ones that stand for each other, tau and c being of one bearing
+  bool is_balanced = false;  ///< nothing but equal planets presses it across its axis, and these
+                             ///< from all sides
   SourceRange where;
 };
 

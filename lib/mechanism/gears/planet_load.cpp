@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "core/index.hpp"
 #include "couplings/kinds.hpp"
 #include "mechanism/gears/hinge_lines.hpp"
@@ -95,6 +97,24 @@ std::vector<std::optional<CentralHinge>> find_central_hinges(const Mechanism& me
     }
   }
   return found;
+}
+
+void settle_planet_frictions(Mechanism& mechanism, Diagnostics& found) {
+  const std::vector<std::optional<CentralHinge>> central = find_central_hinges(mechanism);
+  for (CouplingFriction& friction : mechanism.frictions) {
+    const CouplingTopology& coupling = mechanism.topology.coupling(friction.coupling);
+    const std::optional<CentralHinge>& hinge = central[at(friction.coupling.value)];
+    friction.planets = planets_of(mechanism, coupling);
+    friction.is_balanced = hinge && !hinge->bears_more;
+    if (hinge && hinge->bears_more && friction.mu > 0.0) {
+      found.warning("W0315",
+                    friction.where,
+                    fmt::format("the friction of '{}' counts radial forces of planets that cancel",
+                                coupling.name),
+                    "loads or other meshes press it too, and the planets' part is not taken out of "
+                    "that: one planet is drawn in the place of all; give 'tau' in place of 'mu'");
+    }
+  }
 }
 
 }  // namespace kinestat

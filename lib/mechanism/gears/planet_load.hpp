@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/diagnostic.hpp"
 #include "mechanism/mechanism.hpp"
 
 namespace kinestat {
@@ -26,5 +27,9 @@ struct CentralHinge {
 
 /// Of each coupling; empty for those that are none.
 std::vector<std::optional<CentralHinge>> find_central_hinges(const Mechanism& mechanism);
+
+/// Sets `planets` and `is_balanced` of the frictions, once cases have their loads. W0315 where a
+/// central hinge bears more than planets, so that what these press it with as drawn counts too.
+void settle_planet_frictions(Mechanism& mechanism, Diagnostics& found);
 
 }  // namespace kinestat

@@ -344,7 +344,8 @@ std::vector<std::optional<FrictionPoint>> DutyCase::friction_points(
     const double speed = sense.sense * rate;
     const std::optional<double> tau = speed > 0.0 ? tau_at(one, speed) : 0.0;
     points.push_back(
-        tau ? std::optional(FrictionPoint{.speed = speed, .constant = *tau + one.viscous * speed})
+        tau ? std::optional(FrictionPoint{.speed = speed,
+                                          .constant = one.planets * (*tau + one.viscous * speed)})
             : std::nullopt);
   }
   return points;

@@ -194,7 +194,7 @@ std::optional<SlipFinder::Sum> SlipFinder::drag_of(const Couple& couple) {
       is_doubtful_ = true;
       return std::nullopt;
     }
-    drag.slack = 2.0 * *tau;
+    drag.slack = 2.0 * friction.planets * *tau;
   }
   if (rate == 0.0) {
     return drag;
@@ -202,7 +202,7 @@ std::optional<SlipFinder::Sum> SlipFinder::drag_of(const Couple& couple) {
   if (!tau) {
     return std::nullopt;
   }
-  drag.value = -std::copysign(*tau, rate) - friction.viscous * rate;
+  drag.value = -friction.planets * (std::copysign(*tau, rate) + friction.viscous * rate);
   return drag;
 }
 

@@ -212,12 +212,13 @@ bool ReducedSystem::add_forces(double time, const Configuration& configuration) 
   for (const CouplingFriction& friction : mechanism_.frictions) {
     const int freedom = mechanism_.topology.coupling(friction.coupling).first_freedom;
     const double rate = state_.rates[at(freedom)].value_or(0.0);
+    const double viscous = friction.planets * friction.viscous;
     for (std::size_t j = 0; j < units_.size(); ++j) {
-      forces_[static_cast<Eigen::Index>(j)] -= friction.viscous * rate * unit_rate(j, freedom);
+      forces_[static_cast<Eigen::Index>(j)] -= viscous * rate * unit_rate(j, freedom);
     }
-    powers_.lost += friction.viscous * rate * rate;
-    if (balance_ != nullptr && friction.viscous != 0.0) {
-      balance_->add_pair(freedom, -friction.viscous * rate, loads_);
+    powers_.lost += viscous * rate * rate;
+    if (balance_ != nullptr && viscous != 0.0) {
+      balance_->add_pair(freedom, -viscous * rate, loads_);
     }
   }
   add_springs(springs_, known.springs);
