@@ -17,6 +17,8 @@ constexpr auto kKeysOfLineContact = std::to_array<KindKey>({
     {CouplingKey::radii},
 });
 
+constexpr auto kFreedomsOfLineContact = std::to_array<Carried>({kWithContact});
+
 // Named along world axes only if both directions are, as numbers and letters would not mix.
 constexpr auto write_line_contact = []<class Scalar>(const CouplingGeometryOf<Scalar>& g,
                                                      CatalogueRow<Scalar>& row) {
@@ -59,7 +61,10 @@ std::vector<CouplingUpgrade> upgrades_of_line_contact(std::span<const Twist> fre
 constinit const KindMechanics kMechanicsOfLineContact = {
     .screws = screws_by(write_line_contact),
     .law = law_of_line_contact,
-    .carried = {.are_found_anew = true},
+    .carried = {.freedoms = kFreedomsOfLineContact,
+                .forces = kWithContact,
+                .couples = kWithContact,
+                .place = Follows::contact},
     .upgrades = upgrades_of_line_contact,
 };
 

@@ -1,6 +1,7 @@
 // What follows from the kind of a coupling for the mechanics.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -41,7 +42,7 @@ constexpr ScrewWriters screws_by(auto write) {
   return {.of_double = write, .of_dual = write, .of_exact_input = write};
 }
 
-enum class Follows { world, tail, head, carrier };
+enum class Follows { world, tail, head, carrier, contact };
 
 /// Whose rotation turns a screw in a moved position, and whose motion carries the point that it is
 /// measured from.
@@ -53,6 +54,8 @@ struct Carried {
 inline constexpr Carried kWithTail;
 inline constexpr Carried kWithHead = {.direction = Follows::head, .point = Follows::head};
 inline constexpr Carried kWithCarrier = {.direction = Follows::carrier, .point = Follows::carrier};
+inline constexpr Carried kWithContact = {.direction = Follows::contact, .point = Follows::contact};
+inline constexpr Carried kAtContact = {.direction = Follows::world, .point = Follows::contact};
 inline constexpr Carried kAtTail = {.direction = Follows::world, .point = Follows::tail};
 inline constexpr Carried kHeadAtTail = {.direction = Follows::head, .point = Follows::tail};
 
@@ -60,13 +63,17 @@ inline constexpr Carried kHeadAtTail = {.direction = Follows::head, .point = Fol
 struct CarriedParts {
   std::span<const Carried> freedoms = {};  ///< in the order of the catalogue, the last for all that
                                            ///< follow; empty: with the tail
+  std::optional<Carried> turns = {};       ///< of those that turn, where only slides are as above
   Carried forces = kWithTail;
   Carried couples = kWithTail;
   bool couple_is_across_turns = false;  ///< of its first two freedoms, as they are moved
   Follows place = Follows::tail;
-  bool are_found_anew = false;  ///< from where the bodies touch in the moved position
+  bool are_found_anew = false;  ///< from where the ends are in the moved position
 
-  Carried freedom(int index) const {
+  Carried freedom(int index, bool is_rotation) const {
+    if (is_rotation && turns) {
+      return *turns;
+    }
     const auto i = static_cast<std::size_t>(index);
     return freedoms.empty() ? kWithTail : i < freedoms.size() ? freedoms[i] : freedoms.back();
   }

@@ -16,6 +16,8 @@ constexpr auto kKeysOfContacts = std::to_array<KindKey>({
     {CouplingKey::radii},
 });
 
+constexpr auto kFreedomsOfContact = std::to_array<Carried>({kWithContact});
+
 constexpr auto write_point_contact = []<class Scalar>(const CouplingGeometryOf<Scalar>& g,
                                                       CatalogueRow<Scalar>& row) {
   row.turn_freely(g.at);
@@ -26,7 +28,11 @@ constexpr auto write_point_contact = []<class Scalar>(const CouplingGeometryOf<S
 constinit const KindMechanics kMechanicsOfContact = {
     .screws = screws_by(write_point_contact),
     .law = [](LawWriter& law) { law.touching(); },
-    .carried = {.are_found_anew = true},
+    .carried = {.freedoms = kFreedomsOfContact,
+                .turns = kAtContact,
+                .forces = kWithContact,
+                .couples = kWithContact,
+                .place = Follows::contact},
 };
 
 }  // namespace

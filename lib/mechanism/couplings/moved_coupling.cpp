@@ -1,6 +1,8 @@
 #include "mechanism/couplings/moved_coupling.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "couplings/coupling_catalogue.hpp"
 #include "couplings/finite_law.hpp"
@@ -10,6 +12,25 @@
 namespace kinestat {
 
 namespace {
+
+// The least one that brings a unit vector to another; in the plane about z.
+Mat3 least_turn(const Vec3& from, const Vec3& to) {
+  if (from.z() == 0.0 && to.z() == 0.0) {
+    const double angle = std::atan2(from.cross(to).z(), from.dot(to));
+    return Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix();
+  }
+  return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
+}
+
+// That which brings two directions across each other to two others.
+Mat3 turn_of_frame(const std::pair<Vec3, Vec3>& from, const std::pair<Vec3, Vec3>& to) {
+  const auto frame = [](const std::pair<Vec3, Vec3>& axes) {
+    Mat3 result;
+    result << axes.first, axes.second, axes.first.cross(axes.second);
+    return result;
+  };
+  return frame(to) * frame(from).transpose();
+}
 
 class Mover {
  public:
@@ -23,9 +44,12 @@ class Mover {
         poses_(poses) {}
 
   MovedCoupling move() {
+    if (carried_.place == Follows::contact) {
+      touch();
+    }
     place();
     if (carried_.are_found_anew) {
-      write_anew();
+      stretch();
     } else {
       carry();
     }
@@ -43,6 +67,8 @@ class Mover {
         return poses_.head;
       case Follows::carrier:
         return poses_.carrier;
+      case Follows::contact:
+        return contact_;
       case Follows::world:
         break;
     }
@@ -82,7 +108,8 @@ class Mover {
     for (int f = 0; f < coupling_.freedom_count; ++f) {
       const Twist& screw =
           mechanism_.geometry.motions[static_cast<std::size_t>(coupling_.first_freedom + f)];
-      const auto [line, moment] = carried(screw.angular, screw.linear, carried_.freedom(f));
+      const auto [line, moment] =
+          carried(screw.angular, screw.linear, carried_.freedom(f, !screw.angular.isZero(0.0)));
       result_.motions.push_back({.angular = line, .linear = moment});
     }
     for (int a = 0; a < passive_count(); ++a) {
@@ -109,16 +136,20 @@ class Mover {
     return unit_couple<double>(side * across);
   }
 
-  // Contacts and cables by the catalogue, from where they touch now.
-  void write_anew() {
+  // Cables by the catalogue, from where they end now.
+  void stretch() {
     CouplingGeometry moved = drawn_.geometry;
-    for (AxisOf<double>* axis : {&moved.axis, &moved.second}) {
-      axis->keyword = '\0';
+    if (drawn_.from && drawn_.to) {
+      const CableSpan span = tangent_span<double>(moved_station(*drawn_.from, poses_.tail),
+                                                  moved_station(*drawn_.to, poses_.head));
+      moved.from = span.from;
+      moved.to = span.to;
+    } else {
+      moved.from = poses_.tail.point(drawn_.geometry.from);
+      moved.to = poses_.head.point(drawn_.geometry.to);
     }
-    coupling_.type == CouplingType::cable ? stretch(moved) : touch(moved);
-    result_.point = moved.at;
-    const Space space = mechanism_.space;
-    const CouplingScrews screws = coupling_screws(coupling_.type, space, moved);
+    result_.point = moved.to;
+    const CouplingScrews screws = coupling_screws(coupling_.type, mechanism_.space, moved);
     for (const NamedTwist& freedom : screws.freedoms) {
       result_.motions.push_back(freedom.screw);
     }
@@ -129,42 +160,42 @@ class Mover {
     }
   }
 
-  void stretch(CouplingGeometry& moved) const {
-    if (drawn_.from && drawn_.to) {
-      const CableSpan span = tangent_span<double>(moved_station(*drawn_.from, poses_.tail),
-                                                  moved_station(*drawn_.to, poses_.head));
-      moved.from = span.from;
-      moved.to = span.to;
-    } else {
-      moved.from = poses_.tail.point(drawn_.geometry.from);
-      moved.to = poses_.head.point(drawn_.geometry.to);
-    }
-    moved.at = moved.to;
-  }
-
-  // The normal joins the centres, or stands on the flat side.
-  void touch(CouplingGeometry& moved) const {
+  // Where the bodies touch now. The normal joins the centres, or stands on the flat side, with
+  // which directions across it turn; between round sides these turn no more than it does.
+  void touch() {
     const double tail = drawn_.tail_shape ? drawn_.tail_shape->curvature : 0.0;
     const double head = drawn_.head_shape ? drawn_.head_shape->curvature : 0.0;
     const Vec3& normal = drawn_.geometry.axis.direction;
     const Vec3& at = drawn_.geometry.at;
+    Vec3 now = at;
     if (tail == 0.0) {
-      moved.axis.direction = poses_.tail.direction(normal);
-      if (head != 0.0) {
-        moved.at = poses_.head.point(at + normal / head) - moved.axis.direction / head;
-      }
+      contact_.rotation = poses_.tail.rotation;
+      now = head == 0.0
+                ? poses_.tail.point(at)
+                : poses_.head.point(at + normal / head) - poses_.tail.direction(normal) / head;
     } else if (head == 0.0) {
-      moved.axis.direction = poses_.head.direction(normal);
-      moved.at = poses_.tail.point(at - normal / tail) + moved.axis.direction / tail;
+      contact_.rotation = poses_.head.rotation;
+      now = poses_.tail.point(at - normal / tail) + poses_.head.direction(normal) / tail;
     } else {
       const Vec3 a = poses_.tail.point(at - normal / tail);
       const Vec3 b = poses_.head.point(at + normal / head);
       const double side = 1.0 / tail + 1.0 / head < 0.0 ? -1.0 : 1.0;
-      moved.axis.direction = side * (b - a).normalized();
-      moved.at = a + moved.axis.direction / tail;
+      const Vec3 moved_normal = side * (b - a).normalized();
+      contact_.rotation = least_turn(normal, moved_normal);
+      now = a + moved_normal / tail;
     }
-    moved.second.direction =
-        (tail == 0.0 ? poses_.head : poses_.tail).direction(drawn_.geometry.second.direction);
+    if (touches_along_line()) {
+      const Vec3& line = drawn_.geometry.second.direction;
+      contact_.rotation = turn_of_frame(
+          {normal, line},
+          {contact_.rotation * normal, (tail == 0.0 ? poses_.head : poses_.tail).direction(line)});
+    }
+    contact_.shift = now - contact_.rotation * at;
+  }
+
+  bool touches_along_line() const {
+    return std::ranges::any_of(kind_of(coupling_.type).keys,
+                               [](const KindKey& one) { return one.key == CouplingKey::line; });
   }
 
   void add_actuators() {
@@ -186,6 +217,7 @@ class Mover {
   const CarriedParts& carried_ = kind_of(coupling_.type).mechanics->carried;
   const DrawnCoupling& drawn_;
   const CouplingPoses& poses_;
+  BodyPose contact_;  // of what turns with the normal
   MovedCoupling result_;
 };
 

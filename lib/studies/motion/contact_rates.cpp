@@ -104,9 +104,8 @@ void add_contact_rates(const MotionNetwork& network,
     const VecX bounds = inverse.cwiseAbs() * bound;
     for (int f = 0; f < coupling.freedom_count; ++f) {
       const std::size_t freedom = at(coupling.first_freedom + f);
-      const double unit = mechanism.topology.freedoms[freedom].is_rotation ? 1.0 : length;
-      state.rates[freedom] = unit * zero_within_bound(rates[f], bounds[f]);
-      state.bounds.rates[freedom] = unit * bounds[f];
+      state.rates[freedom] = zero_within_bound(rates[f], bounds[f]);
+      state.bounds.rates[freedom] = bounds[f];
     }
   }
 }

@@ -7,6 +7,7 @@
 #include "core/index.hpp"
 #include "core/tolerance.hpp"
 #include "math/elimination/uncertain_inverse.hpp"
+#include "studies/motion/contact_rates.hpp"
 
 namespace kinestat {
 
@@ -79,6 +80,7 @@ CaseSpeeds CaseSpeedSolver::find(const Configuration& configuration, StateDetail
 bool CaseSpeedSolver::find_response(const std::vector<const Primary*>& known,
                                     const GivenSpeeds& rest,
                                     const Configuration& configuration,
+                                    StateDetail detail,
                                     Response& response) const {
   const auto rows = static_cast<Eigen::Index>(known.size());
   const auto columns = static_cast<Eigen::Index>(plan_.drives.size());
@@ -94,9 +96,12 @@ bool CaseSpeedSolver::find_response(const std::vector<const Primary*>& known,
         one.speed = 0.0;
       }
     }
-    const MotionState state = states_.solve_bounded(configuration, speeds, StateDetail::velocity);
+    MotionState state = states_.solve_bounded(configuration, speeds, StateDetail::velocity);
     if (state.is_singular) {
       return false;
+    }
+    if (detail == StateDetail::velocity) {  // accelerations of contacts are not known
+      add_contact_rates(network_, drawn_, mechanism_, state);
     }
     for (Eigen::Index k = 0; k < rows; ++k) {
       const Primary& one = *known[static_cast<std::size_t>(k)];
@@ -124,7 +129,7 @@ CaseSpeeds CaseSpeedSolver::solve(const std::vector<const Primary*>& known,
     return {.known = SpeedsKnown::too_few, .speeds = {}};
   }
   Response response;
-  if (!find_response(known, rest, configuration, response)) {
+  if (!find_response(known, rest, configuration, detail, response)) {
     return {.known = SpeedsKnown::not_by_state, .speeds = {}};
   }
   const std::size_t count = plan_.drives.size();

@@ -26,11 +26,17 @@ struct CaseSpeeds {
 class CaseSpeedSolver {
  public:
   CaseSpeedSolver(const MotionNetwork& network,
+                  std::span<const DrawnCoupling> drawn,
                   const Mechanism& mechanism,
                   const MotionPlan& plan,
                   const Case& which,
                   MotionStates& states)
-      : network_(network), mechanism_(mechanism), plan_(plan), which_(which), states_(states) {}
+      : network_(network),
+        drawn_(drawn),
+        mechanism_(mechanism),
+        plan_(plan),
+        which_(which),
+        states_(states) {}
 
   CaseSpeeds find(const Configuration& configuration, StateDetail detail) const;
 
@@ -47,9 +53,11 @@ class CaseSpeedSolver {
   bool find_response(const std::vector<const Primary*>& known,
                      const GivenSpeeds& rest,
                      const Configuration& configuration,
+                     StateDetail detail,
                      Response& response) const;
 
   const MotionNetwork& network_;
+  std::span<const DrawnCoupling> drawn_;
   const Mechanism& mechanism_;
   const MotionPlan& plan_;
   const Case& which_;

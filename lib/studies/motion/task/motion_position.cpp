@@ -91,8 +91,8 @@ MotionPosition MotionPositions::at(const Configuration& configuration,
       detail_.acceleration ? StateDetail::acceleration : StateDetail::velocity;
   CaseSpeeds found{.known = SpeedsKnown::not_by_state, .speeds = {}};
   if (needs_speeds) {
-    found =
-        CaseSpeedSolver(network_, mechanism_, plan_, *which_, states_).find(configuration, detail);
+    found = CaseSpeedSolver(network_, drawn_, mechanism_, plan_, *which_, states_)
+                .find(configuration, detail);
   }
   position.speeds = found.known;
   const GivenSpeeds rest{.drives = std::vector<DriveSpeed>(plan_.drives.size()), .passive = {}};
