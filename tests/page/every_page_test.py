@@ -17,10 +17,8 @@ from page_case import LUMINANCE, ROOT, PageCase, program, run_tests, write_page 
 
 # A mechanism of each kind, the headings of its page, and the pictures that it must have.
 SOLVED = ["Summary", "Structure", "Mobility", "Cases", "Data"]
-SHIFTED = ["Summary", "Structure", "Mobility", "Shift table", "Gears", "Data"]
 GRAPHS = ["linkage", "coupling-graph", "motion-graph", "action-graph", "circuits", "cut-sets"]
 CASE = ["power-flow", "speeds", "forces"]
-GEARS = ["gear-scheme", "shift-matrix", "ratio-ladder"]
 PAGES = {
     "transmissions/ravigneaux.yaml": (SOLVED, [*GRAPHS, *CASE, "torques", "lever"]),
     "planar/four_bar.yaml": (SOLVED, [*GRAPHS, *CASE]),
@@ -28,14 +26,18 @@ PAGES = {
     "spatial/rssr.yaml": (
         ["Summary", "Structure", "Mobility", "Motion", "Data"], [*GRAPHS, "motion", "motion-curves"]
     ),
-    "transmissions/ravigneaux_input_shaft.yaml": (SHIFTED, [*GRAPHS, *GEARS]),
-    "transmissions/zf_8hp70.yaml": (SHIFTED, GEARS),
+    "transmissions/ravigneaux_input_shaft.yaml": (
+        ["Summary", "Structure", "Mobility", "Shift table", "Gears", "Data"],
+        [*GRAPHS, "gear-scheme", "shift-matrix", "ratio-ladder"],
+    ),
     "sweeps/four_bar_height.yaml": (
         [*SOLVED, "Sensitivity", "Sweep"], [*GRAPHS, *CASE, "sweep-curves"]
     ),
     "cables/block_and_tackle.yaml": (SOLVED, [*GRAPHS, *CASE]),
     "synthesis/crank_rocker.yaml": (["Summary", "Synthesis", "Data"], []),
 }
+# The one with the widest pictures.
+WIDEST = "transmissions/zf_8hp70.yaml"
 
 # Elements with text of their own whose colour does not stand out from what is behind.
 CONTRAST = LUMINANCE + """
@@ -57,10 +59,30 @@ return dull;
 """
 
 
-class EveryPage:
-    """Of one page; what changes it opens it for itself."""
+class WidePage:
+    """Of one page."""
 
     name = ""
+
+    def open_at_rest(self, **features: str) -> None:
+        """What moves is painted all the time."""
+        self.open_once(self.page(self.name), prefers_reduced_motion="reduce", **features)
+
+    def test_no_picture_shrinks_much_on_a_screen(self) -> None:
+        self.open_at_rest()
+        shrunk = self.ask(
+            "return [...document.querySelectorAll('figure')].map((one) => {"
+            "  const svg = one.querySelector('svg');"
+            "  const width = svg.getBoundingClientRect().width;"
+            "  return [one.dataset.picture, width / svg.viewBox.baseVal.width];"
+            "}).filter(([, scale]) => scale > 0 && scale < 0.74);"
+        )
+
+        self.assertEqual(shrunk, [])
+
+
+class EveryPage(WidePage):
+    """What changes the page opens it for itself."""
 
     def test_nothing_is_loaded_and_the_console_is_silent(self) -> None:
         path = self.page(self.name)
@@ -73,7 +95,7 @@ class EveryPage:
         self.assertEqual(others, [])
 
     def test_title_and_headings_are_there(self) -> None:
-        self.show(self.page(self.name))
+        self.open_at_rest()
         report = json.loads(self.ask(
             "return document.querySelector('script[data-kind=json]').textContent;"
         ))
@@ -87,7 +109,7 @@ class EveryPage:
         self.assertEqual([one for one in headings if one not in shown], [])
 
     def test_headings_leave_out_no_level(self) -> None:
-        self.show(self.page(self.name))
+        self.open_at_rest()
         levels = self.ask(
             "return [...document.querySelectorAll('h1,h2,h3,h4,h5,h6')]"
             ".map((h) => Number(h.tagName[1]));"
@@ -96,17 +118,18 @@ class EveryPage:
         self.assertEqual((levels[0], jumps), (1, []))
 
     def test_every_picture_is_there_and_has_words(self) -> None:
-        self.show(self.page(self.name))
+        self.open_at_rest()
         found = self.ask(
-            "return [...document.querySelectorAll('figure')].map((one) => {"
+            "const hidden = [...document.querySelectorAll('[hidden]')];"
+            "for (const one of hidden) one.hidden = false;"
+            "const found = [...document.querySelectorAll('figure')].map((one) => {"
             "  const svg = one.querySelector('svg');"
-            "  const hidden = one.closest('[hidden]');"
-            "  if (hidden) hidden.hidden = false;"
             "  const box = svg.getBoundingClientRect();"
-            "  if (hidden) hidden.hidden = true;"
             "  return [one.dataset.picture, box.width, box.height,"
             "    svg.getAttribute('aria-label'), one.querySelector('figcaption').textContent];"
             "});"
+            "for (const one of hidden) one.hidden = true;"
+            "return found;"
         )
         _, pictures = PAGES[self.name]
         self.assertEqual([one for one in pictures if one not in {f[0] for f in found}], [])
@@ -123,26 +146,14 @@ class EveryPage:
         # is on the page.
         wanted = set(re.findall(r"(?m)^yes  (\S+)", listed)) - {
             "pareto", "animation", "efficiency-map"}
-        self.show(self.page(self.name))
+        self.open_at_rest()
         shown = set(self.ask("return [...document.querySelectorAll('figure')]"
                              ".map((one) => one.dataset.picture);"))
         self.assertTrue(wanted)
         self.assertEqual(wanted - shown, set())
 
-    def test_no_picture_shrinks_much_on_a_screen(self) -> None:
-        self.show(self.page(self.name))
-        shrunk = self.ask(
-            "return [...document.querySelectorAll('figure')].map((one) => {"
-            "  const svg = one.querySelector('svg');"
-            "  const width = svg.getBoundingClientRect().width;"
-            "  return [one.dataset.picture, width / svg.viewBox.baseVal.width];"
-            "}).filter(([, scale]) => scale > 0 && scale < 0.74);"
-        )
-
-        self.assertEqual(shrunk, [])
-
     def test_ids_are_unique_and_references_meet_them(self) -> None:
-        self.show(self.page(self.name))
+        self.open_at_rest()
         repeated, dangling = self.ask(
             "const ids = [...document.querySelectorAll('[id]')].map((one) => one.id);"
             "const all = new Set(ids);"
@@ -158,7 +169,7 @@ class EveryPage:
         # WCAG 2.2, 1.4.3: at least 4.5.
         for scheme in ("light", "dark"):
             with self.subTest(scheme=scheme):
-                self.show(self.page(self.name), prefers_color_scheme=scheme)
+                self.open_at_rest(prefers_color_scheme=scheme)
                 dull = self.ask(CONTRAST)
                 self.assertEqual(dull, [])
                 dark = self.ask("return luminance(getComputedStyle(document.body)"
@@ -167,18 +178,19 @@ class EveryPage:
 
     def test_the_page_never_scrolls_sideways(self) -> None:
         path = self.page(self.name)
-        self.open(path)
+        self.open(path, prefers_reduced_motion="reduce")
         self.ask("for (const one of document.querySelectorAll('[hidden]')) one.hidden = false;"
                  "for (const one of document.querySelectorAll('details')) one.open = true;")
         for width in (400, 1280):
             for scheme in ("light", "dark"):
                 with self.subTest(width=width, scheme=scheme):
-                    self.look(width, prefers_color_scheme=scheme)
+                    self.look(width, prefers_color_scheme=scheme,
+                              prefers_reduced_motion="reduce")
                     self.assertLessEqual(
                         self.ask("return document.documentElement.scrollWidth;"), width)
 
     def test_what_is_wider_than_its_box_can_be_reached_and_says_so(self) -> None:
-        self.open(self.page(self.name), 400)
+        self.open(self.page(self.name), 400, prefers_reduced_motion="reduce")
         self.ask("for (const one of document.querySelectorAll('details')) one.open = true;")
         wide = self.ask(
             "return [...document.querySelectorAll('.box, .picture')]"
@@ -195,8 +207,8 @@ class EveryPage:
 
 
 # One class for each page, so that its tests follow each other and share what is opened.
-for page in PAGES:
-    globals()[page] = type(page, (EveryPage, PageCase), {"name": page, "__module__": __name__})
+for page, kind in {**dict.fromkeys(PAGES, EveryPage), WIDEST: WidePage}.items():
+    globals()[page] = type(page, (kind, PageCase), {"name": page, "__module__": __name__})
 
 
 if __name__ == "__main__":

@@ -43,7 +43,7 @@ class PageCase(unittest.TestCase):
 
     browser: Browser
     folder: Path
-    _shown: Path | None = None  # opened by `show`, and not changed since
+    _shown: Path | None = None  # opened by `open_once`, and not changed since
 
     @classmethod
     def page(cls, name: str) -> Path:
@@ -64,7 +64,7 @@ class PageCase(unittest.TestCase):
         self.browser.open(path)
         PageCase._shown = None
 
-    def show(self, path: Path, width: int = 1280, **features: str) -> None:
+    def open_once(self, path: Path, width: int = 1280, **features: str) -> None:
         """As `open`, for a test that changes nothing; what is shown already is not loaded again."""
         if PageCase._shown == path:
             self.look(width, **features)
