@@ -16,6 +16,7 @@ import sys
 import tempfile
 import time
 import unittest
+from functools import lru_cache
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -37,11 +38,13 @@ def candidates(*words: str | Path) -> tuple[str, list[str]]:
     return kind, [line.split("\t")[0] for line in lines]
 
 
+@lru_cache(maxsize=None)
 def commands() -> list[str]:
     listed = run("--help").partition("\nCommands:\n")[2].partition("\nOptions:\n")[0]
     return re.findall(r"^  (\S+)", listed, re.MULTILINE)
 
 
+@lru_cache(maxsize=None)
 def entries(command: str) -> list[tuple[list[str], str]]:
     """Of its help: the long names of an option, and what its value is called."""
     listed = run(command, "--help").partition("\nOptions:\n")[2]

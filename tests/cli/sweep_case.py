@@ -11,6 +11,9 @@ import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests" / "support"))
+import sanitized  # noqa: E402  (tests/support/sanitized.py)
+
 PROGRAM = Path("kinestat")
 
 # A planetary set whose ring is held: 24 x 4 teeth, two cases.
@@ -52,6 +55,10 @@ sweep:
 
 def program() -> Path:
     return PROGRAM
+
+
+def has_sanitizers() -> bool:
+    return sanitized.has_sanitizers(PROGRAM)
 
 
 def kinestat(*arguments: object, **options: object) -> subprocess.CompletedProcess[str]:

@@ -15,6 +15,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from functools import lru_cache
 from pathlib import Path
 from typing import Callable, Iterator
 
@@ -146,6 +147,18 @@ def compare_results(actual: Result, expected: Result, factors: Factors) -> Itera
     yield from compare_motion(report.get("motion") or {}, before.get("motion") or {})
 
 
+def output_of(command: str, style: str, text: str) -> bytes:
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "file.yaml"
+        path.write_text(text, encoding="utf-8")
+        return subprocess.run([program, command, "--format", style, path], capture_output=True,
+                              check=False).stdout
+
+
+# Of a file as it is, for which several tests ask.
+plain_output_of = lru_cache(maxsize=None)(output_of)
+
+
 class MetamorphicTest(unittest.TestCase):
     files: dict[str, Path]
     plain: dict[str, Result]
@@ -238,14 +251,12 @@ class MetamorphicTest(unittest.TestCase):
     def compare_outputs(self, folder: Path, command: str, style: str, texts: list[str]) -> int:
         """0 where the command has no answer."""
         paths = []
-        for side, text in enumerate(texts):
-            (folder / f"{side}.yaml").write_text(text, encoding="utf-8")
-            output = subprocess.run([program, command, "--format", style, folder / f"{side}.yaml"],
-                                    capture_output=True, check=False).stdout
-            paths.append(folder / f"{side}.{style}")
+        for ask, text in zip((plain_output_of, output_of), texts, strict=True):
+            output = ask(command, style, text)
+            if not output:
+                return 0
+            paths.append(folder / f"{len(paths)}.{style}")
             paths[-1].write_bytes(output)
-        if not all(path.stat().st_size for path in paths):
-            return 0
         done = subprocess.run([program, "compare", "--rtol", "1e-7", *paths],
                               capture_output=True, text=True, check=False)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)

@@ -6,12 +6,16 @@ import os
 import re
 import signal
 import subprocess
+import sys
 import tempfile
 import threading
 from dataclasses import dataclass, field
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests" / "support"))
+import sanitized  # noqa: E402  (tests/support/sanitized.py)
+
 HANG_S = 60.0
 # What a command needs to have an answer; a command that reads mechanism files and is not named here
 # is given the first.
@@ -77,7 +81,7 @@ class Program:
         self.path = path.resolve()
         self.count = 0
         self._lock = threading.Lock()
-        self.has_sanitizers = b"__asan_init" in self.path.read_bytes()
+        self.has_sanitizers = sanitized.has_sanitizers(self.path)
 
     def run(self, arguments: list[str | bytes], *, files: dict[str, bytes] | None = None,
             env: dict[str, str] | None = None, shell: str = "", stdin: bytes = b"",

@@ -20,6 +20,9 @@ from pathlib import Path
 from typing import Callable, Iterator
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests" / "support"))
+from sanitized import has_sanitizers  # noqa: E402
+
 PROGRAM = Path("kinestat")
 SIZE = 1 << 20
 LONGEST_S = 10
@@ -223,10 +226,6 @@ def inputs() -> Iterator[tuple[str, bytes]]:
         yield from family()
 
 
-def has_sanitizers() -> bool:
-    return b"__asan_init" in PROGRAM.read_bytes()
-
-
 def limit_memory() -> None:
     resource.setrlimit(resource.RLIMIT_AS, (ADDRESS_SPACE, ADDRESS_SPACE))
 
@@ -236,7 +235,7 @@ def check(text: bytes) -> tuple[int, float, int, bytes]:
     with tempfile.TemporaryFile() as file, tempfile.TemporaryFile() as err:
         file.write(text)
         file.seek(0)
-        before: Callable[[], None] | None = None if has_sanitizers() else limit_memory
+        before: Callable[[], None] | None = None if has_sanitizers(PROGRAM) else limit_memory
         process = subprocess.Popen([PROGRAM, "check", "-"], stdin=file, stdout=subprocess.DEVNULL,
                                    stderr=err, preexec_fn=before)
         _, status, usage = os.wait4(process.pid, 0)
@@ -248,9 +247,9 @@ def check(text: bytes) -> tuple[int, float, int, bytes]:
 
 class AnyBytes(unittest.TestCase):
     def test_are_answered_soon_and_in_bounded_memory(self) -> None:
-        loose = 10 if has_sanitizers() else 1
+        loose = 10 if has_sanitizers(PROGRAM) else 1
         for i, (name, text) in enumerate(inputs()):
-            if has_sanitizers() and i % 8 != 0:
+            if has_sanitizers(PROGRAM) and i % 8 != 0:
                 continue  # they are ten times slower; the release build tries all
             with self.subTest(name):
                 self.assertLessEqual(len(text), SIZE)

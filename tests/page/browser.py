@@ -40,6 +40,7 @@ class Browser:
             [driver, f"--port={self._port}"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
         )
         self._session = ""
+        self._emulated: dict[str, dict] = {}
         try:
             self._wait_until_ready()
             self._session = self._start(browser)
@@ -119,8 +120,14 @@ class Browser:
         """A command of the DevTools protocol."""
         return self._send("POST", "/goog/cdp/execute", {"cmd": command, "params": parameters})
 
+    def _emulate(self, command: str, **parameters: object) -> None:
+        """Whatever is emulated anew is laid out anew, even if nothing changes."""
+        if self._emulated.get(command) != parameters:
+            self.tell(command, **parameters)
+            self._emulated[command] = parameters
+
     def set_width(self, width: int, height: int = 900) -> None:
-        self.tell(
+        self._emulate(
             "Emulation.setDeviceMetricsOverride",
             width=width,
             height=height,
@@ -130,7 +137,7 @@ class Browser:
 
     def set_media(self, media: str = "screen", **features: str) -> None:
         """`prefers_color_scheme="dark"` and the like."""
-        self.tell(
+        self._emulate(
             "Emulation.setEmulatedMedia",
             media=media,
             features=[

@@ -39,10 +39,11 @@ def write_page(path: Path, *files: Path | str) -> subprocess.CompletedProcess[st
 
 
 class PageCase(unittest.TestCase):
-    """Every test opens its page anew, 1280 pixels wide, light, without a wish for less motion."""
+    """Pages are 1280 pixels wide, light, without a wish for less motion, if a test says no other."""
 
     browser: Browser
     folder: Path
+    _shown: Path | None = None  # opened by `open_once`, and not changed since
 
     @classmethod
     def page(cls, name: str) -> Path:
@@ -52,12 +53,24 @@ class PageCase(unittest.TestCase):
             assert answer.returncode == 0, answer.stderr
         return path
 
-    def open(self, path: Path, width: int = 1280, **features: str) -> None:
+    def look(self, width: int = 1280, **features: str) -> None:
         self.browser.set_width(width)
         self.browser.set_media(**features)
+
+    def open(self, path: Path, width: int = 1280, **features: str) -> None:
+        self.look(width, **features)
         self.browser.messages()
         self.browser.requests()
         self.browser.open(path)
+        PageCase._shown = None
+
+    def open_once(self, path: Path, width: int = 1280, **features: str) -> None:
+        """As `open`, for a test that changes nothing; what is shown already is not loaded again."""
+        if PageCase._shown == path:
+            self.look(width, **features)
+        else:
+            self.open(path, width, **features)
+            PageCase._shown = path
 
     def ask(self, script: str, *arguments: object):
         return self.browser.ask(script, *arguments)
