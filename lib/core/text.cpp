@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "core/spelling.hpp"
+
 namespace kinestat {
 
 namespace {
@@ -32,16 +34,6 @@ int edit_distance(std::string_view a, std::string_view b) {
     std::swap(last, now);
   }
   return last[n - 1];
-}
-
-std::string lower(std::string_view word) {
-  std::string result(word);
-  for (char& c : result) {
-    if (c >= 'A' && c <= 'Z') {
-      c = static_cast<char>(c - 'A' + 'a');
-    }
-  }
-  return result;
 }
 
 std::string more(std::size_t left_out) {
@@ -77,7 +69,8 @@ std::string nearest_name(std::string_view word, std::span<const std::string> can
     if (candidate.size() > kLongestWord) {
       continue;
     }
-    const int distance = lower(word) == lower(candidate) ? 0 : edit_distance(word, candidate);
+    const int distance =
+        in_small_letters(word) == in_small_letters(candidate) ? 0 : edit_distance(word, candidate);
     if (distance < best && distance < static_cast<int>(word.size())) {
       best = distance;
       nearest = candidate;

@@ -1,6 +1,5 @@
 #include "io/stored_chunk.hpp"
 
-#include <charconv>
 #include <vector>
 
 #include <fmt/format.h>
@@ -8,6 +7,8 @@
 // Compiled here, for this source alone.
 #define XXH_INLINE_ALL
 #include <xxhash.h>
+
+#include "core/spelling.hpp"
 
 namespace kinestat {
 
@@ -43,13 +44,6 @@ std::vector<std::string> split(const std::string& line, std::size_t count) {
   }
   words.push_back(line.substr(begin));
   return words;
-}
-
-std::optional<std::uint64_t> whole_number(const std::string& text) {
-  std::uint64_t value = 0;
-  const char* end = text.data() + text.size();
-  const auto [at, error] = std::from_chars(text.data(), end, value);
-  return error == std::errc() && at == end ? std::optional(value) : std::nullopt;
 }
 
 }  // namespace
@@ -110,8 +104,8 @@ RecordState RecordFile::read_record(std::string_view plan, StoredChunk& record) 
   constexpr std::size_t kWordCount = 6;
   const std::vector<std::string> words = split(*line, kWordCount);
   const bool has_form = words.size() == kWordCount && words[0] == kWord;
-  const auto index = has_form ? whole_number(words[2]) : std::nullopt;
-  const auto size = has_form ? whole_number(words[3]) : std::nullopt;
+  const auto index = has_form ? number_from<std::uint64_t>(words[2]) : std::nullopt;
+  const auto size = has_form ? number_from<std::uint64_t>(words[3]) : std::nullopt;
   if (!index || !size) {
     return RecordState::damaged;
   }

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "core/spelling.hpp"
 #include "core/text.hpp"
 #include "couplings/kinds.hpp"
 
@@ -89,18 +90,10 @@ constexpr auto kSynonyms = std::to_array<Synonym>({
     {"fourbar", "four_bar"},
 });
 
-std::string in_lower_case(std::string_view word) {
-  std::string result(word);
-  std::ranges::transform(result, result.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return result;
-}
-
 }  // namespace
 
 std::string meant_name(std::string_view word, std::span<const std::string> candidates) {
-  const std::string lower = in_lower_case(word);
+  const std::string lower = in_small_letters(word);
   for (const Synonym& row : kSynonyms) {
     if (row.word == lower && std::ranges::find(candidates, row.meant) != candidates.end()) {
       return std::string(row.meant);

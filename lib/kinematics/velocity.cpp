@@ -15,15 +15,6 @@ namespace kinestat {
 
 namespace {
 
-std::vector<double> rate_units(const Topology& topology, const CoordinateBasis& basis) {
-  std::vector<double> units;
-  units.reserve(topology.freedoms.size());
-  for (int f = 0; f < topology.freedom_count(); ++f) {
-    units.push_back(rate_unit(topology, basis, f));
-  }
-  return units;
-}
-
 void fill(const Mechanism& mechanism,
           const CoordinateBasis& basis,
           const VecX& x,

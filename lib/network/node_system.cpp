@@ -68,6 +68,22 @@ double action_unit(const Topology& topology, const CoordinateBasis& basis, int a
   return turns ? basis.length_unit(ScrewKind::wrench) : 1.0;
 }
 
+std::vector<double> rate_units(const Topology& topology, const CoordinateBasis& basis) {
+  std::vector<double> units;
+  for (int f = 0; f < topology.freedom_count(); ++f) {
+    units.push_back(rate_unit(topology, basis, f));
+  }
+  return units;
+}
+
+std::vector<double> action_units(const Topology& topology, const CoordinateBasis& basis) {
+  std::vector<double> units;
+  for (int a = 0; a < topology.action_count(); ++a) {
+    units.push_back(action_unit(topology, basis, a));
+  }
+  return units;
+}
+
 Twist body_twist(const VecX& solution, const CoordinateBasis& basis, BodyId body) {
   if (body.value == 0 || basis.order() == 0) {
     return {};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "math/elimination/sparse_matrix.hpp"
 #include "mechanism/cases/load.hpp"
@@ -27,6 +28,9 @@ int velocity_column(const Topology& topology, const CoordinateBasis& basis, int 
 /// SI per unit of the unknown of a freedom: 1 for a rotation, the length unit for a translation.
 double rate_unit(const Topology& topology, const CoordinateBasis& basis, int freedom);
 
+/// Those of all freedoms.
+std::vector<double> rate_units(const Topology& topology, const CoordinateBasis& basis);
+
 /// The twist of a body [SI] from a solution of the velocity system; zero for the ground.
 Twist body_twist(const VecX& solution, const CoordinateBasis& basis, BodyId body);
 
@@ -46,5 +50,8 @@ std::vector<double> load_vector(int body_count,
 
 /// SI per unit of the unknown of an action: 1 for a force, the length unit for a couple.
 double action_unit(const Topology& topology, const CoordinateBasis& basis, int action);
+
+/// Those of all actions.
+std::vector<double> action_units(const Topology& topology, const CoordinateBasis& basis);
 
 }  // namespace kinestat

@@ -1,12 +1,12 @@
 #include "pages/motion_tables.hpp"
 
-#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "core/spelling.hpp"
 #include "report/number_format.hpp"
 
 namespace kinestat {
@@ -22,9 +22,8 @@ std::string amount(double value, const std::string& unit) {
 }
 
 // "dead point"
-std::string words_of(std::string kind) {
-  std::ranges::replace(kind, '_', ' ');
-  return kind == "singular" ? "singular position" : kind;
+std::string words_of(std::string_view kind) {
+  return kind == "singular" ? "singular position" : in_words(kind);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "core/spelling.hpp"
 #include "core/text.hpp"
 #include "core/utf8.hpp"
 #include "couplings/kinds.hpp"
@@ -34,9 +35,7 @@ std::string types_text(const Topology& topology) {
   }
   std::vector<std::string> parts;
   for (const auto& [type, count] : counts) {
-    std::string word(word_of(type));
-    std::ranges::replace(word, '_', ' ');
-    parts.push_back(fmt::format("{} {}", count, word));
+    parts.push_back(fmt::format("{} {}", count, in_words(word_of(type))));
   }
   return fmt::format("{}", fmt::join(parts, ", "));
 }
@@ -89,12 +88,6 @@ void add_mobility(const MobilityCounts& counts, Sentences& sentences) {
 bool is_solved(const CaseAnalysis& one) {
   return (!one.motion || one.motion->status == SolveStatus::solved) &&
          (!one.action || one.action->status == SolveStatus::solved);
-}
-
-std::string in_words(std::string_view word) {
-  std::string text(word);
-  std::ranges::replace(text, '_', ' ');
-  return text;
 }
 
 // "M3 (actions indeterminate)"

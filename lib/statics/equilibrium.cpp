@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "core/contract.hpp"
@@ -103,15 +104,12 @@ std::vector<double> action_sizes(const Topology& topology,
   return sizes;
 }
 
-std::vector<double> action_units(const Topology& topology,
-                                 const CoordinateBasis& basis,
-                                 const std::vector<double>& sizes,
-                                 const std::vector<SlippingCableTension>& ties) {
-  std::vector<double> units;
-  units.reserve(topology.actions.size());
-  for (int a = 0; a < topology.action_count(); ++a) {
-    units.push_back(action_unit(topology, basis, a) * sizes[static_cast<std::size_t>(a)]);
-  }
+std::vector<double> sized_units(const Topology& topology,
+                                const CoordinateBasis& basis,
+                                const std::vector<double>& sizes,
+                                const std::vector<SlippingCableTension>& ties) {
+  std::vector<double> units = action_units(topology, basis);
+  std::ranges::transform(units, sizes, units.begin(), std::multiplies());
   for (const SlippingCableTension& tie : ties) {
     units[static_cast<std::size_t>(tie.action)] = 1.0;  // the tension, in newtons as all of them
   }
@@ -159,7 +157,7 @@ Equilibrium::Equilibrium(const Mechanism& mechanism,
       ties_(std::move(ties)),
       driving_(mechanism.topology.driving_actions()),
       sizes_(action_sizes(mechanism.topology, ties_)),
-      units_(action_units(mechanism.topology, basis_, sizes_, ties_)),
+      units_(sized_units(mechanism.topology, basis_, sizes_, ties_)),
       body_count_(mechanism.topology.body_count()),
       elimination_(tied_system(action_system(mechanism.topology, mechanism.geometry, basis_),
                                ties_,

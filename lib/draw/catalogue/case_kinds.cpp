@@ -30,6 +30,18 @@ Analysis chosen(const PictureSource& source) {
   return analysis;
 }
 
+using MapOf = BarMap(const Analysis&);
+
+template <MapOf map_of>
+Picture drawn_bars(const PictureSource& source) {
+  return draw_bar_map(map_of(chosen(source)));
+}
+
+template <MapOf map_of>
+std::string plotted_bars(const PictureSource& source) {
+  return gnuplot_text(map_of(chosen(source)));
+}
+
 std::string why_no_velocities(const PictureSource& source) {
   return why_not_in_cases(source, has_velocities, "velocities that are solved");
 }
@@ -103,18 +115,6 @@ Picture draw_maps(const PictureSource& source) {
   return draw_efficiency_maps(*source.analysis, maps_of(source));
 }
 
-Picture draw_speeds(const PictureSource& source) {
-  return draw_bar_map(speed_map(chosen(source)));
-}
-
-Picture draw_torques(const PictureSource& source) {
-  return draw_bar_map(torque_map(chosen(source)));
-}
-
-Picture draw_forces(const PictureSource& source) {
-  return draw_bar_map(force_map(chosen(source)));
-}
-
 Picture draw_levers(const PictureSource& source) {
   return draw_lever_diagram(chosen(source), levers_of(source));
 }
@@ -127,34 +127,22 @@ Picture draw_ladder(const PictureSource& source) {
   return draw_ratio_ladder(*source.analysis);
 }
 
-std::string speeds_text(const PictureSource& source) {
-  return gnuplot_text(speed_map(chosen(source)));
-}
-
-std::string torques_text(const PictureSource& source) {
-  return gnuplot_text(torque_map(chosen(source)));
-}
-
-std::string forces_text(const PictureSource& source) {
-  return gnuplot_text(force_map(chosen(source)));
-}
-
 constexpr auto kCaseKinds = std::to_array<PictureKind>({
     {.name = "speeds",
      .sentence = "bars of the velocities of all bodies, case by case",
      .why_not = why_no_speeds,
-     .draw = draw_speeds,
-     .gnuplot = speeds_text},
+     .draw = drawn_bars<speed_map>,
+     .gnuplot = plotted_bars<speed_map>},
     {.name = "forces",
      .sentence = "bars of the forces in all couplings, case by case",
      .why_not = why_no_forces,
-     .draw = draw_forces,
-     .gnuplot = forces_text},
+     .draw = drawn_bars<force_map>,
+     .gnuplot = plotted_bars<force_map>},
     {.name = "torques",
      .sentence = "bars of the moments in all couplings, case by case",
      .why_not = why_no_torques,
-     .draw = draw_torques,
-     .gnuplot = torques_text},
+     .draw = drawn_bars<torque_map>,
+     .gnuplot = plotted_bars<torque_map>},
     {.name = "lever",
      .sentence = "planetary sets as levers, with the speeds of each case",
      .why_not = why_no_levers,

@@ -46,20 +46,19 @@ std::string why_no_nothing(const PictureSource&) {
 // How many graphs one picture may show.
 constexpr int kMostGraphs = 60;
 
-std::string why_no_circuits(const PictureSource& source) {
-  const int count = source.analysis->mechanism.graph.circuit_count();
+std::string why_no_graphs(int count, std::string_view name) {
   if (count > kMostGraphs) {
-    return fmt::format("its graph has {} circuits, more than a picture shows", count);
+    return fmt::format("its graph has {} {}s, more than a picture shows", count, name);
   }
-  return count == 0 ? "its graph has no circuit" : "";
+  return count == 0 ? fmt::format("its graph has no {}", name) : "";
+}
+
+std::string why_no_circuits(const PictureSource& source) {
+  return why_no_graphs(source.analysis->mechanism.graph.circuit_count(), "circuit");
 }
 
 std::string why_no_cutsets(const PictureSource& source) {
-  const int count = source.analysis->mechanism.graph.cutset_count();
-  if (count > kMostGraphs) {
-    return fmt::format("its graph has {} cut-sets, more than a picture shows", count);
-  }
-  return count == 0 ? "its graph has no cut-set" : "";
+  return why_no_graphs(source.analysis->mechanism.graph.cutset_count(), "cut-set");
 }
 
 std::string why_no_mechanism(const PictureSource& source) {
@@ -118,16 +117,9 @@ Picture draw_power(const PictureSource& source) {
   return named("power-flow", draw_graph(power_of(source)));
 }
 
-std::string coupling_graph_text(const PictureSource& source) {
-  return dot_text(coupling_graph_model(*source.analysis));
-}
-
-std::string motion_graph_text(const PictureSource& source) {
-  return dot_text(motion_graph_model(*source.analysis));
-}
-
-std::string action_graph_text(const PictureSource& source) {
-  return dot_text(action_graph_model(*source.analysis));
+template <GraphModel model_of(const Analysis&)>
+std::string graph_text(const PictureSource& source) {
+  return dot_text(model_of(*source.analysis));
 }
 
 std::string power_text(const PictureSource& source) {
@@ -151,17 +143,17 @@ constexpr auto kDrawingKinds = std::to_array<PictureKind>({
      .sentence = "bodies and couplings as a graph, with its tree",
      .why_not = why_no_nothing,
      .draw = draw_coupling_graph,
-     .dot = coupling_graph_text},
+     .dot = graph_text<coupling_graph_model>},
     {.name = "motion-graph",
      .sentence = "the graph with a line for each freedom",
      .why_not = why_no_nothing,
      .draw = draw_motion_graph,
-     .dot = motion_graph_text},
+     .dot = graph_text<motion_graph_model>},
     {.name = "action-graph",
      .sentence = "the graph with a line for each constraint",
      .why_not = why_no_nothing,
      .draw = draw_action_graph,
-     .dot = action_graph_text},
+     .dot = graph_text<action_graph_model>},
     {.name = "circuits",
      .sentence = "the fundamental circuits in the graph",
      .why_not = why_no_circuits,

@@ -24,6 +24,18 @@ std::string titled(std::string_view what, const PictureSource& source) {
   return source.name.empty() ? std::string(what) : fmt::format("{}: {}", what, source.name);
 }
 
+using FigureOf = Figure(const PictureSource&);
+
+template <FigureOf figure_of>
+Picture drawn_figure(const PictureSource& source) {
+  return draw_figure(figure_of(source));
+}
+
+template <FigureOf figure_of>
+std::string plotted_figure(const PictureSource& source) {
+  return gnuplot_text(figure_of(source));
+}
+
 std::string why_no_task(const PictureSource& source) {
   return source.synthesis->tasks.empty() ? "no choice of the task is left" : "";
 }
@@ -54,12 +66,8 @@ Picture draw_found_ladders(const PictureSource& source) {
   return draw_ladders(*source.transmissions);
 }
 
-Picture draw_trade_offs(const PictureSource& source) {
-  return draw_figure(trade_off_figure(*source.transmissions));
-}
-
-std::string trade_offs_text(const PictureSource& source) {
-  return gnuplot_text(trade_off_figure(*source.transmissions));
+Figure trade_offs_of(const PictureSource& source) {
+  return trade_off_figure(*source.transmissions);
 }
 
 std::string why_no_animation(const PictureSource& source) {
@@ -99,14 +107,6 @@ std::string why_no_shaking(const PictureSource& source) {
                                            : "";
 }
 
-Picture draw_shaking(const PictureSource& source) {
-  return draw_figure(shaking_of(source));
-}
-
-std::string shaking_text(const PictureSource& source) {
-  return gnuplot_text(shaking_of(source));
-}
-
 Figure harmonics_of(const PictureSource& source) {
   return harmonic_figure(*source.motion, titled("Harmonics", source));
 }
@@ -115,14 +115,6 @@ std::string why_no_harmonics(const PictureSource& source) {
   return harmonics_of(source).charts.empty()
              ? "its motion has no harmonics: add 'harmonics: 6' to 'dynamics'"
              : "";
-}
-
-Picture draw_harmonics(const PictureSource& source) {
-  return draw_figure(harmonics_of(source));
-}
-
-std::string harmonics_text(const PictureSource& source) {
-  return gnuplot_text(harmonics_of(source));
 }
 
 Figure actuators_of(const PictureSource& source) {
@@ -135,24 +127,8 @@ std::string why_no_actuators(const PictureSource& source) {
              : "";
 }
 
-Picture draw_actuators(const PictureSource& source) {
-  return draw_figure(actuators_of(source));
-}
-
-std::string actuators_text(const PictureSource& source) {
-  return gnuplot_text(actuators_of(source));
-}
-
 Figure speed_torque_of(const PictureSource& source) {
   return speed_torque_figure(*source.motion, titled("Action over speed", source));
-}
-
-Picture draw_speed_torque(const PictureSource& source) {
-  return draw_figure(speed_torque_of(source));
-}
-
-std::string speed_torque_text(const PictureSource& source) {
-  return gnuplot_text(speed_torque_of(source));
 }
 
 Figure simulation_of(const PictureSource& source) {
@@ -171,28 +147,12 @@ std::string why_no_simulation(const PictureSource& source) {
   return why_not_over_time(source, simulation_of(source), "nothing changes in its simulation");
 }
 
-Picture draw_simulation(const PictureSource& source) {
-  return draw_figure(simulation_of(source));
-}
-
-std::string simulation_text(const PictureSource& source) {
-  return gnuplot_text(simulation_of(source));
-}
-
 Figure energies_of(const PictureSource& source) {
   return energy_figure(*source.simulation, titled("Energies", source));
 }
 
 std::string why_no_energies(const PictureSource& source) {
   return why_not_over_time(source, energies_of(source), "its simulation has no energies");
-}
-
-Picture draw_energies(const PictureSource& source) {
-  return draw_figure(energies_of(source));
-}
-
-std::string energies_text(const PictureSource& source) {
-  return gnuplot_text(energies_of(source));
 }
 
 Figure sweep_of(const PictureSource& source) {
@@ -203,40 +163,8 @@ std::string why_no_sweep(const PictureSource& source) {
   return why_no_curves_of_sweep(*source.sweep);
 }
 
-Picture draw_sweep(const PictureSource& source) {
-  return draw_figure(sweep_of(source));
-}
-
-std::string sweep_text(const PictureSource& source) {
-  return gnuplot_text(sweep_of(source));
-}
-
-Picture draw_motion(const PictureSource& source) {
-  return draw_figure(motion_of(source));
-}
-
-Picture draw_paths(const PictureSource& source) {
-  return draw_figure(paths_of(source));
-}
-
-std::string motion_text(const PictureSource& source) {
-  return gnuplot_text(motion_of(source));
-}
-
-std::string paths_text(const PictureSource& source) {
-  return gnuplot_text(paths_of(source));
-}
-
 Figure pareto_of(const PictureSource& source) {
   return pareto_figure(titled("Time against error of the methods", source), *source.benchmark);
-}
-
-Picture draw_pareto(const PictureSource& source) {
-  return draw_figure(pareto_of(source));
-}
-
-std::string pareto_text(const PictureSource& source) {
-  return gnuplot_text(pareto_of(source));
 }
 
 constexpr auto kStudyKinds = std::to_array<PictureKind>({
@@ -249,56 +177,56 @@ constexpr auto kStudyKinds = std::to_array<PictureKind>({
      .sentence = "positions, velocities and more of a motion against its drive",
      .need = PictureNeed::motion,
      .why_not = why_no_curves,
-     .draw = draw_motion,
-     .gnuplot = motion_text},
+     .draw = drawn_figure<motion_of>,
+     .gnuplot = plotted_figure<motion_of>},
     {.name = "paths",
      .sentence = "the paths of points in a motion, to scale",
      .need = PictureNeed::motion,
      .why_not = why_no_paths,
-     .draw = draw_paths,
-     .gnuplot = paths_text},
+     .draw = drawn_figure<paths_of>,
+     .gnuplot = plotted_figure<paths_of>},
     {.name = "shaking",
      .sentence = "the shaking force on the frame, without and with counterweights",
      .need = PictureNeed::motion,
      .why_not = why_no_shaking,
-     .draw = draw_shaking,
-     .gnuplot = shaking_text},
+     .draw = drawn_figure<shaking_of>,
+     .gnuplot = plotted_figure<shaking_of>},
     {.name = "harmonics",
      .sentence = "amplitudes of torques, shaking and ground forces over their orders",
      .need = PictureNeed::motion,
      .why_not = why_no_harmonics,
-     .draw = draw_harmonics,
-     .gnuplot = harmonics_text},
+     .draw = drawn_figure<harmonics_of>,
+     .gnuplot = plotted_figure<harmonics_of>},
     {.name = "drive-torque",
      .sentence = "required torque or force of each actuator in a motion, with mean and RMS",
      .need = PictureNeed::motion,
      .why_not = why_no_actuators,
-     .draw = draw_actuators,
-     .gnuplot = actuators_text},
+     .draw = drawn_figure<actuators_of>,
+     .gnuplot = plotted_figure<actuators_of>},
     {.name = "speed-torque",
      .sentence = "required torque or force of each actuator over its own speed",
      .need = PictureNeed::motion,
      .why_not = why_no_actuators,
-     .draw = draw_speed_torque,
-     .gnuplot = speed_torque_text},
+     .draw = drawn_figure<speed_torque_of>,
+     .gnuplot = plotted_figure<speed_torque_of>},
     {.name = "simulation",
      .sentence = "positions, speeds and more of a simulation over time",
      .need = PictureNeed::simulation,
      .why_not = why_no_simulation,
-     .draw = draw_simulation,
-     .gnuplot = simulation_text},
+     .draw = drawn_figure<simulation_of>,
+     .gnuplot = plotted_figure<simulation_of>},
     {.name = "energies",
      .sentence = "energies of a simulation over time",
      .need = PictureNeed::simulation,
      .why_not = why_no_energies,
-     .draw = draw_energies,
-     .gnuplot = energies_text},
+     .draw = drawn_figure<energies_of>,
+     .gnuplot = plotted_figure<energies_of>},
     {.name = "sweep-curves",
      .sentence = "quantities of a sweep over a parameter",
      .need = PictureNeed::sweep,
      .why_not = why_no_sweep,
-     .draw = draw_sweep,
-     .gnuplot = sweep_text},
+     .draw = drawn_figure<sweep_of>,
+     .gnuplot = plotted_figure<sweep_of>},
     {.name = "synthesis",
      .sentence = "the best linkages of a synthesis, each through its positions",
      .need = PictureNeed::synthesis,
@@ -318,14 +246,14 @@ constexpr auto kStudyKinds = std::to_array<PictureKind>({
      .sentence = "torque, speed and steps of transmissions over their efficiency",
      .need = PictureNeed::transmissions,
      .why_not = why_no_ladders,
-     .draw = draw_trade_offs,
-     .gnuplot = trade_offs_text},
+     .draw = drawn_figure<trade_offs_of>,
+     .gnuplot = plotted_figure<trade_offs_of>},
     {.name = "pareto",
      .sentence = "time against error of the methods of solution",
      .need = PictureNeed::benchmark,
      .why_not = why_no_times,
-     .draw = draw_pareto,
-     .gnuplot = pareto_text},
+     .draw = drawn_figure<pareto_of>,
+     .gnuplot = plotted_figure<pareto_of>},
 });
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/spelling.hpp"
 #include "core/tolerance.hpp"
 #include "expression/parse/characters.hpp"
 #include "expression/parse/suggestion.hpp"

@@ -94,14 +94,6 @@ ExpressionError foreign(std::string_view text, std::size_t at) {
 
 }  // namespace
 
-std::string in_small_letters(std::string_view text) {
-  std::string result(text);
-  std::ranges::transform(result, result.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return result;
-}
-
 std::string without(std::string_view text, char unwanted) {
   std::string result(text);
   std::erase(result, unwanted);

@@ -49,9 +49,6 @@ inline std::size_t skip_digits(std::string_view text, std::size_t at) {
   return at;
 }
 
-/// ASCII letters only.
-std::string in_small_letters(std::string_view text);
-
 /// The text with every `unwanted` left out.
 std::string without(std::string_view text, char unwanted);
 

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "core/spelling.hpp"
 #include "expression/parse/characters.hpp"
 
 namespace kinestat {

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "core/spelling.hpp"
 #include "expression/parse/characters.hpp"
 #include "expression/parse/decimal_to_double.hpp"
 #include "expression/parse/number_format_errors.hpp"

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/spelling.hpp"
 #include "core/text.hpp"
 #include "expression/functions.hpp"
 #include "expression/units.hpp"
@@ -60,12 +61,8 @@ std::string_view spelled_unit(std::string_view word) {
   return row != kSpellings.end() ? row->unit : std::string_view();
 }
 
-char lower(char c) {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
 bool differ_in_case_only(std::string_view a, std::string_view b) {
-  return std::ranges::equal(a, b, {}, lower, lower);
+  return in_small_letters(a) == in_small_letters(b);
 }
 
 // Names of one or two letters are one step from each other: short words are near only if they

@@ -1,11 +1,11 @@
 #include "format/internal/example_json.hpp"
 
-#include <charconv>
 #include <optional>
 
 #include <fmt/format.h>
 
 #include "core/contract.hpp"
+#include "core/spelling.hpp"
 #include "expression/parse/decimal_to_double.hpp"
 #include "io/yaml_tree.hpp"
 
@@ -13,18 +13,11 @@ namespace kinestat {
 
 namespace {
 
-std::optional<long> whole_number_of(const std::string& text) {
-  long number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  const bool is_whole = error == std::errc() && end == text.data() + text.size();
-  return is_whole ? std::optional(number) : std::nullopt;
-}
-
 Json scalar_json(const YamlNode& node) {
   if (is_truth_value(node)) {
     return node.text == "true";
   }
-  if (const auto whole = node.quoted ? std::nullopt : whole_number_of(node.text)) {
+  if (const auto whole = node.quoted ? std::nullopt : number_from<long>(node.text)) {
     return *whole;
   }
   if (const auto number = node.quoted ? std::nullopt : read_plain_number(node.text)) {

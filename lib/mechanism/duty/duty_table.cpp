@@ -1,7 +1,6 @@
 #include "mechanism/duty/duty_table.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -10,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/csv_reader.hpp"
+#include "core/spelling.hpp"
 #include "core/utf8.hpp"
 #include "expression/units.hpp"
 #include "mechanism/duty/internal/duty_knowns.hpp"
@@ -255,15 +255,14 @@ class TableReader {
 
   double number_of(std::string_view cell, int line) {
     const std::string_view text = trimmed(cell);
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
+    const auto value = number_from<double>(text);
+    if (!value || !std::isfinite(*value)) {
       refuse(line,
              "E0308",
              fmt::format("'{}' is not a number", printable(text.substr(0, 80))),
              "numbers have a decimal point, and their unit is in the first line");
     }
-    return value;
+    return value.value_or(0.0);
   }
 
   const MechanismDescription& description_;

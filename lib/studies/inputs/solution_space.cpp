@@ -32,28 +32,18 @@ SolutionSpace read_space(SparseMatrix system,
 
 SolutionSpace motion_space(const Mechanism& mechanism, const CoordinateBasis& coordinates) {
   const Topology& topology = mechanism.topology;
-  std::vector<double> units;
-  units.reserve(topology.freedoms.size());
-  for (int f = 0; f < topology.freedom_count(); ++f) {
-    units.push_back(rate_unit(topology, coordinates, f));
-  }
   return read_space(velocity_system(topology, mechanism.geometry, coordinates),
                     coordinates.order(),
                     velocity_column(topology, coordinates, 0),
-                    std::move(units));
+                    rate_units(topology, coordinates));
 }
 
 SolutionSpace action_space(const Mechanism& mechanism, const CoordinateBasis& coordinates) {
   const Topology& topology = mechanism.topology;
-  std::vector<double> units;
-  units.reserve(topology.actions.size());
-  for (int a = 0; a < topology.action_count(); ++a) {
-    units.push_back(action_unit(topology, coordinates, a));
-  }
   return read_space(action_system(topology, mechanism.geometry, coordinates),
                     coordinates.order(),
                     0,
-                    std::move(units));
+                    action_units(topology, coordinates));
 }
 
 }  // namespace kinestat

@@ -1,12 +1,13 @@
 #include "studies/sweep/sweep_counts.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <numeric>
 #include <string_view>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include "core/spelling.hpp"
 
 namespace kinestat {
 
@@ -22,13 +23,6 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   return parts;
 }
 
-std::optional<std::uint64_t> whole_number(std::string_view text) {
-  std::uint64_t value = 0;
-  const char* end = text.data() + text.size();
-  const auto [at, error] = std::from_chars(text.data(), end, value);
-  return error == std::errc() && at == end ? std::optional(value) : std::nullopt;
-}
-
 // "name=value": the value, if the name is that.
 std::optional<std::string_view> value_of(std::string_view word, std::string_view name) {
   return word.starts_with(name) ? std::optional(word.substr(name.size())) : std::nullopt;
@@ -38,7 +32,7 @@ std::optional<std::string_view> value_of(std::string_view word, std::string_view
 std::optional<std::vector<std::uint64_t>> whole_numbers(std::optional<std::string_view> text) {
   std::vector<std::uint64_t> numbers;
   for (const std::string_view one : split(text.value_or("?"), ',')) {
-    const auto number = whole_number(one);
+    const auto number = number_from<std::uint64_t>(one);
     if (!number) {
       return std::nullopt;
     }
@@ -100,9 +94,9 @@ std::optional<SweepCounts> read_counts(const std::string& text) {
   const auto dropped = value_of(words[3], "dropped=");
   const auto unranked = value_of(words[4], "unranked=");
   const auto statuses = value_of(words[5], "statuses=");
-  const auto state_count = whole_number(states.value_or(""));
-  const auto row_count = whole_number(rows.value_or(""));
-  const auto unranked_count = whole_number(unranked.value_or(""));
+  const auto state_count = number_from<std::uint64_t>(states.value_or(""));
+  const auto row_count = number_from<std::uint64_t>(rows.value_or(""));
+  const auto unranked_count = number_from<std::uint64_t>(unranked.value_or(""));
   const auto excluded_counts = whole_numbers(excluded);
   const auto dropped_counts = whole_numbers(dropped);
   if (!state_count || !excluded_counts || !row_count || !dropped_counts || !unranked_count ||
@@ -117,8 +111,9 @@ std::optional<SweepCounts> read_counts(const std::string& text) {
                      .statuses = {}};
   for (const std::string_view one : split(*statuses, ',')) {
     const std::size_t colon = one.find(':');
-    const auto count =
-        colon == std::string_view::npos ? std::nullopt : whole_number(one.substr(colon + 1));
+    const auto count = colon == std::string_view::npos
+                           ? std::nullopt
+                           : number_from<std::uint64_t>(one.substr(colon + 1));
     if (!count) {
       return std::nullopt;
     }

@@ -8,11 +8,6 @@ namespace kinestat {
 
 namespace {
 
-Figure figure_of(std::string name, const std::string& title, std::string description) {
-  return {
-      .name = std::move(name), .title = title, .description = std::move(description), .charts = {}};
-}
-
 class ActuatorCharts {
  public:
   explicit ActuatorCharts(const MotionTable& motion) : motion_(motion), of_(*motion.dynamics) {}
@@ -20,40 +15,39 @@ class ActuatorCharts {
   // A chart an actuator: those of one mechanism may differ by orders.
   Chart over_way(const ActuatorFigures& one) const {
     const QuantityKind kind = action_kind(one.turns);
-    Chart chart = {.title = one.name,
-                   .x = of_.is_steady ? axis(motion_.drives.front().name, of_.place_kind())
-                                      : axis("time", QuantityKind::time),
-                   .y = axis(one.turns ? "torque" : "force", kind),
-                   .series = {}};
-    Series curve = {.name = one.name};
-    for (const ActuatorPoint& point : one.path) {
-      curve.x.push_back(place(point));
-      curve.y.push_back(of_.units.from_si(kind, point.action));
-    }
-    chart.series.push_back(std::move(curve));
+    Chart chart = action_over(one,
+                              of_.is_steady ? axis(motion_.drives.front().name, of_.place_kind())
+                                            : axis("time", QuantityKind::time),
+                              [&](const ActuatorPoint& point) { return place(point); });
     chart.series.push_back(level("mean", one, of_.units.from_si(kind, one.mean)));
     chart.series.push_back(level("RMS", one, of_.units.from_si(kind, one.rms)));
     return chart;
   }
 
   Chart over_speed(const ActuatorFigures& one) const {
-    const QuantityKind kind = action_kind(one.turns);
-    Chart chart = {.title = one.name,
-                   .x = axis("speed", rate_kind(one.turns)),
-                   .y = axis(one.turns ? "torque" : "force", kind),
-                   .series = {}};
-    Series curve = {.name = one.name};
-    for (const ActuatorPoint& point : one.path) {
-      curve.x.push_back(of_.units.from_si(rate_kind(one.turns), point.speed));
-      curve.y.push_back(of_.units.from_si(kind, point.action));
-    }
-    chart.series.push_back(std::move(curve));
-    return chart;
+    const QuantityKind kind = rate_kind(one.turns);
+    return action_over(one, axis("speed", kind), [&](const ActuatorPoint& point) {
+      return of_.units.from_si(kind, point.speed);
+    });
   }
 
  private:
   ChartAxis axis(std::string label, QuantityKind kind) const {
     return {.label = std::move(label), .unit = of_.units.text(kind)};
+  }
+
+  template <class PlaceOf>
+  Chart action_over(const ActuatorFigures& one, ChartAxis x, const PlaceOf& place_of) const {
+    const QuantityKind kind = action_kind(one.turns);
+    Series curve = {.name = one.name};
+    for (const ActuatorPoint& point : one.path) {
+      curve.x.push_back(place_of(point));
+      curve.y.push_back(of_.units.from_si(kind, point.action));
+    }
+    return {.title = one.name,
+            .x = std::move(x),
+            .y = axis(one.turns ? "torque" : "force", kind),
+            .series = {std::move(curve)}};
   }
 
   double place(const ActuatorPoint& point) const {
@@ -71,41 +65,38 @@ class ActuatorCharts {
   const MotionDynamics& of_;
 };
 
-template <class Draw>
-void add_charts(const MotionTable& motion, const Draw& draw, Figure& figure) {
-  if (!motion.dynamics) {
-    return;
+using ChartOf = Chart (ActuatorCharts::*)(const ActuatorFigures&) const;
+
+Figure figure_with(ChartOf chart_of, const MotionTable& motion, Figure figure) {
+  if (motion.dynamics) {
+    const ActuatorCharts charts(motion);
+    for (const ActuatorFigures& one : motion.dynamics->actuators) {
+      figure.charts.push_back((charts.*chart_of)(one));
+    }
   }
-  const ActuatorCharts charts(motion);
-  for (const ActuatorFigures& one : motion.dynamics->actuators) {
-    figure.charts.push_back(draw(charts, one));
-  }
+  return figure;
 }
 
 }  // namespace
 
 Figure actuator_figure(const MotionTable& motion, const std::string& title) {
-  Figure figure =
-      figure_of("drive-torque",
-                title,
-                "Required torque or force of each actuator, with its mean and RMS in time.");
-  add_charts(
+  return figure_with(
+      &ActuatorCharts::over_way,
       motion,
-      [](const ActuatorCharts& charts, const ActuatorFigures& one) { return charts.over_way(one); },
-      figure);
-  return figure;
+      {.name = "drive-torque",
+       .title = title,
+       .description = "Required torque or force of each actuator, with its mean and RMS in time.",
+       .charts = {}});
 }
 
 Figure speed_torque_figure(const MotionTable& motion, const std::string& title) {
-  Figure figure = figure_of(
-      "speed-torque", title, "Required torque or force of each actuator over its own speed.");
-  add_charts(
+  return figure_with(
+      &ActuatorCharts::over_speed,
       motion,
-      [](const ActuatorCharts& charts, const ActuatorFigures& one) {
-        return charts.over_speed(one);
-      },
-      figure);
-  return figure;
+      {.name = "speed-torque",
+       .title = title,
+       .description = "Required torque or force of each actuator over its own speed.",
+       .charts = {}});
 }
 
 }  // namespace kinestat
