@@ -95,6 +95,16 @@ class SpatialLinkages(MotionTest):
                 for value in motion[name]:
                     self.close(value, 0.0, 1e-11, f"{name} in {steps} steps")
 
+    def test_what_spins_by_itself_does_so_as_fast_as_a_case_says(self) -> None:
+        """Slipper and piston at once: the ball does not turn about z, nor does the piston."""
+        motion = run(in_library("spatial/swash_plate_pump.yaml"), "--drive", "motor", "--to",
+                     "360 deg", "--steps", "12", "--case", "pumping", "--report", "velocity")
+        self.assertEqual(set(motion["status"]), {"solved"})
+        for turn, speed in zip(motion["motor/drive"], motion["bore.vz/velocity"]):
+            expected = 2000 * math.pi * math.tan(math.radians(18)) * math.sin(
+                math.radians(50 + turn))
+            self.close(speed, expected, 1e-8, f"at {turn}")
+
     def test_rssr_stops_where_its_balls_cannot_reach_further(self) -> None:
         for to in (3.0, -3.0):
             motion = run(in_library("spatial/rssr.yaml"), "--from", "0", "--to", f"{to} rad",

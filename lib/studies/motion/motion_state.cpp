@@ -18,6 +18,9 @@ namespace kinestat {
 
 namespace {
 
+// Of sums over some ten rates.
+constexpr double kOpenRoundings = 64.0;
+
 struct MovingTwist {
   Twist twist;
   Twist rate;
@@ -132,6 +135,7 @@ class StateSolver {
                        is_singular());
     MotionState state = solve(speeds, detail, &errors);
     state.bounds = errors.bounds(mechanism_.topology);
+    allow_rounding(speeds.passive, state);
     settle(mechanism_.topology, state);
     return state;
   }
@@ -201,6 +205,20 @@ class StateSolver {
       driven_bend_errors.push_back(speeds.drives[d].acceleration_bound / unit);
     }
     errors.follow(rates, bends, driven_errors, driven_bend_errors);
+  }
+
+  // Open motions bring freedoms to their given speeds but for the rounding of what they are added
+  // to.
+  void allow_rounding(const std::vector<PassiveSpeed>& given, MotionState& state) const {
+    double most = 0.0;
+    for (std::size_t f = 0; f < state.rates.size() && !given.empty(); ++f) {
+      const bool turns = mechanism_.topology.freedoms[f].is_rotation;
+      most =
+          std::max(most, std::abs(state.rates[f].value_or(0.0)) / (turns ? 1.0 : network_.length));
+    }
+    for (const PassiveSpeed& one : given) {
+      state.bounds.rates[at(one.freedom)] += kOpenRoundings * kEpsilon * most * unit_of(one);
+    }
   }
 
   int open_count() const { return static_cast<int>(unknown_.size()) - qr_.rank(); }
