@@ -289,7 +289,7 @@ class MotionTest(PageCase):
                 self.assertEqual(self.browser.messages(), [])
 
     def test_every_position_stays_within_the_picture(self) -> None:
-        for name in MOVING:
+        for name in [*MOVING, "planar/cam_and_follower.yaml"]:
             with self.subTest(name):
                 self.open(self.page(name), prefers_reduced_motion="reduce")
                 for step in self.steps():

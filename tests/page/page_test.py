@@ -73,6 +73,36 @@ class PageTest(PageCase):
                 )
                 self.assertEqual([one for one in headings if one not in shown], [])
 
+    def test_paragraphs_begin_as_sentences(self) -> None:
+        for name in [*PAGES, "planar/stick_slip.yaml", "planar/four_stroke_engine.yaml"]:
+            with self.subTest(name):
+                self.open(self.page(name))
+                lower = self.ask(
+                    "return [...document.querySelectorAll('main p:not(.source)')]"
+                    ".map((p) => p.textContent).filter((text) => /^[a-z]+( (?!= )|[,;])/.test(text));"
+                )
+                self.assertEqual(lower, [])
+
+    def test_extremes_beside_the_mechanism_need_no_scrolling(self) -> None:
+        for name in ("spatial/rssr.yaml", "planar/cam_and_follower.yaml"):
+            with self.subTest(name):
+                self.open(self.page(name))
+                hidden = self.ask(
+                    "return [...document.querySelectorAll('.results .box')]"
+                    ".map((one) => one.scrollWidth - one.clientWidth);"
+                )
+                self.assertEqual(len(hidden), 2)  # cases and extremes
+                self.assertLessEqual(max(hidden), 0)
+
+    def test_charts_of_a_motion_stand_beside_each_other(self) -> None:
+        self.open(self.page("planar/four_bar.yaml"))
+        tops = self.ask(
+            "return [...document.querySelectorAll('section.motion figure.chart')]"
+            ".map((one) => one.getBoundingClientRect().top);"
+        )
+        self.assertEqual(len(tops), 2)  # angles, and the path of the coupler point
+        self.assertEqual(tops[0], tops[1])
+
     def test_headings_leave_out_no_level(self) -> None:
         for name in PAGES:
             with self.subTest(name):
