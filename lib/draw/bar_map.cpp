@@ -55,11 +55,25 @@ double largest(const BarRow& row) {
   return size;
 }
 
+bool is_zero(const BarRow& row) {
+  return std::ranges::all_of(row.values, [](const auto& value) { return value == 0.0; });
+}
+
+// From so many rows of zeros on, their names in a line say it.
+constexpr std::ptrdiff_t kManyZeros = 4;
+
+bool sums_up_zeros(const BarBlock& block) {
+  return std::ranges::count_if(block.rows, is_zero) >= kManyZeros;
+}
+
 // The rows that are shown, in their order.
 std::vector<std::size_t> shown_rows(const BarBlock& block) {
-  std::vector<std::size_t> rows(block.rows.size());
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    rows[i] = i;
+  std::vector<std::size_t> rows;
+  const bool are_zeros_shown = !sums_up_zeros(block);
+  for (std::size_t i = 0; i < block.rows.size(); ++i) {
+    if (are_zeros_shown || !is_zero(block.rows[i])) {
+      rows.push_back(i);
+    }
   }
   if (rows.size() > kMostBarRows) {
     std::ranges::stable_sort(rows, [&block](std::size_t a, std::size_t b) {
@@ -105,13 +119,36 @@ class BarMapDrawing {
       draw_rows({.block = block, .rows = rows, .scale = scale, .first = first, .end = end});
       y_ += 12.0;
     }
-    if (rows.size() < block.rows.size()) {
-      svg_.text({.x = 0.0, .y = y_},
-                fmt::format("and {} with smaller values", block.rows.size() - rows.size()),
-                {.ink = Ink::soft, .size = kTextSize});
-      y_ += kRowHeight;
+    if (rows.size() == kMostBarRows && rows.size() < block.rows.size()) {
+      write_remark(fmt::format("and {} with smaller values", block.rows.size() - rows.size()));
+    } else if (rows.size() < block.rows.size()) {
+      write_zeros(block);
     }
     y_ += 10.0;
+  }
+
+  void write_remark(const std::string& remark) {
+    svg_.text({.x = 0.0, .y = y_}, remark, {.ink = Ink::soft, .size = kTextSize});
+    y_ += kRowHeight;
+  }
+
+  // "0 in s1, r1, K3", in as many lines as need be.
+  void write_zeros(const BarBlock& block) {
+    const double width = cell_left(std::min(map_.columns.size(), kColumnsAside)) - kCellGap;
+    std::string line = "0 in";
+    for (const BarRow& row : block.rows) {
+      if (!is_zero(row)) {
+        continue;
+      }
+      const std::string longer = line + (line == "0 in" ? " " : ", ") + row.name;
+      if (text_width(longer, kTextSize) > width && line != "0 in") {
+        write_remark(line + ",");
+        line = row.name;
+      } else {
+        line = longer;
+      }
+    }
+    write_remark(line);
   }
 
   double cell_left(std::size_t column) const {

@@ -23,6 +23,7 @@ constexpr double kLineHeight = kWordsHeight;
 constexpr double kSample = 26.0;  // length of a line in the legend
 constexpr double kSeen = 0.4;     // nearer points of a line are one
 constexpr int kMostLabelled = 40;
+constexpr double kFarthestLabel = 75.0;  // the middle of its text from the point
 
 // Points of a line that can be told apart on the picture, with its gaps; what lies outside the
 // frame is a gap too.
@@ -154,7 +155,8 @@ void draw_marks(const Chart& chart, const ChartFrame& frame, NamePlacer& placer,
     }
     constexpr TextStyle kMark = {.size = kTickText, .has_halo = true};
     const PlacedName label = placer.place(places[i], chart.marks[i].label, kMark, 7.0);
-    if (label.is_free) {
+    // A long line would lead across the series.
+    if (label.is_free && length_of(label.box.centre() - places[i]) < kFarthestLabel) {
       write_label(svg, label, chart.marks[i].label, kMark);
     }
   }

@@ -1,4 +1,4 @@
-// Lines on a picture, found by where they lie.
+// Lines on a picture: whether they cross, and which lie where.
 #pragma once
 
 #include <cmath>
@@ -9,6 +9,14 @@
 #include "draw/pixel_box.hpp"
 
 namespace kinestat {
+
+/// Whether two lines have a point in common that is no end of either.
+inline bool do_cross(PixelPoint a, PixelPoint b, PixelPoint c, PixelPoint d) {
+  const auto side = [](PixelPoint from, PixelPoint to, PixelPoint point) {
+    return (to.x - from.x) * (point.y - from.y) - (to.y - from.y) * (point.x - from.x);
+  };
+  return side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0;
+}
 
 /// Holds lines in pieces, each no longer than a cell of a grid and kept in that of its middle.
 class LineGrid {

@@ -22,6 +22,9 @@ constexpr double kLineCost = 14.0;
 // Likewise of a line to a label that goes through another.
 constexpr double kCrossedLabelCost = 40.0;
 
+// Likewise for each line that it crosses: as much as to lead so much farther [px].
+constexpr double kCrossedLine = 25.0;
+
 // Letters may be so much wider than they were measured [px].
 constexpr double kSlack = 1.0;
 
@@ -149,6 +152,12 @@ double NamePlacer::line_cost(PixelPoint from, PixelPoint to) const {
     const double crossed = length_within(label, from, to);
     sum += crossed > 0.0 ? kCrossedLabelCost * crossed + kFarCost * kDetour : 0.0;
   }
+  PixelBox around;
+  around.add(from);
+  around.add(to);
+  lines_.visit(around, [&](PixelPoint a, PixelPoint b) {
+    sum += do_cross(from, to, a, b) ? kFarCost * kCrossedLine : 0.0;
+  });
   return sum;
 }
 

@@ -55,8 +55,9 @@ std::string_view anchor_word(Anchor anchor) {
   return {};
 }
 
-std::string ink_attributes(std::string_view property, Ink ink) {
-  return fmt::format(" {}=\"{}\"", property, light_value(ink));
+std::string text_attribute(std::string_view name, std::string_view value) {
+  std::string text;
+  return text.append(" ").append(name).append("=\"").append(value).append("\"");
 }
 
 // Text needs more contrast than lines: three inks of the series have too little on paper.
@@ -82,18 +83,18 @@ double stroke_margin(const Paint& paint) {
 }
 
 std::string number_attribute(std::string_view name, double value) {
-  return fmt::format(" {}=\"{}\"", name, format_coordinate(value));
+  return text_attribute(name, format_coordinate(value));
 }
 
 // Behind what is drawn: colours, width, dashes.
 std::string paint_attributes(const Paint& paint) {
-  std::string text =
-      ink_classes(paint.stroke, paint.fill, paint.round_ends) + ink_attributes("fill", paint.fill);
+  std::string text = ink_classes(paint.stroke, paint.fill, paint.round_ends) +
+                     text_attribute("fill", light_value(paint.fill));
   if (paint.fill != Ink::none && paint.opacity < 1.0) {
     text += number_attribute("fill-opacity", paint.opacity);
   }
   if (paint.stroke != Ink::none) {
-    text += ink_attributes("stroke", paint.stroke);
+    text += text_attribute("stroke", light_value(paint.stroke));
     if (paint.width != 1.0) {
       text += number_attribute("stroke-width", paint.width);
     }
@@ -120,9 +121,9 @@ std::string text_attributes(const TextStyle& style) {
     text += " font-style=\"italic\"";
   }
   text += ink_classes(style.has_halo ? Ink::paper : Ink::none, text_ink(style.ink)) +
-          ink_attributes("fill", text_ink(style.ink));
+          text_attribute("fill", light_value(text_ink(style.ink)));
   if (style.has_halo) {
-    text += ink_attributes("stroke", Ink::paper) +
+    text += text_attribute("stroke", light_value(Ink::paper)) +
             " stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\"";
   }
   return text;

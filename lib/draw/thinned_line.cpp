@@ -40,6 +40,11 @@ std::vector<PixelPoint> thinned_line(std::span<const PixelPoint> points) {
                            return distance(one, points[begin], points[next]) <= kUnseen;
                          });
     };
+    // Mostly straight to its end.
+    const std::size_t last = std::min(points.size() - 1, begin + kLongest);
+    if (last > end && holds(last)) {
+      end = last;
+    }
     while (holds(end + 1)) {
       ++end;
     }

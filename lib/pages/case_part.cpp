@@ -51,7 +51,7 @@ class CasePart {
     const ShiftAnalysis& shift = *analysis_.shift;
     const auto state =
         std::ranges::find(shift.solution.states, one.which.label, &NamedShiftState::name);
-    if (state == shift.solution.states.end()) {
+    if (state == shift.solution.states.end() || state->engaged.empty()) {
       return label;
     }
     std::vector<std::string> elements;
@@ -60,7 +60,13 @@ class CasePart {
           static_cast<std::size_t>(shift.plan.elements[static_cast<std::size_t>(e)].actuator);
       elements.push_back(analysis_.mechanism.topology.actuators[actuator].name);
     }
-    return fmt::format("{}: {} engaged", label, fmt::join(elements, " and "));
+    std::string last = std::move(elements.back());
+    elements.pop_back();
+    return fmt::format("{}: {}{}{} engaged",
+                       label,
+                       fmt::join(elements, ", "),
+                       elements.empty() ? "" : " and ",
+                       last);
   }
 
   std::string case_id(std::size_t index) const {
@@ -105,7 +111,8 @@ class CasePart {
     html_.open("section", {{"class", "panel"}, {"id", id}, {"aria-labelledby", id + "-title"}});
     html_.element(
         section_.level(1), case_title(one), {{"id", id + "-title"}, {"class", "case-title"}});
-    add_blocks(TextBlocks(blocks.known + blocks.results), "Case", html_);
+    html_.element("p", "Known:" + blocks.known.substr(blocks.known.find(':') + 1));
+    add_blocks(TextBlocks(blocks.results), "Case", html_);
     section_.add_pictures(pictures_of_case(index));
     const auto add_pass = [&](const char* title, const TextBlocks& pass, PicturePlace place) {
       const std::vector<Picture> pictures = pictures_at(place, section_.source(index));

@@ -82,7 +82,7 @@ class FileSection {
 
   void add_source() {
     if (page_.description && !page_.description->source.empty()) {
-      html_.element("p", printable(page_.description->source), {{"class", "source"}});
+      html_.element("p", "Source: " + printable(page_.description->source), {{"class", "source"}});
     }
     const std::string& path = page_.source.path;
     html_.open("p", {{"class", "source"}});
@@ -177,11 +177,11 @@ class FileSection {
     section_.open_part("sensitivity", "Sensitivity");
     html_.element("p",
                   "Exact derivatives by the parameters of the file, the strongest first; relative: "
-                  "by how many per cent a value moves if the parameter moves by one.");
+                  "by how many per cent a value moves if the parameter moves by 1 %.");
     for (const PageSensitivity& one : page_.sensitivity) {
       const std::string label = printable(one.label);
       html_.open("details");
-      html_.element("summary", label);
+      html_.element("summary", (page_.analysis->shift ? "Gear " : "Case ") + label);
       add_blocks(one.blocks, "Sensitivity of " + label, html_);
       html_.close();
     }

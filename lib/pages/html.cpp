@@ -82,23 +82,25 @@ const std::string& Html::html() const {
 std::string script_json(std::string_view json) {
   std::string text;
   text.reserve(json.size());
-  for (const char character : json) {
-    if (character == '<') {
-      text += "\\u003c";
-    } else {
-      text += character;
-    }
+  while (!json.empty()) {
+    const std::size_t end = std::min(json.find('<'), json.size());
+    text += json.substr(0, end);
+    text += end < json.size() ? "\\u003c" : "";
+    json.remove_prefix(std::min(end + 1, json.size()));
   }
   return text;
 }
 
 std::string script_string(std::string_view text) {
   std::string json = "\"";
+  json.reserve(text.size() + text.size() / 8);
   for (const char character : text) {
     const auto code = static_cast<unsigned char>(character);
     if (character == '"' || character == '\\') {
       json += '\\';
       json += character;
+    } else if (character == '\n') {
+      json += "\\n";
     } else if (code < 0x20 || character == '<') {
       json += fmt::format("\\u{:04x}", code);
     } else {

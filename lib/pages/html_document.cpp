@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 
 #include <fmt/format.h>
 
@@ -194,7 +195,8 @@ std::string page_script(std::string_view content) {
   std::string script;
   for (const EmbeddedText& part : embedded_scripts()) {
     const auto* const row = std::ranges::find(kWorksOn, part.name, &WorksOn::part);
-    if (row == kWorksOn.end() || content.find(row->mark) != std::string_view::npos) {
+    if (row == kWorksOn.end() ||
+        memmem(content.data(), content.size(), row->mark.data(), row->mark.size()) != nullptr) {
       script += packed_script(part.text);
     }
   }

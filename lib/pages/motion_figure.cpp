@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/tolerance.hpp"
+#include "draw/linkage/file_numbers.hpp"
 #include "draw/linkage/linkage_drawing.hpp"
 #include "pages/figures.hpp"
 #include "pages/moving_figure.hpp"
@@ -80,7 +81,35 @@ class MotionFigure {
   Picture drawing() const {
     LinkageOptions options = motion_options(mechanism_, motion_.drawn);
     options.width = drawing_width(mechanism_.topology);
+    if (is_planar()) {
+      add_lobes(options);
+    }
     return draw_linkage(analysis_, options);
+  }
+
+  // Where round cams come, so that the picture holds them.
+  void add_lobes(LinkageOptions& options) const {
+    const FileNumbers numbers(analysis_.description);
+    for (std::size_t e = 0; e < mechanism_.topology.couplings.size(); ++e) {
+      const CouplingTopology& coupling = mechanism_.topology.couplings[e];
+      const auto& radii = analysis_.description.couplings[e].radii;
+      const auto radius = radii.empty() || !radii[0]
+                              ? std::nullopt
+                              : numbers.number(*radii[0], QuantityKind::length);
+      if (!radius || coupling.action_count == 0) {
+        continue;
+      }
+      const Vec3 normal =
+          mechanism_.geometry.actions[static_cast<std::size_t>(coupling.first_action)].force;
+      const Vec3 centre = mechanism_.geometry.points[e] - *radius * normal;
+      for (const LinkagePosition& position : positions()) {
+        const Vec3 at = position.poses[static_cast<std::size_t>(coupling.tail.value)].point(centre);
+        for (const double side : {-*radius, *radius}) {
+          options.reach.push_back(at + side * Vec3::UnitX());
+          options.reach.push_back(at + side * Vec3::UnitY());
+        }
+      }
+    }
   }
 
   std::string drive_names() const {

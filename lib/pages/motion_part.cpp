@@ -38,6 +38,7 @@ void add_motion_part(SectionWriter& section) {
   section.open_part("motion", "Motion");
   add_motion_tables(page.motion->table, html);
   add_blocks(motion_dynamics_blocks(page.motion->table), "Dynamics", html);
+  html.open("div", {{"class", "charts"}});
   section.add_charts(motion_figure(page.motion->table, ""), "Motion", ChartRows::of_motion);
   section.add_charts(path_figure(page.motion->table, ""), "Paths of points", ChartRows::of_motion);
   if (page.motion->table.dynamics) {
@@ -46,6 +47,7 @@ void add_motion_part(SectionWriter& section) {
     section.add_charts(shaking_figure(page.motion->table, ""), "Shaking force");
     section.add_charts(harmonic_figure(page.motion->table, ""), "Harmonics");
   }
+  html.close();
   const std::size_t positions = page.motion->table.rows.size();
   if (positions > kMostPositions) {
     html.element("p",

@@ -141,10 +141,10 @@ void SectionWriter::add_charts(const Figure& figure, const std::string& what, Ch
     chart.width = kChartWidth;
     // The caption has the title, which may be wider than the chart.
     const std::string shown = chart.title.empty() ? chart.y.label : std::exchange(chart.title, {});
-    const std::string caption = fmt::format("{}, {}", what, shown);
+    const std::string caption = fmt::format("{}: {}", what, shown);
     ++figures_;
     add_chart_figure({.name = figure.name,
-                      .title = fmt::format("{}: {}", caption, page_title(page_)),
+                      .title = fmt::format("{}, {}", caption, page_title(page_)),
                       .description = figure.description,
                       .charts = {chart}},
                      {.id = fmt::format("{}-figure-{}", id_, figures_),

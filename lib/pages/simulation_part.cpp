@@ -30,13 +30,31 @@ void add_simulation_part(SectionWriter& section) {
     return;
   }
   section.open_part("simulation", "Simulation");
-  add_blocks(page.simulation->blocks, "Simulation", section.html());
+  // Its rows, the last table, come below the charts, which show them at a glance.
+  TextBlocks above;
+  std::optional<Table> rows;
+  for (const TextBlock& one : page.simulation->blocks.blocks()) {
+    if (rows && one.table) {
+      above += TextBlocks(*std::move(rows));
+    }
+    if (one.table) {
+      rows = one.table;
+    } else {
+      above += TextBlocks(one.lines);
+    }
+  }
+  add_blocks(above, "Simulation", section.html());
   if (has_drawn_simulation(page) && !leads_with_simulation(page)) {
     add_simulation_figure(section);
   }
   const MotionTable& table = page.simulation->rows.table;
+  section.html().open("div", {{"class", "charts"}});
   section.add_charts(simulation_figure(table, ""), "Simulation", ChartRows::of_simulation);
-  section.add_charts(energy_figure(table, ""), "Energies", ChartRows::of_simulation);
+  section.add_charts(energy_figure(table, ""), "Simulation", ChartRows::of_simulation);
+  section.html().close();
+  if (rows) {
+    add_table(*rows, "Rows", section.html());
+  }
   section.html().close();
 }
 

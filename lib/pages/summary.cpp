@@ -103,7 +103,8 @@ std::string open_text(const CaseAnalysis& one) {
 }
 
 // A motion has positions of its own, so that it may be solved where the drawn one is not.
-void add_cases(const std::vector<CaseAnalysis>& cases, bool moves, Sentences& sentences) {
+void add_cases(const Analysis& analysis, bool moves, Sentences& sentences) {
+  const std::vector<CaseAnalysis>& cases = analysis.cases;
   if (cases.empty()) {
     return;
   }
@@ -117,7 +118,9 @@ void add_cases(const std::vector<CaseAnalysis>& cases, bool moves, Sentences& se
   const int solved = count - static_cast<int>(open.size());
   const std::string list = plain_list(open, kMostListed);
   sentences.push_back(
-      open.empty() ? fmt::format("{} solved.", counted(count, "case is", "cases are"))
+      open.empty() ? fmt::format("{} solved.",
+                                 analysis.shift ? counted(count, "gear is", "gears are")
+                                                : counted(count, "case is", "cases are"))
       : solved == 0
           ? fmt::format("{} case is solved: {}.", moves ? "In the drawn position no" : "No", list)
           : fmt::format(
@@ -140,14 +143,14 @@ void add_shift(const ShiftAnalysis& shift, Sentences& sentences) {
   const ShiftSolution& solution = shift.solution;
   const auto elements = static_cast<int>(shift.plan.elements.size());
   const auto gears = static_cast<int>(solution.table.steps.size());
-  std::string text = fmt::format("A gear engages {} of {} shift elements; {} of {} {} a gear",
+  std::string text = fmt::format("A gear engages {} of {} shift elements; {} of {} {}",
                                  solution.needed,
                                  elements,
                                  gears,
                                  counted(static_cast<int>(solution.states.size()), "combination"),
-                                 gears == 1 ? "is" : "are");
+                                 gears == 1 ? "is a gear" : "are gears");
   if (solution.table.span) {
-    text += fmt::format(", and the forward ones span {}", format_short(*solution.table.span));
+    text += fmt::format("; the forward gears span {}", format_short(*solution.table.span));
   }
   sentences.push_back(text + ".");
 }
@@ -171,13 +174,18 @@ std::string end_text(const MotionTable& motion, const DriveTravel& drive) {
 
 // "30 to 390 deg", or as far as the drive goes.
 void add_motion(const MotionTable& motion, Sentences& sentences) {
+  std::string text;
   for (const DriveTravel& drive : motion.drives) {
-    std::string text = fmt::format("Drive {} goes from {} to {} {}",
-                                   drive.name,
-                                   format_short(drive.from),
-                                   format_short(drive.to),
-                                   drive.unit);
-    text += end_text(motion, drive);
+    text += fmt::format("{}{}{} from {} to {} {}{}",
+                        text.empty() ? "Drive " : "; ",
+                        drive.name,
+                        text.empty() ? " goes" : "",
+                        format_short(drive.from),
+                        format_short(drive.to),
+                        drive.unit,
+                        end_text(motion, drive));
+  }
+  if (!text.empty()) {
     sentences.push_back(text + ".");
   }
   const auto count = [&](std::string_view kind) {
@@ -234,7 +242,7 @@ std::vector<std::string> result_sentences(const FilePage& page) {
     sentences.push_back(transmission_sentence(*page.transmissions));
   }
   if (page.analysis) {
-    add_cases(page.analysis->cases, page.motion.has_value(), sentences);
+    add_cases(*page.analysis, page.motion.has_value(), sentences);
   }
   return sentences;
 }

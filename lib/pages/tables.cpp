@@ -127,6 +127,20 @@ void add_box(const Table& table, std::string_view name, Html& html) {
   html.close();
 }
 
+// As a sentence begins, where a line begins with a word: names with digits or points, those of
+// equations, and what ends with a colon, stay as they are written.
+std::string sentence(std::string_view line) {
+  constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz";
+  std::string text(line);
+  const std::size_t end = std::min(line.find_first_not_of(kLetters), line.size());
+  const std::string_view rest = line.substr(end);
+  if (end > 0 && (rest.starts_with(' ') || rest.starts_with(',') || rest.starts_with(';')) &&
+      !rest.starts_with(" = ")) {
+    text.front() = static_cast<char>(text.front() - 'a' + 'A');
+  }
+  return text;
+}
+
 // A paragraph for each line that is not empty. A heading after an empty one begins something new.
 void add_lines(std::string_view lines, Html& html) {
   if (lines.find_first_not_of(" \n") == std::string_view::npos) {
@@ -140,9 +154,9 @@ void add_lines(std::string_view lines, Html& html) {
     lines.remove_prefix(std::min(end + 1, lines.size()));
     const std::size_t first = line.find_first_not_of(' ');
     if (first == 0 && is_after_empty) {
-      html.element("p", line, {{"class", "heading"}});
+      html.element("p", sentence(line), {{"class", "heading"}});
     } else if (first != std::string_view::npos) {
-      html.element("p", line.substr(first));
+      html.element("p", sentence(line.substr(first)));
     }
     is_after_empty = first == std::string_view::npos;
   }

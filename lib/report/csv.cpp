@@ -12,7 +12,7 @@ std::string csv_line(std::span<const std::string> cells) {
     }
     line += '"';
     for (const char c : cells[i]) {
-      line += c == '"' ? "\"\"" : std::string(1, c);
+      line.append(c == '"' ? 2 : 1, c);
     }
     line += '"';
   }

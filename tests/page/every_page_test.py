@@ -13,7 +13,7 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from page_case import LUMINANCE, ROOT, PageCase, program, run_tests, write_page  # noqa: E402
+from page_case import LOWER_CASE, LUMINANCE, ROOT, PageCase, program, run_tests, write_page  # noqa: E402
 
 # A mechanism of each kind, the headings of its page, and the pictures that it must have.
 SOLVED = ["Summary", "Structure", "Mobility", "Cases", "Data"]
@@ -107,6 +107,10 @@ class EveryPage(WidePage):
         )
         headings, _ = PAGES[self.name]
         self.assertEqual([one for one in headings if one not in shown], [])
+
+    def test_paragraphs_begin_as_sentences(self) -> None:
+        self.open_at_rest()
+        self.assertEqual(self.ask(LOWER_CASE), [])
 
     def test_headings_leave_out_no_level(self) -> None:
         self.open_at_rest()

@@ -45,7 +45,7 @@ TEST(Html, IsNotGivenOutWithAnElementOpen) {
 // What ends a script for the parser of HTML begins with "<".
 TEST(ScriptData, HoldsNoEndOfAScript) {
   EXPECT_EQ(script_json(R"({"a": "</script><!--"})"), R"({"a": "\u003c/script>\u003c!--"})");
-  EXPECT_EQ(script_string("</script>\n\"\\"), R"("\u003c/script>\u000a\"\\")");
+  EXPECT_EQ(script_string("</script>\n\"\\"), R"("\u003c/script>\n\"\\")");
 }
 
 TEST(PageTable, HeadsColumnsAndRowsAndSetsUnitsApart) {

@@ -14,6 +14,12 @@ from browser import Browser, find_browser
 ROOT = Path(__file__).resolve().parents[2]
 SKIPPED = 77  # SKIP_RETURN_CODE of the tests
 
+# Paragraphs that do not begin as sentences; a quantity may, with its value.
+LOWER_CASE = (
+    "return [...document.querySelectorAll('main p:not(.source)')].map((p) => p.textContent)"
+    ".filter((text) => /^[a-z]+( (?!= )|[,;])/.test(text));"
+)
+
 # Relative luminance by WCAG 2.2 of a computed colour.
 LUMINANCE = """
 function luminance(colour) {

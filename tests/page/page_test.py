@@ -15,12 +15,38 @@ import time
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from page_case import ROOT, PageCase, program, run_tests, write_page  # noqa: E402
+from page_case import LOWER_CASE, ROOT, PageCase, program, run_tests, write_page  # noqa: E402
 
 HOSTILE_TITLE = "<script>alert(1)</script></title><img src=x onerror=alert(2)>]]>\"'=1+1"
 
 
 class PageTest(PageCase):
+    def test_paragraphs_begin_as_sentences(self) -> None:
+        for name in ("planar/stick_slip.yaml", "planar/four_stroke_engine.yaml"):
+            with self.subTest(name):
+                self.open(self.page(name))
+                self.assertEqual(self.ask(LOWER_CASE), [])
+
+    def test_extremes_beside_the_mechanism_need_no_scrolling(self) -> None:
+        for name in ("spatial/rssr.yaml", "planar/cam_and_follower.yaml"):
+            with self.subTest(name):
+                self.open(self.page(name))
+                hidden = self.ask(
+                    "return [...document.querySelectorAll('.results .box')]"
+                    ".map((one) => one.scrollWidth - one.clientWidth);"
+                )
+                self.assertEqual(len(hidden), 2)  # cases and extremes
+                self.assertLessEqual(max(hidden), 0)
+
+    def test_charts_of_a_motion_stand_beside_each_other(self) -> None:
+        self.open(self.page("planar/four_bar.yaml"))
+        tops = self.ask(
+            "return [...document.querySelectorAll('section.motion figure.chart')]"
+            ".map((one) => one.getBoundingClientRect().top);"
+        )
+        self.assertEqual(len(tops), 2)  # angles, and the path of the coupler point
+        self.assertEqual(tops[0], tops[1])
+
     def test_names_of_a_drawing_that_shrinks_can_be_read(self) -> None:
         for name in ("planar/four_bar.yaml", "spatial/rssr.yaml", "cables/weston_hoist.yaml",
                      "gears/simple_planetary.yaml"):

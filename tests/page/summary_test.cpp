@@ -78,10 +78,21 @@ TEST(Summary, ReadsTheMobilityOfASpatialLinkage) {
 TEST(Summary, CountsTheGearsOfATransmission) {
   const auto sentences = sentences_of("transmissions/ravigneaux_input_shaft.yaml");
 
-  EXPECT_TRUE(has(sentences,
-                  "A gear engages 2 of 4 shift elements; 4 of 6 combinations are a gear, and the "
-                  "forward ones span 2.84689."))
+  EXPECT_TRUE(
+      has(sentences,
+          "A gear engages 2 of 4 shift elements; 4 of 6 combinations are gears; the forward "
+          "gears span 2.84689."))
       << testing::PrintToString(sentences);
+  EXPECT_TRUE(has(sentences, "4 gears are solved."));
+}
+
+TEST(Summary, TellsAllDrivesInOneSentence) {
+  FilePage page;
+  page.motion.emplace().table.drives = {
+      {.name = "x", .freedom = "a.vx", .unit = "m", .from = 0.0, .to = 2.0, .reached = 2.0},
+      {.name = "y", .freedom = "b.wz", .unit = "deg", .from = 1.0, .to = 3.0, .reached = 3.0}};
+
+  EXPECT_TRUE(has(summary_sentences(page), "Drive x goes from 0 to 2 m; y from 1 to 3 deg."));
 }
 
 TEST(Summary, TellsWhichCasesAreOpen) {

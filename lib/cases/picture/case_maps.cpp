@@ -24,6 +24,7 @@ struct VectorQuantity {
   std::string words;
   std::string symbol;
   std::string unit;
+  bool is_turning = false;
   VectorOf value;
 };
 
@@ -58,6 +59,12 @@ class MapBuilder {
       bool is_zero = true;
       for (std::size_t i = 0; i < names.size(); ++i) {
         block.rows.push_back(row(names[i], i, static_cast<int>(axis), quantity, is_zero));
+      }
+      // In the plane nothing else is possible.
+      const bool is_out_of_plane =
+          analysis_.mechanism.space == Space::planar && quantity.is_turning == (axis < 2);
+      if (is_zero && is_out_of_plane) {
+        continue;
       }
       if (is_zero) {
         zeros_.push_back(quantity.symbol + kAxisNames[axis]);
@@ -134,6 +141,7 @@ BarMap speed_map(const Analysis& analysis) {
   builder.add({.words = "angular velocity",
                .symbol = "ω",
                .unit = unit_text(analysis, QuantityKind::angular_velocity),
+               .is_turning = true,
                .value =
                    [](const CaseAnalysis& one, std::size_t i, const InUnits& in) {
                      const std::optional<BoundedTwist> twist = body(one, i);
@@ -165,6 +173,7 @@ BarMap torque_map(const Analysis& analysis) {
   builder.add({.words = "moment",
                .symbol = "T",
                .unit = unit_text(analysis, QuantityKind::moment),
+               .is_turning = true,
                .value =
                    [&geometry](const CaseAnalysis& one, std::size_t e, const InUnits& in) {
                      const auto wrench =

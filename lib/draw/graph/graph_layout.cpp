@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "draw/line_grid.hpp"
 #include "draw/symbols.hpp"
 
 namespace kinestat {
@@ -19,26 +20,21 @@ constexpr int kLargestOrdered = 40;
 // Beyond this, nodes stand on a circle: what else could be done takes too long.
 constexpr int kLargestLaidOut = 300;
 
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+
 using Pair = std::pair<int, int>;
 
-double cross(PixelPoint a, PixelPoint b) {
-  return a.x * b.y - a.y * b.x;
-}
-
-bool do_cross(PixelPoint a, PixelPoint b, PixelPoint c, PixelPoint d) {
-  const double c_side = cross(b - a, c - a);
-  const double d_side = cross(b - a, d - a);
-  const double a_side = cross(d - c, a - c);
-  const double b_side = cross(d - c, b - c);
-  return c_side * d_side < 0.0 && a_side * b_side < 0.0;
-}
-
-double distance_to_segment(PixelPoint p, PixelPoint a, PixelPoint b) {
+// Whether a point is nearer to the line from a to b than the radius.
+bool is_covered(PixelPoint p, PixelPoint a, PixelPoint b, double radius) {
   const PixelPoint ab = b - a;
   const PixelPoint ap = p - a;
   const double square = ab.x * ab.x + ab.y * ab.y;
+  const double aside = ab.x * ap.y - ab.y * ap.x;
+  if (aside * aside >= radius * radius * square && square > 0.0) {
+    return false;
+  }
   const double share = square > 0.0 ? (ap.x * ab.x + ap.y * ab.y) / square : 0.0;
-  return length_of(p - (a + std::clamp(share, 0.0, 1.0) * ab));
+  return length_of(p - (a + std::clamp(share, 0.0, 1.0) * ab)) < radius;
 }
 
 // Neighbours once each, whatever the direction and the number of edges.
@@ -50,6 +46,39 @@ std::vector<Pair> pairs_of(const Digraph& graph) {
     }
   }
   return {pairs.begin(), pairs.end()};
+}
+
+// Crossings count most, edges across nodes more, long edges a little.
+constexpr double kPriceOfCrossing = 3.0;
+constexpr double kCovered = 10.0;
+
+double price_of(const LayoutFaults& faults) {
+  return kPriceOfCrossing * faults.crossings + kCovered * faults.covered_nodes;
+}
+
+// Not all of them once their price exceeds the limit.
+LayoutFaults faults_of(const std::vector<Pair>& pairs,
+                       const std::vector<PixelPoint>& places,
+                       double node_radius,
+                       double limit) {
+  LayoutFaults faults;
+  const auto at = [&places](int v) { return places[static_cast<std::size_t>(v)]; };
+  for (std::size_t i = 0; i < pairs.size() && price_of(faults) <= limit; ++i) {
+    const auto& [a, b] = pairs[i];
+    for (std::size_t j = 0; j < i; ++j) {
+      const auto& [c, d] = pairs[j];
+      const bool is_joined = a == c || a == d || b == c || b == d;
+      if (!is_joined && do_cross(at(a), at(b), at(c), at(d))) {
+        ++faults.crossings;
+      }
+    }
+    for (int v = 0; v < static_cast<int>(places.size()); ++v) {
+      if (v != a && v != b && is_covered(at(v), at(a), at(b), node_radius)) {
+        ++faults.covered_nodes;
+      }
+    }
+  }
+  return faults;
 }
 
 class LayoutFinder {
@@ -118,14 +147,14 @@ class LayoutFinder {
   }
 
   std::vector<PixelPoint> best_circle(std::vector<int> order, std::optional<int> middle) const {
-    double least = cost(on_circle(order, middle));
+    double least = cost(on_circle(order, middle), kNoLimit);
     bool is_better = static_cast<int>(order.size()) <= kLargestOrdered;
     while (is_better) {
       is_better = false;
       for (std::size_t i = 0; i < order.size(); ++i) {
         for (std::size_t j = i + 1; j < order.size(); ++j) {
           std::swap(order[i], order[j]);
-          const double now = cost(on_circle(order, middle));
+          const double now = cost(on_circle(order, middle), least);
           if (now < least * 0.999) {
             least = now;
             is_better = true;
@@ -138,17 +167,17 @@ class LayoutFinder {
     return on_circle(order, middle);
   }
 
-  // Crossings count most, edges across nodes more, long edges a little.
-  double cost(const std::vector<PixelPoint>& places) const {
-    constexpr double kPriceOfCrossing = 3.0;
-    constexpr double kCovered = 10.0;
-    const LayoutFaults faults = find_faults(graph_, places, 0.3 * distance_);
+  // More than the limit where it would be, and then not all of it.
+  double cost(const std::vector<PixelPoint>& places, double limit) const {
+    const double price = price_of(faults_of(pairs_, places, 0.3 * distance_, limit));
+    if (price > limit) {
+      return price;
+    }
     double length = 0.0;
     for (const Pair& pair : pairs_) {
       length += length_of(place(places, pair.first) - place(places, pair.second));
     }
-    return kPriceOfCrossing * faults.crossings + kCovered * faults.covered_nodes +
-           length / distance_ / std::max<double>(1.0, static_cast<double>(pairs_.size()));
+    return price + length / distance_ / std::max<double>(1.0, static_cast<double>(pairs_.size()));
   }
 
   static PixelPoint place(const std::vector<PixelPoint>& places, int vertex) {
@@ -201,7 +230,7 @@ class LayoutFinder {
   }
 
   void consider(std::vector<PixelPoint> places) {
-    const double now = cost(places);
+    const double now = cost(places, kNoLimit);
     if (best_.empty() || now < least_) {
       best_ = std::move(places);
       least_ = now;
@@ -224,25 +253,7 @@ std::vector<PixelPoint> lay_out(const Digraph& graph, double distance) {
 LayoutFaults find_faults(const Digraph& graph,
                          const std::vector<PixelPoint>& places,
                          double node_radius) {
-  LayoutFaults faults;
-  const std::vector<Pair> pairs = pairs_of(graph);
-  const auto at = [&places](int v) { return places[static_cast<std::size_t>(v)]; };
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const auto& [a, b] = pairs[i];
-    for (std::size_t j = 0; j < i; ++j) {
-      const auto& [c, d] = pairs[j];
-      const bool is_joined = a == c || a == d || b == c || b == d;
-      if (!is_joined && do_cross(at(a), at(b), at(c), at(d))) {
-        ++faults.crossings;
-      }
-    }
-    for (int v = 0; v < graph.vertex_count; ++v) {
-      if (v != a && v != b && distance_to_segment(at(v), at(a), at(b)) < node_radius) {
-        ++faults.covered_nodes;
-      }
-    }
-  }
-  return faults;
+  return faults_of(pairs_of(graph), places, node_radius, kNoLimit);
 }
 
 }  // namespace kinestat

@@ -315,7 +315,12 @@ class SchemeWriter {
     for (const DrawnWheel& drawn : layout_.wheels) {
       const SchemeWheel& of = wheel(drawn);
       const TextStyle style = {.ink = ink(of.planet), .size = 11.5, .has_halo = true};
-      write(of.name, at(drawn.right, drawn.high - (of.planet < 0 ? 0.0 : 9.0)), 4.0, style);
+      PlacedName label = placer_.place(
+          at(drawn.right, drawn.high - (of.planet < 0 ? 0.0 : 9.0)), of.name, style, 4.0);
+      if (of.planet >= 0) {  // a line leads to its teeth
+        label.anchor = at(drawn.right, drawn.high - kMeshGap);
+      }
+      write_label(svg_, label, of.name, style);
     }
   }
 

@@ -64,6 +64,23 @@ TEST(BarMap, LeavesSmallValuesOfManyOut) {
   EXPECT_EQ(count_of(picture, ">and 40 with smaller values<"), 1U);
 }
 
+// Rows are 19 px high; one line takes the place of the four.
+TEST(BarMap, SumsUpManyRowsOfZeros) {
+  std::vector<BarRow> rows = {{.name = "a", .values = {8.0, 0.0}}};
+  for (const char* name : {"b", "c", "d"}) {
+    rows.push_back({.name = name, .values = {0.0, 0.0}});
+  }
+  const Picture few = draw_bar_map(map_of(rows, {"M1", "M2"}));
+  rows.push_back({.name = "unknown", .values = {0.0, {}}});
+  rows.push_back({.name = "e", .values = {0.0, 0.0}});
+  const Picture many = draw_bar_map(map_of(rows, {"M1", "M2"}));
+
+  EXPECT_EQ(count_of(few, ">d<"), 1U);
+  EXPECT_EQ(count_of(many, ">d<"), 0U);
+  EXPECT_EQ(count_of(many, ">unknown<"), 1U);
+  EXPECT_EQ(count_of(many, ">0 in b, c, d, e<"), 1U);
+}
+
 TEST(BarMap, PutsManyCasesBelowEachOther) {
   const std::vector<std::string> labels = {"1", "2", "3", "4", "5", "6", "7", "8", "R"};
   const Picture picture = draw_bar_map(

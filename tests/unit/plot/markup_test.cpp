@@ -49,6 +49,8 @@ TEST(Markup, WritesCoordinatesShortly) {
   EXPECT_EQ(format_coordinate(1.0 / 3.0), "0.33");
   EXPECT_EQ(format_coordinate(-0.004), "0");
   EXPECT_EQ(format_coordinate(-2.999), "-3");
+  EXPECT_EQ(format_coordinate(-0.07), "-0.07");
+  EXPECT_EQ(format_coordinate(1234567.891), "1234567.89");
 }
 
 TEST(Markup, HasNoCoordinateThatIsNotFinite) {

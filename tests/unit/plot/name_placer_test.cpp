@@ -57,6 +57,18 @@ TEST(NamePlacer, LeadsALineToANameThatIsFarAway) {
   EXPECT_TRUE(needs_line);
 }
 
+// Beyond the wall is the nearest place, 22 px nearer than the next.
+TEST(NamePlacer, LeadsALineAcrossOthersOnlyForMuchLess) {
+  NamePlacer placer;
+  placer.keep_off({.left = -60.0, .top = -50.0, .right = 30.0, .bottom = 50.0});
+  placer.keep_off({.x = 34.0, .y = -300.0}, {.x = 34.0, .y = 300.0});
+
+  const PlacedName placed = placer.place({.x = 0.0, .y = 0.0}, "planet", {}, 6.0);
+
+  EXPECT_TRUE(placed.needs_line);
+  EXPECT_LT(placed.line_end.x, 34.0);
+}
+
 TEST(NamePlacer, PutsNamesFarAwayRatherThanUponLines) {
   NamePlacer placer;
   for (double y = -120.0; y <= 120.0; y += 6.0) {

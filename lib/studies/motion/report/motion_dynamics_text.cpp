@@ -120,7 +120,7 @@ class DynamicsWriter {
                         wheel.at,
                         format_short(wheel.fluctuation),
                         amount(angular_velocity, wheel.speed));
-    text += fmt::format("  {} then supplies a constant {}; the energy fluctuates by {}\n",
+    text += fmt::format("  drive {} then supplies a constant {}; the energy fluctuates by {}\n",
                         wheel.motor,
                         amount(wheel.motor_turns ? moment : force, wheel.mean_action),
                         amount(energy, wheel.energy));

@@ -174,7 +174,7 @@ class MotionWriter {
     std::string text = gaps_text("not assembled at", motion_.drawn_gaps);
     for (const BodyCorrection& one : motion_.corrections) {
       if (one.shift.norm() > 0.0 || one.angle > 0.0) {
-        text += fmt::format("  {} was moved by {} and turned by {} to {}\n",
+        text += fmt::format("  body {} was moved by {} and turned by {} to {}\n",
                             one.body,
                             amount(one.shift.norm(), motion_.length_unit),
                             amount(one.angle, motion_.angle_unit),
