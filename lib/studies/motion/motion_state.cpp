@@ -18,8 +18,7 @@ namespace kinestat {
 
 namespace {
 
-// Of sums over some ten rates.
-constexpr double kOpenRoundings = 64.0;
+constexpr double kOpenRoundings = 64.0;  // of sums over some ten rates
 
 struct MovingTwist {
   Twist twist;
@@ -211,10 +210,8 @@ class StateSolver {
   // to.
   void allow_rounding(const std::vector<PassiveSpeed>& given, MotionState& state) const {
     double most = 0.0;
-    for (std::size_t f = 0; f < state.rates.size() && !given.empty(); ++f) {
-      const bool turns = mechanism_.topology.freedoms[f].is_rotation;
-      most =
-          std::max(most, std::abs(state.rates[f].value_or(0.0)) / (turns ? 1.0 : network_.length));
+    for (int f = 0; f < std::ssize(state.rates); ++f) {
+      most = std::max(most, std::abs(state.rates[at(f)].value_or(0.0)) / unit_of({.freedom = f}));
     }
     for (const PassiveSpeed& one : given) {
       state.bounds.rates[at(one.freedom)] += kOpenRoundings * kEpsilon * most * unit_of(one);
