@@ -92,7 +92,7 @@ SimulationSolution Simulator::run(const Configuration& start,
   if (!begin_contacts()) {
     return stuck();
   }
-  while (plan_.duration - time_ > least_step()) {
+  while (result_.end == SimulationEnd::complete && plan_.duration - time_ > least_step()) {
     const double before = time_;
     const std::size_t told = result_.events.size();
     if (!advance()) {
@@ -100,9 +100,6 @@ SimulationSolution Simulator::run(const Configuration& start,
     }
     if (!makes_progress(before, told)) {
       return stuck();
-    }
-    if (result_.end != SimulationEnd::complete) {
-      break;
     }
   }
   return finish();
