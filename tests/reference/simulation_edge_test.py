@@ -107,6 +107,22 @@ actuators: {m: {coupling: a}, l: {coupling: d}}
 simulation: {action: {m: 0, l: 0}, stops: {m: {from: -10, to: 400}}, until: {l: {speed: 0}},
              time: 3 s, steps: 4}
 """
+# A flat follower on a circle about a point 12 mm off the axis.
+CAM = """
+kinestat: 1
+space: planar
+units: {length: mm}
+ground: frame
+gravity: [0, -9810]
+bodies: {cam: {mass: 1, centre_of_mass: [0, 0], inertia: 0.001},
+         follower: {mass: 0.5, centre_of_mass: [12, 60]}}
+couplings:
+  a: {type: revolute, bodies: [frame, cam], at: [0, 0]}
+  c: {type: cam, bodies: [cam, follower], at: [12, 31], normal: y, radii: [31, flat]}
+  g: {type: prismatic, bodies: [frame, follower], at: [0, 70], axis: y}
+actuators: {shaft: {coupling: a}}
+simulation: {action: {shaft: 0}, start: {shaft: {speed: 10}}, time: 0.1, steps: 4}
+"""
 
 
 def agm(a: float, b: float) -> float:
@@ -207,6 +223,24 @@ class Edges(unittest.TestCase):
         found = self.last(text.replace("HALF", "1").replace("PERIOD", "2"))
         self.assertEqual([one["kind"] for one in found["events"]], ["impact", "goal"])
         self.assertEqual(found["time"], 0.0)
+
+    def test_contacts_have_their_speeds(self) -> None:
+        """The follower slides on the cam by its speed times the height of the contact."""
+        for report in ((), ("--report", "c.vx,shaft")):
+            done = program.call("simulate", *report, "-", text=CAM)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            found = program.report(done)["simulation"]
+            names = [one["name"] for one in found["columns"]]
+            self.assertNotIn("c.vx/position", names)
+            for cells in found["rows"]:
+                row = dict(zip(names, cells))
+                height = 31 + 12 * math.sin(row["a.wz/position"])
+                self.assertLess(abs(abs(row["c.vx/velocity"]) - row["a.wz/velocity"] * height), 1e-9)
+
+    def test_a_column_that_no_row_has_is_refused(self) -> None:
+        done = program.call("simulate", "--report", "c.vx.position", "-", text=CAM)
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("E0313", done.stderr)
 
     def test_what_holds_a_speed_bears_impacts(self) -> None:
         """A pendulum between stops on a cart that is held at 1 m/s: no energy without a source."""

@@ -10,6 +10,7 @@
 #include "core/simulation_tolerance.hpp"
 #include "core/tolerance.hpp"
 #include "studies/motion/configuration.hpp"
+#include "studies/motion/contact_rates.hpp"
 
 namespace kinestat {
 
@@ -254,6 +255,7 @@ bool Simulator::add_row(double time, std::span<const double> y) {
   const std::size_t free = free_count();
   const bool has_actions = plan_.asks_actions || has_dry();
   ReducedState now = system_->tell(configuration, speeds_of(y), accelerations, has_actions);
+  add_contact_rates(system_->network(), drawn_, mechanism_, now.state);
   note_ignored(now.borne);
   if (!plan_.asks_actions) {
     now.borne.clear();
@@ -294,6 +296,7 @@ bool Simulator::add_singular_row(double time,
     obstacle_ = system_->obstacle();
     return false;
   }
+  add_contact_rates(system_->network(), drawn_, mechanism_, now->state);
   const std::size_t count = topology_.freedoms.size();
   const std::size_t free = free_count();
   using Unknown = std::vector<std::optional<double>>;
