@@ -35,6 +35,10 @@ inline constexpr double kNoSliding = 1e-13;
 inline constexpr double kAtRest = 1e-11;
 inline constexpr double kSlidesAgain = 1e-10;
 
+/// What holds a freedom is none where it is this share of all that adds up to it: closures leave
+/// less.
+inline constexpr double kNoHold = 1e-12;
+
 /// What stands so near a point of a curve, as share of the curve's range, has come to it.
 inline constexpr double kAtPoint = 1e-12;
 

@@ -112,6 +112,42 @@ LawPoint law_at(DriveLaw law, double ramp, double time) {
 
 namespace {
 
+// Where its acceleration jumps, with the ends between a way and a rest.
+std::vector<double> breaks_of(DriveLaw law, double ramp) {
+  switch (law) {
+    case DriveLaw::constant_speed:
+    case DriveLaw::harmonic:
+      return {0.0, 1.0};
+    case DriveLaw::constant_acceleration:
+      return {0.0, 0.5, 1.0};
+    case DriveLaw::trapezoid:
+      return {0.0, ramp, 1.0 - ramp, 1.0};
+    case DriveLaw::polynomial_345:
+    case DriveLaw::polynomial_4567:
+    case DriveLaw::cycloidal:
+    case DriveLaw::modified_trapezoid:
+    case DriveLaw::modified_sine:
+      break;
+  }
+  return {};
+}
+
+// Within the whole time.
+void add_breaks(const Curve& curve, double duration, std::vector<double>& breaks) {
+  const double period = curve.period.value_or(0.0);
+  for (const double point : curve.at) {
+    const double first = period > 0.0 ? point - period * std::floor(point / period) : point;
+    double time = first;
+    for (double turn = 1.0; time < duration; ++turn) {
+      breaks.push_back(time / duration);
+      if (!(period > 0.0)) {
+        break;
+      }
+      time = first + turn * period;
+    }
+  }
+}
+
 // The drives run in proportion if all do so by the same law, from the beginning to the end.
 bool runs_by_one_law(const std::vector<DriveCourse>& courses) {
   return std::ranges::all_of(courses, [&](const DriveCourse& one) {
@@ -208,6 +244,35 @@ double DriveSchedule::time_of(double share) const {
     (share_at(middle) < share ? low : high) = middle;
   }
   return high;
+}
+
+std::vector<double> DriveSchedule::breaks() const {
+  std::vector<double> result;
+  for (const DriveCourse& course : courses_) {
+    for (const CoursePart& part : course.parts) {
+      if (part.from != part.to) {
+        for (const double one : breaks_of(part.law, part.ramp)) {
+          result.push_back(std::lerp(part.begin, part.end, one));
+        }
+      }
+    }
+    if (course.curve != nullptr) {
+      add_breaks(*course.curve, duration_, result);
+    }
+  }
+  std::erase_if(result, [](double time) {
+    return time <= 2.0 * kSameValue || time >= 1.0 - 2.0 * kSameValue;
+  });
+  std::ranges::sort(result);
+  const auto is_same = [](double one, double next) { return next - one <= kSameValue; };
+  result.erase(std::unique(result.begin(), result.end(), is_same), result.end());
+  return result;
+}
+
+// Parts and laws take what is nearer than kSameValue as behind.
+double DriveSchedule::before(double jump) {
+  constexpr double kBefore = 4.0;
+  return jump - kBefore * kSameValue;
 }
 
 std::vector<double> DriveSchedule::jumps() const {

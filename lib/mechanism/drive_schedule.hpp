@@ -78,6 +78,11 @@ class DriveSchedule {
   /// At which shares of the time a speed jumps.
   std::vector<double> jumps() const;
 
+  /// At which of them on the way an acceleration or a speed may be another before than behind, in
+  /// order; `before` is where it is still that before.
+  std::vector<double> breaks() const;
+  static double before(double jump);
+
  private:
   double duration_ = 1.0;
   std::vector<DriveCourse> courses_;

@@ -116,6 +116,11 @@ motion: {drive: motor, time: 0.4 s, steps: 7, case: running}
 """
         balance = whole_of(text, "{balance: {bodies: rotor}}")["balance"]
         self.near_relative(balance["counterweights"]["rotor"]["along"], [-0.4, 0.12, 0.0], "rotor")
+        self.assertEqual(balance["counterweights"]["rotor"]["unit"], "kg*m")
+        small = whole_of(text.replace("ground:", "units: {mass: g, length: cm}\nground:"),
+                         "{balance: {bodies: rotor}}")["balance"]["counterweights"]["rotor"]
+        self.near_relative(small["along"], [-0.4, 0.12, 0.0], "in g*cm")
+        self.assertEqual(small["unit"], "g*cm")
         # 2 kg at 0.2088 m, with a speed that grows from 10 to 11.2 rad/s.
         squares = ((10.0 + 3.0 * t) ** 4 + 9.0 for t in (0.4 * (i + 0.5) / 4000 for i in range(4000)))
         rms = 2 * math.hypot(0.2, 0.06) * math.sqrt(sum(squares) / 4000)

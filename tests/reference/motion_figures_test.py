@@ -292,6 +292,41 @@ class Quotients(FiguresTest):
         self.assertIsNotNone(figures["mean"])
 
 
+LIFTED = """\
+kinestat: 1
+space: planar
+ground: frame
+gravity: [0, -9.81]
+bodies: {arm: {mass: 2, centre_of_mass: [0, -0.5], inertia: 0.1}}
+couplings: {a: {type: revolute, bodies: [frame, arm], at: [0, 0]}}
+actuators: {m: {coupling: a}}
+cases: {run: {motion: {m: 0}, acceleration: {}, action: {}}}
+motion: {drive: m, MOTION, case: run, report: [m, power]}
+"""
+
+
+class JumpsOfLaws(FiguresTest):
+    def test_extremes_are_those_before_a_jump_too(self) -> None:
+        """0.6 kg*m^2 at 4 ranges by the square of the time, and 9.81 N*m at half of 90 degrees."""
+        action = 0.6 * 2 * math.pi + 9.81 * math.sin(math.pi / 4)
+        for motion in ("to: 90 deg, time: 1 s, law: constant_acceleration",
+                       "profile: [{to: 90 deg, time: 1 s, law: constant_acceleration}], time: 1 s"):
+            for steps in (2, 3, 7, 10, 100):
+                found = run(LIFTED.replace("MOTION", f"{motion}, steps: {steps}"))
+                for name, value in (("m/action", action), ("m/power", action * math.pi)):
+                    figures = self.figures(found, name)
+                    self.assertLess(abs(figures["greatest"] - value), 1e-9 * value, (name, steps))
+
+    def test_an_action_that_ends_at_once_counts(self) -> None:
+        """A trapezoid slows down from three quarters of the way on, until then at one speed."""
+        action = 9.81 * math.sin(math.pi / 2 * 0.75)
+        for steps in (2, 3, 4, 10):
+            found = run(LIFTED.replace("MOTION", "to: 90 deg, time: 1 s, law: trapezoid, "
+                                       f"steps: {steps}"))
+            self.assertLess(abs(self.figures(found, "m/action")["greatest"] - action),
+                            1e-9 * action, steps)
+
+
 class Limited(MotionTest):
     def test_a_motion_that_ends_before_has_no_mean(self) -> None:
         text = FOUR_BAR.replace("[160, 0]", "[230, 0]")

@@ -321,7 +321,30 @@ cases: {two: {motion: {F: 1 m/s}}}
 motion: {drive: Tin, to: 180 deg, steps: 4, case: two, report: [velocity]}
 """
 
+# In two positions so near a singular one that accelerations of other bodies have few digits.
+STEADY_ROCKER = """\
+kinestat: 1
+space: planar
+units: {length: mm, angle: deg}
+ground: frame
+bodies: [crank, coupler, rocker]
+couplings:
+  a: {type: revolute, bodies: [frame, crank], at: [0, 0]}
+  b: {type: revolute, bodies: [crank, coupler], at: [30, 40]}
+  c: {type: revolute, bodies: [coupler, rocker], at: [150, 100]}
+  d: {type: revolute, bodies: [frame, rocker], at: [160, 0]}
+actuators: {motor: {coupling: a}, load: {coupling: d}}
+cases: {c: {motion: {load: 1}}}
+motion: {drive: motor, to: 180, steps: 36, case: c, report: acceleration}
+"""
+
+
 class KnownRates(MotionTest):
+    def test_a_body_on_the_ground_speeds_up_as_its_bearing_does(self) -> None:
+        motion = run(STEADY_ROCKER)
+        self.assertEqual(set(motion["d.wz/acceleration"]), {0.0})
+        self.assertEqual(set(motion["rocker/angular_acceleration/z"]), {0.0})
+
     def test_that_no_motion_has_are_refused_in_the_rows_where_it_has_none(self) -> None:
         analysed = program.call("analyze", "-", text=IN_LINE)
         moved = program.call("motion", "-", text=IN_LINE)

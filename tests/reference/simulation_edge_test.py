@@ -70,6 +70,66 @@ actuators: {push: {coupling: a}}
 curves: {saw: {over: time, points: [[0, 0 N], [HALF, 1 N], [PERIOD, 0 N]], period: PERIOD}}
 simulation: {SECTION}
 """
+# On a stop where they hang.
+PENDULUMS = """
+kinestat: 1
+space: planar
+ground: frame
+gravity: [0, -9.81]
+BODIES
+actuators: {m: {coupling: a}}
+simulation: {action: {m: 0}, start: {m: {position: 90 deg}}, stops: {m: {from: 0 deg}}, UNTIL
+             time: 2 s, steps: 20}
+"""
+ONE = """bodies: {upper: {mass: 2, centre_of_mass: [0, -0.5], inertia: 0.1}}
+couplings: {a: {type: revolute, bodies: [frame, upper], at: [0, 0]}}"""
+TWO = """bodies: {upper: {mass: 2, centre_of_mass: [0, -0.5], inertia: 0.1},
+         lower: {mass: 1, centre_of_mass: [0, -1.5], inertia: 0.1}}
+couplings: {a: {type: revolute, bodies: [frame, upper], at: [0, 0]},
+            b: {type: revolute, bodies: [upper, lower], at: [0, -1]}}"""
+# The crank strikes; the rocker is what is watched.
+FOUR_BAR = """
+kinestat: 1
+space: planar
+ground: frame
+units: {length: mm, angle: deg}
+gravity: [0, -9810]
+bodies:
+  crank: {mass: 1, centre_of_mass: [15, 20], inertia: 0.001}
+  coupler: {mass: 2, centre_of_mass: [90, 70], inertia: 0.004}
+  rocker: {mass: 1.5, centre_of_mass: [155, 50], inertia: 0.003}
+couplings:
+  a: {type: revolute, bodies: [frame, crank], at: [0, 0]}
+  b: {type: revolute, bodies: [crank, coupler], at: [30, 40]}
+  c: {type: revolute, bodies: [coupler, rocker], at: [150, 100]}
+  d: {type: revolute, bodies: [frame, rocker], at: [160, 0]}
+actuators: {m: {coupling: a}, l: {coupling: d}}
+simulation: {action: {m: 0, l: 0}, stops: {m: {from: -10, to: 400}}, until: {l: {speed: 0}},
+             time: 3 s, steps: 4}
+"""
+# A flat follower on a circle about a point 12 mm off the axis.
+CAM = """
+kinestat: 1
+space: planar
+units: {length: mm}
+ground: frame
+gravity: [0, -9810]
+bodies: {cam: {mass: 1, centre_of_mass: [0, 0], inertia: 0.001},
+         follower: {mass: 0.5, centre_of_mass: [12, 60]}}
+couplings:
+  a: {type: revolute, bodies: [frame, cam], at: [0, 0]}
+  c: {type: cam, bodies: [cam, follower], at: [12, 31], normal: y, radii: [31, flat]}
+  g: {type: prismatic, bodies: [frame, follower], at: [0, 70], axis: y}
+actuators: {shaft: {coupling: a}}
+simulation: {action: {shaft: 0}, start: {shaft: {speed: 10}}, time: 0.1, steps: 4}
+"""
+
+
+def agm(a: float, b: float) -> float:
+    """The arithmetic-geometric mean, by which a pendulum swings."""
+    for _ in range(8):
+        a, b = (a + b) / 2, math.sqrt(a * b)
+    return a
 
 
 class Edges(unittest.TestCase):
@@ -129,6 +189,58 @@ class Edges(unittest.TestCase):
         found = self.last(text)
         self.assertEqual([one["kind"] for one in found["events"]], ["impact", "goal"])
         self.assertLess(abs(found["events"][1]["position"] - 0.25), 1e-9)
+
+    def test_a_speed_that_a_stop_takes_away_is_reached(self) -> None:
+        """A pendulum from 90 degrees on a stop that takes all its speed, where it hangs: after a
+        quarter of its period, of 0.6 kg*m^2 and 9.81 N*m. Without an end it rests there."""
+        quarter = math.sqrt(0.6 / 9.81) * math.pi / 2 / agm(1.0, math.sqrt(0.5))
+        for until in ("", "until: {m: {speed: 0}}, "):
+            found = self.last(PENDULUMS.replace("BODIES", ONE).replace("UNTIL", until))
+            self.assertEqual([one["kind"] for one in found["events"]],
+                             ["impact", "rest", "goal"][:3 if until else 2])
+            for event in found["events"]:
+                self.assertLess(abs(event["time"] - quarter), 1e-8)
+            self.assertLess(abs(found["time"] - (quarter if until else 2.0)), 1e-8)
+            self.assertLess(abs(found["rows"][-1][1]), 1e-12)
+
+    def test_a_speed_that_a_stop_takes_away_is_reached_by_what_moves_with_it(self) -> None:
+        """The upper of two pendulums stands still from the impact on, whatever the lower one does;
+        of a four-bar all stands still."""
+        two = self.last(PENDULUMS.replace("BODIES", TWO).replace("UNTIL", "until: {m: {speed: 0}}, "))
+        bars = self.last(FOUR_BAR)
+        for found, position in ((two, 0.0), (bars, None)):
+            impact, rest, goal = found["events"]
+            self.assertEqual([impact["kind"], rest["kind"], goal["kind"]], ["impact", "rest", "goal"])
+            self.assertLess(abs(goal["time"] - impact["time"]), 1e-12)
+            self.assertLess(abs(goal["speed"]), 1e-11)
+            if position is not None:
+                self.assertLess(abs(goal["position"] - position), 1e-12)
+        self.assertEqual(goal["element"], "l")
+
+    def test_a_speed_that_a_stop_takes_away_at_the_start_is_reached(self) -> None:
+        text = ALONE.replace("SECTION", "action: {push: 1}, start: {push: {speed: -1}}, "
+                             "stops: {push: {from: 0}}, until: {push: {speed: 0}}, time: 2 s, steps: 4")
+        found = self.last(text.replace("HALF", "1").replace("PERIOD", "2"))
+        self.assertEqual([one["kind"] for one in found["events"]], ["impact", "goal"])
+        self.assertEqual(found["time"], 0.0)
+
+    def test_contacts_have_their_speeds(self) -> None:
+        """The follower slides on the cam by its speed times the height of the contact."""
+        for report in ((), ("--report", "c.vx,shaft")):
+            done = program.call("simulate", *report, "-", text=CAM)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            found = program.report(done)["simulation"]
+            names = [one["name"] for one in found["columns"]]
+            self.assertNotIn("c.vx/position", names)
+            for cells in found["rows"]:
+                row = dict(zip(names, cells))
+                height = 31 + 12 * math.sin(row["a.wz/position"])
+                self.assertLess(abs(abs(row["c.vx/velocity"]) - row["a.wz/velocity"] * height), 1e-9)
+
+    def test_a_column_that_no_row_has_is_refused(self) -> None:
+        done = program.call("simulate", "--report", "c.vx.position", "-", text=CAM)
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("E0313", done.stderr)
 
     def test_what_holds_a_speed_bears_impacts(self) -> None:
         """A pendulum between stops on a cart that is held at 1 m/s: no energy without a source."""

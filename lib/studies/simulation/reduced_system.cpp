@@ -22,8 +22,30 @@ Wrench moved_load(const Load& load, const BodyPose& pose, Vec3& point) {
   return {.moment = load.acts.wrench.moment + (point - *load.point).cross(force), .force = force};
 }
 
+// The sizes of the terms of its power, whatever point it is written about.
+double power_size(const Wrench& wrench, const Twist& twist, double length) {
+  return wrench.force.norm() * (twist.linear.norm() + twist.angular.norm() * length) +
+         wrench.moment.norm() * twist.angular.norm();
+}
+
 bool is_weight(const Load& load) {
   return load.name.starts_with(kWeightPrefix);
+}
+
+// To a coordinate.
+void add_force(double force, std::size_t drive, VecX& forces, VecX& sizes) {
+  forces[static_cast<Eigen::Index>(drive)] += force;
+  sizes[static_cast<Eigen::Index>(drive)] += std::abs(force);
+}
+
+double kinetic_of(const Mechanism& mechanism, const MotionState& state) {
+  double sum = 0.0;
+  for (std::size_t b = 0; b < mechanism.masses.size(); ++b) {
+    if (mechanism.masses[b].counts()) {
+      sum += kinetic_energy(inertia_at(mechanism.masses[b], state.poses[b]), state.twists[b]);
+    }
+  }
+  return sum;
 }
 
 }  // namespace
@@ -87,6 +109,8 @@ bool ReducedSystem::accelerate(double time,
     obstacle_ = {.kind = SimulationObstacle::Kind::rotor, .body = rotor};
     return false;
   }
+  forces_ = VecX::Zero(static_cast<Eigen::Index>(count));
+  sizes_ = forces_;
   add_inertia();
   powers_ = {};
   loads_.clear();
@@ -94,7 +118,6 @@ bool ReducedSystem::accelerate(double time,
   if (balance_ != nullptr) {
     balance_->place(configuration, state_.poses, 0.0);
   }
-  forces_ = VecX::Zero(static_cast<Eigen::Index>(count));
   if (!add_forces(time, configuration)) {
     return false;
   }
@@ -113,6 +136,9 @@ bool ReducedSystem::accelerate(double time,
   std::copy_n(found.data(), free_count_, accelerations.begin());
   held_ = held_with(found);
   for (std::size_t k = 0; k < held_.size(); ++k) {
+    const auto row = static_cast<Eigen::Index>(free_count_ + k);
+    const double size = sizes_[row] + inertia_.row(row).head(free).cwiseAbs().dot(found.cwiseAbs());
+    held_[k] = std::abs(held_[k]) <= kNoHold * size ? 0.0 : held_[k];
     powers_.supplied += held_[k] * speeds[free_count_ + k];
   }
   return true;
@@ -135,6 +161,7 @@ void ReducedSystem::add_inertia() {
     for (Eigen::Index j = 0; j < count; ++j) {
       const Twist& unit = units_[static_cast<std::size_t>(j)].twists[b];
       bias_[j] -= power(wrench, unit);
+      sizes_[j] += power_size(wrench, unit, mechanism_.geometry.length);
       const Wrench carried = momentum(body, unit);
       carried_[b][static_cast<std::size_t>(j)] = carried;
       for (Eigen::Index k = 0; k <= j; ++k) {
@@ -150,7 +177,9 @@ void ReducedSystem::add_wrench(BodyId body, const Wrench& wrench) {
     loads_.push_back({.body = body, .wrench = wrench});
   }
   for (std::size_t j = 0; j < units_.size(); ++j) {
-    forces_[static_cast<Eigen::Index>(j)] += power(wrench, units_[j].twists[at(body.value)]);
+    const Twist& unit = units_[j].twists[at(body.value)];
+    forces_[static_cast<Eigen::Index>(j)] += power(wrench, unit);
+    sizes_[static_cast<Eigen::Index>(j)] += power_size(wrench, unit, mechanism_.geometry.length);
   }
 }
 
@@ -202,7 +231,7 @@ bool ReducedSystem::add_forces(double time, const Configuration& configuration) 
     const ActionLabel& label = mechanism_.topology.actions[at(which_.actions[a].index)];
     const int freedom = mechanism_.topology.actuators[at(label.actuator)].freedom;
     for (std::size_t j = 0; j < units_.size(); ++j) {
-      forces_[static_cast<Eigen::Index>(j)] += actions_[a] * unit_rate(j, freedom);
+      add_force(actions_[a] * unit_rate(j, freedom), j, forces_, sizes_);
     }
     if (balance_ != nullptr) {
       balance_->add_pair(freedom, actions_[a], loads_);
@@ -214,7 +243,7 @@ bool ReducedSystem::add_forces(double time, const Configuration& configuration) 
     const double rate = state_.rates[at(freedom)].value_or(0.0);
     const double viscous = friction.planets * friction.viscous;
     for (std::size_t j = 0; j < units_.size(); ++j) {
-      forces_[static_cast<Eigen::Index>(j)] -= viscous * rate * unit_rate(j, freedom);
+      add_force(-viscous * rate * unit_rate(j, freedom), j, forces_, sizes_);
     }
     powers_.lost += viscous * rate * rate;
     if (balance_ != nullptr && viscous != 0.0) {
@@ -249,7 +278,7 @@ void ReducedSystem::add_springs(const std::vector<SpringState>& springs,
                            velocity_at(units_[j].twists[at(spring.tail.value)], from);
         rate = speed.dot(to - from) / now.position;
       }
-      forces_[static_cast<Eigen::Index>(j)] -= against * rate;
+      add_force(-against * rate, j, forces_, sizes_);
     }
     const double taken = (against - elastic_tension(spring, now.position)) * now.rate;
     (forces[i] == 0.0 ? powers_.lost : powers_.supplied) += forces[i] == 0.0 ? taken : -taken;
@@ -278,16 +307,6 @@ std::optional<BodyId> ReducedSystem::wrong_rotor() const {
     }
   }
   return std::nullopt;
-}
-
-double ReducedSystem::kinetic(const MotionState& state) const {
-  double sum = 0.0;
-  for (std::size_t b = 0; b < mechanism_.masses.size(); ++b) {
-    if (mechanism_.masses[b].counts()) {
-      sum += kinetic_energy(inertia_at(mechanism_.masses[b], state.poses[b]), state.twists[b]);
-    }
-  }
-  return sum;
 }
 
 double ReducedSystem::potential(const MotionState& state) const {
@@ -370,7 +389,7 @@ ReducedState ReducedSystem::tell(const Configuration& configuration,
     balance_->place(configuration, result.state.poses, result.state.bounds.place);
     find_borne(result.state, result);
   }
-  result.kinetic = kinetic(state_);
+  result.kinetic = kinetic_of(mechanism_, state_);
   result.potential = potential(state_);
   return result;
 }
@@ -391,7 +410,7 @@ std::optional<ReducedState> ReducedSystem::tell_singular(const Configuration& co
       state.rates[at(network_.driven_freedoms[d])] = speeds[d];
     }
   } else {
-    result.kinetic = kinetic(state);
+    result.kinetic = kinetic_of(mechanism_, state);
   }
   if (!mechanism_.springs.empty()) {
     const std::vector<double> none(mechanism_.springs.size(), 0.0);

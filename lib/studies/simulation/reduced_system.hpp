@@ -111,7 +111,6 @@ class ReducedSystem {
   bool add_forces(double time, const Configuration& configuration);
   void add_wrench(BodyId body, const Wrench& wrench);
   void add_springs(const std::vector<SpringState>& springs, std::span<const double> forces);
-  double kinetic(const MotionState& state) const;
   double potential(const MotionState& state) const;
   std::optional<BodyId> wrong_rotor() const;
   double unit_rate(std::size_t drive, int freedom) const;
@@ -142,6 +141,7 @@ class ReducedSystem {
   MatX inertia_;
   VecX bias_;
   VecX forces_;
+  VecX sizes_;  // of what adds up in each equation
   std::vector<double> held_;
   StatePowers powers_;
   SimulationObstacle obstacle_;

@@ -88,6 +88,12 @@ struct SimulationSolution {
   double closure_error = 0.0;  ///< the largest of a row, as share of the size
 };
 
+/// Whether some row has one for the freedom: its column is left out otherwise, as contacts have no
+/// positions.
+bool has_any(const SimulationSolution& solution,
+             std::vector<std::optional<double>> SimulationRow::*list,
+             int freedom);
+
 /// From `start`, a closed configuration of the network, with these rates of its joints. Held
 /// freedoms and stops must be joints of its tree, and so must freedoms that stick by themselves.
 /// `which` is the only case of the mechanism.

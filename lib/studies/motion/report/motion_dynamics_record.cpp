@@ -165,10 +165,14 @@ const Record<CounterweightView>& counterweight_record() {
   using View = CounterweightView;
   static const Record<View> record(
       "What a body must carry, in the drawn position.", [](Record<View>& keys) {
-        keys.number("mass_radius",
-                    Bare::number,
-                    "Mass times distance from the axis, kg*m.",
-                    [](const View& v) { return v.weight.mass_radius.norm(); })
+        keys.converted("mass_radius",
+                       ByContext::beside,
+                       "Mass times distance from the axis.",
+                       [](const View& v) {
+                         const double si = v.weight.mass_radius.norm();
+                         return std::pair(std::optional(mass_radius_from_si(si, v.of.units)),
+                                          mass_radius_unit(v.of.units));
+                       })
             .at_least(0);
         keys.quantity("angle",
                       QuantityKind::angle,
@@ -181,15 +185,21 @@ const Record<CounterweightView>& counterweight_record() {
             .not_compared()
             .only_if([](const View& v) { return v.of.is_planar; });
         keys.custom("along",
-                    vector_shape(Bare::number, false),
-                    "The same as a vector, kg*m along x, y, z.",
+                    vector_shape(ByContext::beside, false),
+                    "The same as a vector, along x, y, z.",
                     [](const View& v, Archive& to) {
                       to.begin_list();
                       for (const double component : v.weight.mass_radius) {
-                        to.number(component, {});
+                        to.number(mass_radius_from_si(component, v.of.units),
+                                  mass_radius_unit(v.of.units));
                       }
                       to.end_list();
                     });
+        keys.text("unit",
+                  "That of mass times distance.",
+                  [](const View& v) { return mass_radius_unit(v.of.units); })
+            .not_in_tables()
+            .not_compared();
       });
   return record;
 }
@@ -258,6 +268,14 @@ const Record<LimitView>& limit_record() {
 }
 
 }  // namespace
+
+double mass_radius_from_si(double value, const FileUnits& units) {
+  return units.from_si(QuantityKind::mass, units.from_si(QuantityKind::length, value));
+}
+
+std::string mass_radius_unit(const FileUnits& units) {
+  return units.text(QuantityKind::mass) + "*" + units.text(QuantityKind::length);
+}
 
 const Record<MotionDynamics>& motion_dynamics_record() {
   using View = MotionDynamics;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "report/number_format.hpp"
+#include "studies/motion/report/motion_dynamics_record.hpp"
 
 namespace kinestat {
 
@@ -142,22 +143,27 @@ class DynamicsWriter {
     const auto angle_of = [&](const Vec3& at) {
       return at.isZero(0.0) ? "-" : short_of(QuantityKind::angle, std::atan2(at.y(), at.x()));
     };
-    std::vector<TextColumn> table = {{"Counterweight", {}}, {"mass*radius [kg*m]", {}}};
+    std::vector<TextColumn> table = {
+        {"Counterweight", {}},
+        {fmt::format("mass*radius [{}]", mass_radius_unit(dynamics_.units)), {}}};
     if (dynamics_.is_planar) {
       table.push_back({fmt::format("angle [{}]", dynamics_.units.text(QuantityKind::angle)), {}});
     } else {
       for (const char* axis : {"x", "y", "z"}) {
-        table.push_back({fmt::format("along {} [kg*m]", axis), {}});
+        table.push_back(
+            {fmt::format("along {} [{}]", axis, mass_radius_unit(dynamics_.units)), {}});
       }
     }
     for (const Counterweight& one : figures.counterweights) {
       table[0].cells.push_back(one.body);
-      table[1].cells.push_back(format_short(one.mass_radius.norm()));
+      table[1].cells.push_back(
+          format_short(mass_radius_from_si(one.mass_radius.norm(), dynamics_.units)));
       if (dynamics_.is_planar) {
         table[2].cells.push_back(angle_of(one.mass_radius));
       } else {
         for (std::size_t i = 0; i < 3; ++i) {
-          table[2 + i].cells.push_back(format_short(one.mass_radius[static_cast<Eigen::Index>(i)]));
+          table[2 + i].cells.push_back(format_short(
+              mass_radius_from_si(one.mass_radius[static_cast<Eigen::Index>(i)], dynamics_.units)));
         }
       }
     }

@@ -28,6 +28,20 @@ bool meets(const Case& which, const MotionState& state) {
   });
 }
 
+// What turns steadily on the ground, or slides there, has no angular acceleration by definition.
+void hold_body(const CouplingTopology& coupling, MotionState& state) {
+  const BodyId ground{0};
+  const bool is_guided =
+      (coupling.type == CouplingType::revolute || coupling.type == CouplingType::prismatic) &&
+      (coupling.tail == ground || coupling.head == ground);
+  const auto body =
+      static_cast<std::size_t>((coupling.tail == ground ? coupling.head : coupling.tail).value);
+  if (is_guided && body < state.twist_rates.size()) {
+    state.twist_rates[body].angular = Vec3::Zero();
+    state.bounds.bodies[body].angular_rate = 0.0;
+  }
+}
+
 }  // namespace
 
 double worst_closure_error(const MotionSolution& solution) {
@@ -137,6 +151,10 @@ void MotionPositions::hold_known(const Case& which, MotionState& state) const {
     if (!is_driven && freedom < state.rate_rates.size() && state.rate_rates[freedom]) {
       state.rate_rates[freedom] = acceleration_of(which, known.index);
       state.bounds.rate_rates[freedom] = 0.0;
+      if (state.rate_rates[freedom] == 0.0) {
+        hold_body(mechanism_.topology.coupling(mechanism_.topology.freedoms[freedom].coupling),
+                  state);
+      }
     }
   }
 }

@@ -137,6 +137,7 @@ bool ReducedSystem::add_friction(VecX& accelerations) {
     const double size = found.values[static_cast<Eigen::Index>(i)];
     const BodyPair bodies = balance_->rubbed_bodies(one.law);
     forces_ += size * one.work;
+    sizes_ += size * one.work.cwiseAbs();
     accelerations += size * one.answer;
     friction_[one.index] = -senses_[one.index].sense * size;
     rubbing_.push_back({.body = bodies.head, .wrench = size * one.law.unit});

@@ -10,6 +10,7 @@
 #include "core/simulation_tolerance.hpp"
 #include "core/tolerance.hpp"
 #include "studies/motion/configuration.hpp"
+#include "studies/motion/contact_rates.hpp"
 
 namespace kinestat {
 
@@ -92,7 +93,7 @@ SimulationSolution Simulator::run(const Configuration& start,
   if (!begin_contacts()) {
     return stuck();
   }
-  while (plan_.duration - time_ > least_step()) {
+  while (result_.end == SimulationEnd::complete && plan_.duration - time_ > least_step()) {
     const double before = time_;
     const std::size_t told = result_.events.size();
     if (!advance()) {
@@ -100,9 +101,6 @@ SimulationSolution Simulator::run(const Configuration& start,
     }
     if (!makes_progress(before, told)) {
       return stuck();
-    }
-    if (result_.end != SimulationEnd::complete) {
-      break;
     }
   }
   return finish();
@@ -257,6 +255,7 @@ bool Simulator::add_row(double time, std::span<const double> y) {
   const std::size_t free = free_count();
   const bool has_actions = plan_.asks_actions || has_dry();
   ReducedState now = system_->tell(configuration, speeds_of(y), accelerations, has_actions);
+  add_contact_rates(system_->network(), drawn_, mechanism_, now.state);
   note_ignored(now.borne);
   if (!plan_.asks_actions) {
     now.borne.clear();
@@ -297,6 +296,7 @@ bool Simulator::add_singular_row(double time,
     obstacle_ = system_->obstacle();
     return false;
   }
+  add_contact_rates(system_->network(), drawn_, mechanism_, now->state);
   const std::size_t count = topology_.freedoms.size();
   const std::size_t free = free_count();
   using Unknown = std::vector<std::optional<double>>;

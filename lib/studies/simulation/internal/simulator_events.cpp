@@ -170,18 +170,22 @@ double Simulator::root(const Happening& what, double low, double high) {
 void Simulator::note_signs() {
   for (std::size_t g = 0; g < signs_.size(); ++g) {
     if (signs_[g] == 0.0) {
+      const SimulationGoal& goal = plan_.goals[g];
       const Happening what{.kind = SimulationEvent::Kind::goal, .index = g};
       const double there = distance(what, time_, state_).value_or(0.0);
-      signs_[g] = there > 0.0 ? 1.0 : there < 0.0 ? -1.0 : 0.0;
+      const double rounding = goal.is_speed ? kAtRest * fastest() * unit(goal.of.freedom) : 0.0;
+      signs_[g] = there > rounding ? 1.0 : there < -rounding ? -1.0 : 0.0;
     }
   }
 }
 
 bool Simulator::meet(const Happening& what) {
-  if (what.kind == SimulationEvent::Kind::goal) {
-    const SimulationGoal& goal = plan_.goals[what.index];
-    note(SimulationEvent::Kind::goal, goal.of);
+  const auto reach = [&](std::size_t goal) {
+    note(SimulationEvent::Kind::goal, plan_.goals[goal].of);
     result_.end = SimulationEnd::goal;
+  };
+  if (what.kind == SimulationEvent::Kind::goal) {
+    reach(what.index);
     return true;
   }
   if (what.kind >= SimulationEvent::Kind::cable_slack) {
@@ -204,13 +208,21 @@ bool Simulator::meet(const Happening& what) {
     rests_[what.index] = false;
     return rates && choose_rests(others, *rates) && decide_friction(std::nullopt);
   }
-  // An impact passes over speeds.
+  // An impact passes over speeds, but reaches those that it ends at.
+  const std::vector<double> before = signs_;
   for (std::size_t g = 0; g < signs_.size(); ++g) {
     signs_[g] = plan_.goals[g].is_speed ? 0.0 : signs_[g];
   }
-  const bool goes_on = strike(what.index);
+  if (!strike(what.index)) {
+    return false;
+  }
   note_signs();
-  return goes_on;
+  for (std::size_t g = 0; g < signs_.size() && result_.end == SimulationEnd::complete; ++g) {
+    if (before[g] != 0.0 && signs_[g] == 0.0) {
+      reach(g);
+    }
+  }
+  return true;
 }
 
 SimulationEvent& Simulator::note(SimulationEvent::Kind kind, const NamedFreedom& of) {
@@ -420,7 +432,7 @@ bool Simulator::begin_contacts() {
   for (std::size_t s = 0; s < touched.size(); ++s) {
     const std::optional<double> speed = speed_at(plan_.stops[s].of.freedom, time_, state_);
     if (touched[s] && speed && plan_.stops[s].side * *speed > 0.0) {
-      return strike(s);
+      return meet({.kind = SimulationEvent::Kind::impact, .index = s, .time = time_});
     }
   }
   return settle(touched);

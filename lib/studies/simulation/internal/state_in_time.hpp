@@ -90,6 +90,7 @@ class StateInTime {
   const Mechanism& mechanism_;
   const Topology& topology_;
   const MotionNetwork& network_;
+  std::span<const DrawnCoupling> drawn_;
   const SimulationPlan& plan_;
   StateBalance balance_;
   bool needs_balance_ = false;

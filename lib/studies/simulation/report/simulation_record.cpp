@@ -64,9 +64,7 @@ class ColumnMaker {
     }
     add("", "time", QuantityKind::time, [](const SimulationRow& row) { return row.time; });
     for (int f = 0; f < topology_.freedom_count(); ++f) {
-      if (v_.solution.rows.front().positions[at(f)]) {
-        add_freedom(f);
-      }
+      add_freedom(f);
     }
     add_actions();
     using enum QuantityKind;
@@ -148,24 +146,21 @@ class ColumnMaker {
     const bool turns = topology_.freedoms[f].is_rotation;
     const std::string name = topology_.freedom_name(freedom);
     const bool is_coordinate = std::ranges::count(v_.solution.coordinates, freedom) > 0;
-    add(
-        name,
-        "position",
-        position_kind(turns),
-        [f](const SimulationRow& row) { return row.positions[f]; },
-        is_coordinate);
-    add(
-        name,
-        "velocity",
-        rate_kind(turns),
-        [f](const SimulationRow& row) { return row.rates[f]; },
-        is_coordinate);
-    add(
-        name,
-        "acceleration",
-        turns ? QuantityKind::angular_acceleration : QuantityKind::acceleration,
-        [f](const SimulationRow& row) { return row.rate_rates[f]; },
-        is_coordinate);
+    const auto add_of = [&](std::string_view quantity, QuantityKind kind, auto list) {
+      if (has_any(v_.solution, list, freedom)) {
+        add(
+            name,
+            quantity,
+            kind,
+            [f, list](const SimulationRow& row) { return (row.*list)[f]; },
+            is_coordinate);
+      }
+    };
+    add_of("position", position_kind(turns), &SimulationRow::positions);
+    add_of("velocity", rate_kind(turns), &SimulationRow::rates);
+    add_of("acceleration",
+           turns ? QuantityKind::angular_acceleration : QuantityKind::acceleration,
+           &SimulationRow::rate_rates);
   }
 
   const SimulationReportView& v_;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -190,6 +191,44 @@ void warn_of_energy(const FoundSimulation& simulation, const FileUnits& units, D
   }
 }
 
+// Whether a name of the report means a column that there is, or none of a freedom at all.
+bool has_column(const std::string& name, const FoundSimulation& simulation) {
+  const std::pair<std::string_view, std::vector<std::optional<double>> SimulationRow::*> lists[] = {
+      {"position", &SimulationRow::positions},
+      {"velocity", &SimulationRow::rates},
+      {"acceleration", &SimulationRow::rate_rates}};
+  const Topology& topology = simulation.mechanism.topology;
+  bool is_of_freedom = false;
+  for (int f = 0; f < topology.freedom_count(); ++f) {
+    const auto actuator = std::ranges::find(topology.actuators, f, &ActuatorTopology::freedom);
+    const std::string also = actuator == topology.actuators.end() ? "" : actuator->name;
+    for (const auto& [quantity, list] : lists) {
+      if (names_column(name, topology.freedom_name(f), also, quantity)) {
+        is_of_freedom = true;
+        if (has_any(simulation.solution, list, f)) {
+          return true;
+        }
+      }
+    }
+  }
+  for (int a = 0; a < topology.action_count(); ++a) {
+    is_of_freedom =
+        is_of_freedom && !names_column(name, topology.action_name(a), "", kActionColumn);
+  }
+  return !is_of_freedom;
+}
+
+void refuse_absent_columns(const FoundSimulation& simulation, Diagnostics& found) {
+  for (const std::string& name : simulation.plan.report.names) {
+    if (!simulation.solution.rows.empty() && !has_column(name, simulation)) {
+      found.error("E0313",
+                  simulation.plan.where,
+                  fmt::format("the simulation has no column '{}'", name),
+                  "freedoms of contacts, cables and balls have velocities, but no positions");
+    }
+  }
+}
+
 // Cables and contacts whose force equilibrium leaves open.
 void warn_of_unchecked(const FoundSimulation& simulation, Diagnostics& found) {
   std::vector<std::string> names;
@@ -305,6 +344,7 @@ void add_obstacle(const FoundSimulation& simulation, const FileUnits& units, Dia
 void add_simulation_findings(const FoundSimulation& simulation,
                              const FileUnits& units,
                              Diagnostics& found) {
+  refuse_absent_columns(simulation, found);
   warn_of_energy(simulation, units, found);
   warn_of_unchecked(simulation, found);
   warn_of_ignored(simulation, units, found);

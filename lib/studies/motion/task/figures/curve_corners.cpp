@@ -46,6 +46,8 @@ class CornerFinder {
     for (const double step : steps_) {
       add_place(step, corners);
     }
+    add_breaks(corners);
+    std::ranges::stable_sort(corners, {}, &FigurePlace::step);
     return corners;
   }
 
@@ -59,7 +61,9 @@ class CornerFinder {
   }
 
   // Empty where the motion cannot be followed to there.
-  std::optional<MotionPosition> position_at(double step, MotionPositions& positions) {
+  std::optional<MotionPosition> position_at(double step,
+                                            MotionPositions& positions,
+                                            std::optional<double> at = {}) {
     const double row = std::min(std::floor(step), motion_.solution.position_count() - 1.0);
     const double share = share_at_step(motion_, step);
     const double begin = motion_.solution.shares[static_cast<std::size_t>(row)];
@@ -67,8 +71,9 @@ class CornerFinder {
     if (share > begin) {
       there = way_.follow(*there, begin, share);
     }
-    const std::optional<double> time =
-        motion_.plan.schedule ? std::optional(step / motion_.plan.steps) : std::nullopt;
+    const std::optional<double> time = motion_.plan.schedule
+                                           ? std::optional(at.value_or(step / motion_.plan.steps))
+                                           : std::nullopt;
     return there ? std::optional(positions.at(*there, share, time)) : std::nullopt;
   }
 
@@ -124,6 +129,29 @@ class CornerFinder {
     }
   }
 
+  // Where a law changes its acceleration there are two values, that before and that behind, at one
+  // place.
+  void add_breaks(std::vector<FigurePlace>& corners) {
+    if (!motion_.plan.schedule) {
+      return;
+    }
+    for (const double time : motion_.plan.schedule->breaks()) {
+      const double step = time * motion_.plan.steps;
+      if (step >= motion_.solution.position_count() - 1.0 || corners.size() > kMostCorners) {
+        return;
+      }
+      const double before = DriveSchedule::before(time);
+      if (const auto position = position_at(step, reading_, before)) {
+        corners.push_back({.step = before * motion_.plan.steps,
+                           .share = motion_.plan.schedule->share_at(before),
+                           .values = values_at_(*position, share_at_step(motion_, step))});
+      }
+      if (step != std::floor(step)) {
+        add_place(step, corners);
+      }
+    }
+  }
+
   const Mechanism& mechanism_;
   const FoundMotion& motion_;
   const ValuesAt& values_at_;
@@ -149,8 +177,9 @@ std::vector<FigurePlace> find_curve_corners(const Mechanism& mechanism,
                                             const FoundMotion& motion,
                                             const MotionDetail& detail,
                                             const ValuesAt& values_at) {
-  return mechanism.curves.empty() ? std::vector<FigurePlace>()
-                                  : CornerFinder(mechanism, motion, detail, values_at).find();
+  return mechanism.curves.empty() && !motion.plan.schedule
+             ? std::vector<FigurePlace>()
+             : CornerFinder(mechanism, motion, detail, values_at).find();
 }
 
 }  // namespace kinestat

@@ -1,4 +1,5 @@
-// Where a motion comes to the points of curves, at which what follows them turns sharply.
+// Where a motion comes to the points of curves, at which what follows them turns sharply, and to
+// those at which the law of a drive changes its acceleration.
 #pragma once
 
 #include <functional>
@@ -19,7 +20,8 @@ using ValuesAt =
     std::function<std::vector<std::optional<double>>(const MotionPosition& position, double share)>;
 
 /// The places between the steps at which a curve of the mechanism, over time, a position or a
-/// speed, is at one of its points, in order. None of a motion that passes more than some ten
+/// speed, is at one of its points, and the values before and behind a jump of a drive's
+/// acceleration, in order. None of a motion that passes more than some ten
 /// thousand.
 std::vector<FigurePlace> find_curve_corners(const Mechanism& mechanism,
                                             const FoundMotion& motion,
