@@ -23,7 +23,7 @@ constexpr double kLineHeight = kWordsHeight;
 constexpr double kSample = 26.0;  // length of a line in the legend
 constexpr double kSeen = 0.4;     // nearer points of a line are one
 constexpr int kMostLabelled = 40;
-constexpr double kFarthestLabel = 75.0;  // the middle of its text from the point
+constexpr double kFarthestLabel = 120.0;  // the middle of its text from the point
 
 // Points of a line that can be told apart on the picture, with its gaps; what lies outside the
 // frame is a gap too.

@@ -22,8 +22,10 @@ constexpr double kLineCost = 14.0;
 // Likewise of a line to a label that goes through another.
 constexpr double kCrossedLabelCost = 40.0;
 
-// Likewise for each line that it crosses: as much as to lead so much farther [px].
+// Likewise for each line that it crosses, and at most for all: as much as to lead so much farther
+// [px]. With the farthest place that is less than to cover anything.
 constexpr double kCrossedLine = 25.0;
+constexpr double kMostCrossed = 150.0;
 
 // Letters may be so much wider than they were measured [px].
 constexpr double kSlack = 1.0;
@@ -36,7 +38,7 @@ constexpr double kNearCost = 1.0;
 constexpr double kFarCost = 4.0;
 
 // By how much a label is rather put farther away than upon anything that is drawn [px].
-constexpr double kDetour = 400.0;
+constexpr double kDetour = 600.0;
 
 // What an anchor costs that is the next of several [px].
 constexpr double kNextAnchor = 3.0;
@@ -152,12 +154,17 @@ double NamePlacer::line_cost(PixelPoint from, PixelPoint to) const {
     const double crossed = length_within(label, from, to);
     sum += crossed > 0.0 ? kCrossedLabelCost * crossed + kFarCost * kDetour : 0.0;
   }
+  if (!prices_crossings_) {
+    return sum;
+  }
   PixelBox around;
   around.add(from);
   around.add(to);
+  double crossed = 0.0;
   lines_.visit(around, [&](PixelPoint a, PixelPoint b) {
-    sum += do_cross(from, to, a, b) ? kFarCost * kCrossedLine : 0.0;
+    crossed += do_cross(from, to, a, b) ? kCrossedLine : 0.0;
   });
+  sum += kFarCost * std::min(crossed, kMostCrossed);
   return sum;
 }
 

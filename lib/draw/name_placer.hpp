@@ -41,6 +41,9 @@ class NamePlacer {
 
   void keep_off(std::span<const PixelLine> lines);
 
+  /// From now on a line to a label rather goes farther than across what is drawn.
+  void price_crossings() { prices_crossings_ = true; }
+
   /// The best place for a text of one line at `distance` from the anchor or somewhat further; its
   /// anchor of style is chosen. The label is then kept off by all later ones.
   PlacedName place(PixelPoint anchor,
@@ -92,6 +95,7 @@ class NamePlacer {
   std::vector<PixelBox> boxes_;
   std::vector<PixelBox> labels_;
   LineGrid lines_;
+  bool prices_crossings_ = false;
 };
 
 /// Writes the label, and the line from its anchor if it needs one.

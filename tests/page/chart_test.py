@@ -106,12 +106,12 @@ class ChartTest(PageCase):
         self.open(self.page(PRESS), prefers_reduced_motion="reduce")
         seen = ("return [...figure.querySelectorAll('[data-series]')]"
                 ".map((one) => one.getClientRects().length > 0);")
-        self.assertEqual(self.ask(CHART + seen, "Motion, velocity"), [True] * 3)
+        self.assertEqual(self.ask(CHART + seen, "Motion: velocity"), [True] * 3)
 
-        self.ask(CHART + "figure.querySelectorAll('.values input')[1].click();", "Motion, velocity")
+        self.ask(CHART + "figure.querySelectorAll('.values input')[1].click();", "Motion: velocity")
 
-        self.assertEqual(self.ask(CHART + seen, "Motion, velocity"), [True, False, True])
-        self.assertEqual(len(self.ask(DOTS, "Motion, velocity")), 2)
+        self.assertEqual(self.ask(CHART + seen, "Motion: velocity"), [True, False, True])
+        self.assertEqual(len(self.ask(DOTS, "Motion: velocity")), 2)
 
     def test_no_chart_is_cut_on_a_telephone(self) -> None:
         for name in (PRESS, "spatial/ups_platform.yaml", "synthesis/simpson_class.yaml"):
@@ -182,7 +182,7 @@ class ChartTest(PageCase):
         captions = self.ask("return [...document.querySelectorAll('figure.chart figcaption')]"
                             ".map((one) => one.textContent);")
         self.assertTrue(captions)
-        self.assertEqual([one for one in captions if one.endswith("Motion, time")], [])
+        self.assertEqual([one for one in captions if one.endswith("Motion: time")], [])
 
     # What moves a drawing
 

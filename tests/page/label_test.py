@@ -123,7 +123,7 @@ class LabelTest(PageCase):
         self.open(self.page("planar/four_stroke_engine.yaml"), prefers_reduced_motion="reduce")
         labels = self.ask(
             "const chart = [...document.querySelectorAll('figure.chart')].find((one) =>"
-            "  one.querySelector('figcaption').textContent.endsWith('Motion, moment z'));"
+            "  one.querySelector('figcaption').textContent.endsWith('Motion: moment z'));"
             "return [...chart.querySelectorAll('.picture text')].map((one) => one.textContent)"
             "  .filter((one) => /^(max|min)/.test(one));")
         self.assertEqual(len(labels), 2, labels)

@@ -152,8 +152,8 @@ class PageTest(PageCase):
         )
 
         for caption in ("Mechanism", "Mechanism with the forces of case a: b",
-                        "Power flow, case a: b", "Sweep over height, tin",
-                        "Sweep over height, d.wz"):
+                        "Power flow, case a: b", "Sweep over height: tin",
+                        "Sweep over height: d.wz"):
             self.assertIn(caption, captions)
 
     def test_tables_of_results_that_go_on_below_say_so(self) -> None:

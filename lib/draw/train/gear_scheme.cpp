@@ -59,6 +59,7 @@ class SchemeWriter {
       draw_element(element);
     }
     placer_.keep_off(svg_.lines());
+    placer_.price_crossings();
     for (const DrawnElement& element : layout_.elements) {
       name_element(element);
     }

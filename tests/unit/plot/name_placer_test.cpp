@@ -62,9 +62,13 @@ TEST(NamePlacer, LeadsALineAcrossOthersOnlyForMuchLess) {
   NamePlacer placer;
   placer.keep_off({.left = -60.0, .top = -50.0, .right = 30.0, .bottom = 50.0});
   placer.keep_off({.x = 34.0, .y = -300.0}, {.x = 34.0, .y = 300.0});
+  NamePlacer pricing = placer;
+  pricing.price_crossings();
 
-  const PlacedName placed = placer.place({.x = 0.0, .y = 0.0}, "planet", {}, 6.0);
+  const PlacedName nearest = placer.place({.x = 0.0, .y = 0.0}, "planet", {}, 6.0);
+  const PlacedName placed = pricing.place({.x = 0.0, .y = 0.0}, "planet", {}, 6.0);
 
+  EXPECT_GT(nearest.line_end.x, 34.0);
   EXPECT_TRUE(placed.needs_line);
   EXPECT_LT(placed.line_end.x, 34.0);
 }
