@@ -41,6 +41,17 @@ BoundedWrench inertial_wrench(const BodyInertia& body,
           .force = {.value = acts.force, .bound = Vec3::Constant(force)}};
 }
 
+// What D'Alembert's forces are where a body at rest speeds up so, with the other sign.
+BoundedWrench momentum(const BodyInertia& body, const Twist& twist, const BodyBounds& bounds) {
+  const BodyBounds speeding_up = {.turn = bounds.turn,
+                                  .shift = bounds.shift,
+                                  .angular_rate = bounds.angular,
+                                  .linear_rate = bounds.linear};
+  const BoundedWrench against = inertial_wrench(body, Twist{}, twist, speeding_up);
+  return {.moment = {.value = -against.moment.value, .bound = against.moment.bound},
+          .force = {.value = -against.force.value, .bound = against.force.bound}};
+}
+
 double kinetic_energy(const BodyInertia& body, const Twist& twist) {
   return 0.5 * shared_inertia(body, twist, twist);
 }

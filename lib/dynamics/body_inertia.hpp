@@ -47,6 +47,9 @@ BoundedWrench inertial_wrench(const BodyInertia& body,
                               const Twist& twist_rate,
                               const BodyBounds& bounds);
 
+/// Of a motion that may be off by `bounds`.
+BoundedWrench momentum(const BodyInertia& body, const Twist& twist, const BodyBounds& bounds);
+
 /// [J]
 double kinetic_energy(const BodyInertia& body, const Twist& twist);
 

@@ -4,10 +4,8 @@
 #include <cmath>
 
 #include "core/index.hpp"
-#include "core/tolerance.hpp"
 #include "dynamics/body_inertia.hpp"
 #include "dynamics/planet_inertia.hpp"
-#include "math/numbers/zero_within_bound.hpp"
 
 namespace kinestat {
 
@@ -22,14 +20,16 @@ Twist relative(const std::vector<Twist>& bodies, BodyId tail, BodyId head) {
   return bodies[at(head.value)] - bodies[at(tail.value)];
 }
 
-// What the sums of a bias round by, as share of its terms.
-constexpr double kBiasRounding = 64.0 * kEpsilon;
+BoundedTwist bounded_twist(const Twist& twist, const BodyBounds& bounds) {
+  return {.angular = {.value = twist.angular, .bound = Vec3::Constant(bounds.angular)},
+          .linear = {.value = twist.linear, .bound = Vec3::Constant(bounds.linear)}};
+}
 
 // A body with mass or inertia where it stands.
 struct StandingBody {
   std::size_t index = 0;
   BodyInertia inertia;
-  Wrench inertial;  // D'Alembert's
+  BoundedWrench inertial;  // D'Alembert's
 };
 
 ReducedEquation find_reduced(const std::vector<StandingBody>& standing,
@@ -40,26 +40,25 @@ ReducedEquation find_reduced(const std::vector<StandingBody>& standing,
                          .inertia = MatX::Zero(count, count),
                          .bias = VecX::Zero(count),
                          .derivative = {}};
-  VecX terms = VecX::Zero(count);
+  std::vector<BoundedNumber> bias(static_cast<std::size_t>(count));
   for (const auto& [b, body, acts] : standing) {
     for (Eigen::Index j = 0; j < count; ++j) {
-      const Twist& of_drive = motion.of_drives[static_cast<std::size_t>(j)][b];
-      result.bias[j] -= power(acts, of_drive);
-      terms[j] += acts.coordinates().cwiseAbs().dot(of_drive.coordinates().cwiseAbs());
+      const auto drive = static_cast<std::size_t>(j);
+      const BoundedTwist of_drive =
+          bounded_twist(motion.of_drives[drive][b], motion.drive_bounds[drive][b]);
+      BoundedNumber& sum = bias[drive];
+      sum = sum - power(acts, of_drive);
       for (Eigen::Index k = 0; k < count; ++k) {
-        result.inertia(j, k) +=
-            shared_inertia(body, of_drive, motion.of_drives[static_cast<std::size_t>(k)][b]);
+        const auto other = static_cast<std::size_t>(k);
+        const BoundedNumber shared = power(
+            momentum(body, motion.of_drives[other][b], motion.drive_bounds[other][b]), of_drive);
+        result.inertia(j, k) += shared.value;
+        sum = sum - BoundedNumber{.value = motion.accelerations[other], .bound = 0.0} * shared;
       }
     }
   }
-  for (Eigen::Index k = 0; k < count; ++k) {
-    const VecX speeds_up =
-        motion.accelerations[static_cast<std::size_t>(k)] * result.inertia.col(k);
-    result.bias -= speeds_up;
-    terms += speeds_up.cwiseAbs();
-  }
   for (Eigen::Index j = 0; j < count; ++j) {
-    result.bias[j] = zero_within_bound(result.bias[j], kBiasRounding * terms[j]);
+    result.bias[j] = bias[static_cast<std::size_t>(j)].zeroed();
   }
   if (count == 1 && motion.rates.front() != 0.0) {
     result.derivative = 2.0 * result.bias[0] / (motion.rates.front() * motion.rates.front());
@@ -157,7 +156,7 @@ CaseDynamics find_dynamics(const Mechanism& mechanism,
     const Twist& rate = motion.twist_rates[b];
     const BoundedWrench bounded = inertial_wrench(body, twist, rate, motion.bounds[b]);
     const Wrench inertial = bounded.zeroed();
-    standing.push_back({.index = b, .inertia = body, .inertial = inertial});
+    standing.push_back({.index = b, .inertia = body, .inertial = bounded});
     result.bodies.push_back({.body = BodyId{static_cast<int>(b)},
                              .angular_acceleration = rate.angular,
                              .centre = body.centre,

@@ -43,16 +43,16 @@ InertiaObstacle obstacle_of(const MotionNetwork& network) {
 }
 
 // Of a unit rate of one drive, or of one idle freedom, everything else at rest.
-std::vector<Twist> unit_motion(MotionStates& states,
-                               const Configuration& configuration,
-                               std::size_t drive_count,
-                               std::optional<std::size_t> drive,
-                               std::vector<PassiveSpeed> passive) {
+MotionState unit_motion(MotionStates& states,
+                        const Configuration& configuration,
+                        std::size_t drive_count,
+                        std::optional<std::size_t> drive,
+                        std::vector<PassiveSpeed> passive) {
   GivenSpeeds speeds{.drives = std::vector<DriveSpeed>(drive_count), .passive = std::move(passive)};
   if (drive) {
     speeds.drives[*drive].speed = 1.0;
   }
-  return states.solve(configuration, speeds, StateDetail::velocity).twists;
+  return states.solve_bounded(configuration, speeds, StateDetail::velocity);
 }
 
 // The first body whose inertia a motion of its own has to speed up.
@@ -110,7 +110,8 @@ std::variant<InertialMotion, InertiaObstacle> inertial_motion_of(const MotionSta
                         .drives = network.driven_freedoms,
                         .rates = {},
                         .accelerations = {},
-                        .of_drives = {}};
+                        .of_drives = {},
+                        .drive_bounds = {}};
   std::vector<PassiveSpeed> at_rest;
   for (const int freedom : network.passive_freedoms) {
     at_rest.push_back({.freedom = freedom, .speed = 0.0});
@@ -120,7 +121,7 @@ std::variant<InertialMotion, InertiaObstacle> inertial_motion_of(const MotionSta
     std::vector<PassiveSpeed> one = at_rest;
     one[p].speed = 1.0;
     const std::vector<Twist> idle =
-        unit_motion(states, configuration, count, std::nullopt, std::move(one));
+        unit_motion(states, configuration, count, std::nullopt, std::move(one)).twists;
     if (const std::optional<BodyId> body = find_spinning_body(mechanism, motion.poses, idle)) {
       return InertiaObstacle{.kind = InertiaObstacle::Kind::idle_spin, .body = body};
     }
@@ -128,7 +129,9 @@ std::variant<InertialMotion, InertiaObstacle> inertial_motion_of(const MotionSta
   for (std::size_t d = 0; d < count; ++d) {
     motion.rates.push_back(speeds.drives[d].speed);
     motion.accelerations.push_back(speeds.drives[d].acceleration);
-    motion.of_drives.push_back(unit_motion(states, configuration, count, d, at_rest));
+    MotionState unit = unit_motion(states, configuration, count, d, at_rest);
+    motion.of_drives.push_back(std::move(unit.twists));
+    motion.drive_bounds.push_back(std::move(unit.bounds.bodies));
   }
   return motion;
 }

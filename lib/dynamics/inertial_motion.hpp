@@ -16,12 +16,13 @@ namespace kinestat {
 struct InertialMotion {
   std::vector<BodyPose> poses;  ///< since the drawn position
   std::vector<Twist> twists;
-  std::vector<Twist> twist_rates;             ///< time derivatives
-  std::vector<BodyBounds> bounds;             ///< how far all of these may be off
-  std::vector<int> drives;                    ///< freedoms whose rates determine all others
-  std::vector<double> rates;                  ///< of the drives [rad/s or m/s]
-  std::vector<double> accelerations;          ///< of the drives [rad/s² or m/s²]
-  std::vector<std::vector<Twist>> of_drives;  ///< for a unit rate of each drive alone
+  std::vector<Twist> twist_rates;                     ///< time derivatives
+  std::vector<BodyBounds> bounds;                     ///< how far all of these may be off
+  std::vector<int> drives;                            ///< freedoms whose rates determine all others
+  std::vector<double> rates;                          ///< of the drives [rad/s or m/s]
+  std::vector<double> accelerations;                  ///< of the drives [rad/s² or m/s²]
+  std::vector<std::vector<Twist>> of_drives;          ///< for a unit rate of each drive alone
+  std::vector<std::vector<BodyBounds>> drive_bounds;  ///< how far these may be off
 };
 
 /// Why accelerations are not known.

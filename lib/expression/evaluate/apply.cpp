@@ -115,11 +115,27 @@ Outcome apply_to_bare(Function function, const Quantity& a) {
   }
 }
 
-bool is_whole_number(double value) {
-  return std::floor(value) == value && std::abs(value) <= kLargestWhole;
+bool is_whole_double(double value) {
+  return std::floor(value) == value;
 }
 
-// Of whole numbers it is exact, however large they are.
+// From there on a double stands for several whole numbers.
+bool is_beyond_whole(double value) {
+  return !(std::abs(value) < kLargestWhole);
+}
+
+Fault whole_fault(Function function, const Quantity& a, const Quantity& b) {
+  const bool is_first = is_beyond_whole(a.value);
+  return Fault{.code = "E0316",
+               .message = fmt::format("'{}' of {} has no sure answer: from 2^53 on whole numbers "
+                                      "are rounded",
+                                      name_of(function),
+                                      is_first ? a.value : b.value),
+               .hint = "its values lie below 9007199254740992",
+               .part = is_first ? Fault::Part::left : Fault::Part::right};
+}
+
+// Of whole numbers it is exact.
 Outcome remainder(const Quantity& a, const Quantity& b) {
   if (b.value == 0.0) {
     return Fault{.code = "E0316",
@@ -127,7 +143,14 @@ Outcome remainder(const Quantity& a, const Quantity& b) {
                  .hint = "the second value is not zero",
                  .part = Fault::Part::right};
   }
-  const bool are_whole = is_whole_number(a.value) && is_whole_number(b.value);
+  const bool are_whole = is_whole_double(a.value) && is_whole_double(b.value);
+  if (are_whole && (is_beyond_whole(a.value) || is_beyond_whole(b.value))) {
+    return whole_fault(Function::mod, a, b);
+  }
+  if (is_beyond_whole(a.value / b.value)) {
+    return value_fault("'mod' has no sure answer: its first value is 2^53 times the second or more",
+                       "its rest is lost in the rounding of the first");
+  }
   if (!are_whole && is_settled_whole(a.value / b.value)) {
     return checked({0.0, a.dimension});
   }
@@ -137,10 +160,13 @@ Outcome remainder(const Quantity& a, const Quantity& b) {
 }
 
 Outcome divisor_of(const Quantity& a, const Quantity& b) {
-  if (!is_bare(a.dimension) || !is_whole_number(a.value) || !is_whole_number(b.value)) {
+  if (!is_bare(a.dimension) || !is_whole_double(a.value) || !is_whole_double(b.value)) {
     return Fault{.code = is_bare(a.dimension) ? "E0316" : "E0309",
                  .message = "'gcd' takes whole numbers",
                  .hint = "write whole numbers such as teeth"};
+  }
+  if (is_beyond_whole(a.value) || is_beyond_whole(b.value)) {
+    return whole_fault(Function::gcd, a, b);
   }
   const auto divisor = std::gcd(static_cast<long long>(a.value), static_cast<long long>(b.value));
   return Quantity{static_cast<double>(divisor), {}};

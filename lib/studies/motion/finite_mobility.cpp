@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "core/index.hpp"
 #include "studies/motion/internal/motion_limits.hpp"
@@ -27,17 +29,13 @@ class FreedomTester {
       return result;
     }
     result.drawn_freedom = tracker_.open_count();
-    result.nearby_freedom = 0;
-    bool has_moved = false;
+    // Then the closed positions are a smooth surface, which has every motion as a tangent.
+    const int rank = network_.rate_count - result.drawn_freedom;
+    is_regular_ = tracker_.system().row_count() == rank;
     for (const FreeMotion& motion : motions) {
-      const FreedomTrial trial = follow(drawn, motion);
-      if (trial.persistence != Persistence::instantaneous) {
-        result.nearby_freedom = has_moved ? std::min(result.nearby_freedom, tracker_.open_count())
-                                          : tracker_.open_count();
-        has_moved = true;
-      }
-      result.trials.push_back(trial);
+      result.trials.push_back(follow(drawn, motion));
     }
+    result.nearby_freedom = least_open_.value_or(0);
     if (result.is_singular()) {
       note_gained(motions, result);
     }
@@ -91,50 +89,90 @@ class FreedomTester {
     }
   }
 
-  // Steps along the motion and closes; leaves the tracker at the closed point. What closing takes
-  // away shrinks with the square of the step if the motion is finite, with the step if the way
-  // turns off.
+  // The nearest closed point among those that are as far in this direction.
+  PathPoint stepped(const PathPoint& from, double step, const VecX& along) {
+    PathPoint there = from;
+    const VecX by = step * along;
+    std::copy(by.begin(), by.end(), there.arrival.begin());
+    tracker_.system().move(there.arrival, there.coordinates);
+    tracker_.find_nearest(there, false, there.arrival);
+    return there;
+  }
+
+  static VecX arrival_of(const PathPoint& point) {
+    return Eigen::Map<const VecX>(point.arrival.data(),
+                                  static_cast<Eigen::Index>(point.arrival.size()));
+  }
+
+  static VecX scaled(const VecX& direction) { return direction / direction.cwiseAbs().maxCoeff(); }
+
+  // Steps along the motion and closes. What closing takes away shrinks with the square of the step
+  // if the motion is finite, with the step if the way turns off.
   FreedomTrial follow(const PathPoint& drawn, const FreeMotion& motion) {
     const VecX along = rates_of(motion);
     FreedomTrial trial;
+    PathPoint there;
     double shares[2] = {0.0, 0.0};
     double ways[2] = {0.0, 0.0};
-    for (const int half : {0, 1}) {
-      PathPoint there = drawn;
+    for (const int half : {1, 0}) {
       trial.step = half == 0 ? kTrialStep : 0.5 * kTrialStep;
-      const VecX step = trial.step * along;
-      std::copy(step.begin(), step.end(), there.arrival.begin());
-      tracker_.system().move(there.arrival, there.coordinates);
-      double moved = 0.0;
-      if (!tracker_.close(there, moved)) {
-        tracker_.find_nearest(there, false);
-        tracker_.close(there, moved);
-      }
+      there = stepped(drawn, trial.step, along);
       trial.closure_error = there.closure_error;
       if (!(there.closure_error <= kTrialClosure)) {
         trial.persistence = Persistence::instantaneous;
         return trial;
       }
-      double off = 0.0;
-      double way = 0.0;
-      for (std::size_t i = 0; i < there.arrival.size(); ++i) {
-        const double difference = there.coordinates.size() == there.arrival.size()
-                                      ? there.coordinates[i] - drawn.coordinates[i]
-                                      : there.arrival[i];
-        off = std::max(off, std::abs(difference - step[static_cast<Eigen::Index>(i)]));
-        way = std::max(way, std::abs(difference));
-      }
-      shares[half] = off / trial.step;
-      ways[half] = way / trial.step;
-      if (ways[half] < kLeastWay || (half == 1 && ways[1] > kGrowingShare * ways[0])) {
-        trial.persistence = Persistence::instantaneous;  // it only closes where it was drawn
-        return trial;
-      }
+      const VecX way = arrival_of(there);
+      shares[half] = (way - trial.step * along).cwiseAbs().maxCoeff() / trial.step;
+      ways[half] = way.cwiseAbs().maxCoeff() / trial.step;
     }
-    trial.step = kTrialStep;
+    if (ways[1] > kGrowingShare * ways[0] || !lasts(there, trial)) {
+      trial.persistence = Persistence::instantaneous;
+      return trial;
+    }
     const bool shrinks = shares[1] <= kShrinks * shares[0] || shares[0] <= kStraightEnough;
     trial.persistence = shrinks ? Persistence::finite : Persistence::deflected;
     return trial;
+  }
+
+  // Whether the way from the drawn position to this one goes on.
+  bool lasts(PathPoint& there, FreedomTrial& trial) {
+    tracker_.stand_at(there);
+    int open = tracker_.open_count();
+    VecX direction = scaled(arrival_of(there));
+    const double end = is_regular_ ? trial.step : kFarTrial;
+    for (double step = kTrialStep; end - trial.step > kLeastTrialStep;) {
+      step = std::min(step, end - trial.step);
+      direction = led_on(direction);
+      PathPoint next = stepped(there, step, direction);
+      const bool is_closed = next.closure_error <= kTrialClosure;
+      const double off = (arrival_of(next) - step * direction).cwiseAbs().maxCoeff();
+      if ((!is_closed || off > kMostTrialTurn * step) && step > kLeastTrialStep) {
+        step *= 0.5;
+        continue;
+      }
+      trial.closure_error = next.closure_error;
+      if (!is_closed) {
+        return false;
+      }
+      trial.step += step;
+      direction = scaled(arrival_of(next));
+      there = std::move(next);
+      tracker_.stand_at(there);
+      step = std::min(2.0 * step, kLongestTrialStep);
+    }
+    open = std::min(open, tracker_.open_count());
+    least_open_ = std::min(least_open_.value_or(open), open);
+    return true;
+  }
+
+  // Of the directions that are open where the tracker stands, the one that goes on.
+  VecX led_on(const VecX& direction) {
+    VecX open = VecX::Zero(direction.size());
+    for (const VecX& one : tracker_.open_directions()) {
+      open += one.dot(direction) * one;
+    }
+    return open.norm() >= kLeadsOn * direction.norm() ? scaled(open) : direction;
   }
 
   // Couplings that move in some instantaneous motion and in none that lasts.
@@ -162,6 +200,8 @@ class FreedomTester {
   const MotionNetwork& network_;
   const Mechanism& mechanism_;
   PathTracker<Frames> tracker_;
+  bool is_regular_ = false;        ///< no condition follows from others
+  std::optional<int> least_open_;  ///< freedoms at the positions of motions that last
 };
 
 }  // namespace

@@ -23,7 +23,8 @@ std::string_view word_of(Persistence persistence);
 struct FreedomTrial {
   Persistence persistence = Persistence::finite;
   double step = 0.0;  ///< how far it was followed: largest turn [rad], or slide as share of
-                      ///< the mechanism's size
+                      ///< the mechanism's size; further where the conditions of closure depend on
+                      ///< each other
   double closure_error = 0.0;  ///< what is left after closing, as share of the size
 };
 

@@ -1,5 +1,6 @@
 #include "studies/motion/finite_mobility.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "network/bases.hpp"
@@ -107,6 +108,72 @@ TEST(FiniteMobility, OfAParallelogramInLineIsSingular) {
   EXPECT_EQ(mobility.drawn_freedom, 2);
   EXPECT_EQ(mobility.nearby_freedom, 1);
   EXPECT_TRUE(mobility.is_singular());
+}
+
+// Bricard 1927: of six revolutes that are symmetric about a line, three close when the others do,
+// which leaves one freedom. The line is z, and the decimals are exactly symmetric.
+TEST(FiniteMobility, OfALineSymmetricBricardLinkageIsFinite) {
+  const FiniteMobility mobility =
+      tried(moving("ground: g\nbodies: [b1, b2, b3, b4, b5]\ncouplings:\n"
+                   "  j0: {type: revolute, bodies: [b5, g], at: [0.189, -0.523, -0.413], "
+                   "axis: [-2.441, 1.800, 1.144]}\n"
+                   "  j1: {type: revolute, bodies: [g, b1], at: [-0.325, 0.774, 0.281], "
+                   "axis: [-0.554, 0.978, -0.311]}\n"
+                   "  j2: {type: revolute, bodies: [b1, b2], at: [-0.329, -0.792, 0.455], "
+                   "axis: [-0.099, 0.545, -0.607]}\n"
+                   "  j3: {type: revolute, bodies: [b2, b3], at: [-0.189, 0.523, -0.413], "
+                   "axis: [2.441, -1.800, 1.144]}\n"
+                   "  j4: {type: revolute, bodies: [b3, b4], at: [0.325, -0.774, 0.281], "
+                   "axis: [0.554, -0.978, -0.311]}\n"
+                   "  j5: {type: revolute, bodies: [b4, b5], at: [0.329, 0.792, 0.455], "
+                   "axis: [0.099, -0.545, -0.607]}\n",
+                   {}));
+
+  ASSERT_EQ(mobility.trials.size(), 1U);
+  EXPECT_EQ(mobility.trials[0].persistence, Persistence::finite);
+  EXPECT_EQ(mobility.nearby_freedom, 1);
+  EXPECT_FALSE(mobility.is_singular());
+}
+
+// Sliders of unit rods at right angles: each goes by half the square of the way of the one before,
+// and the last rod ends on the frame. What is missed at the way s is 2 (s/2)^(2^rods).
+std::string rods_at_right_angles(int rods) {
+  std::string bodies;
+  std::string couplings;
+  int x = 0;
+  int y = 0;
+  for (int i = 0; i < rods; ++i) {
+    const bool is_even = i % 2 == 0;
+    const int next_x = x + (is_even ? 0 : 1);
+    const int next_y = y + (is_even ? 1 : 0);
+    const std::string head = i + 1 < rods ? fmt::format("s{}", i + 1) : "frame";
+    bodies += fmt::format("{}s{}, r{}", i == 0 ? "" : ", ", i, i);
+    couplings += fmt::format(
+        "  g{0}: {{type: prismatic, bodies: [frame, s{0}], at: [{1}, {2}], axis: {3}}}\n"
+        "  p{0}: {{type: revolute, bodies: [s{0}, r{0}], at: [{1}, {2}]}}\n"
+        "  q{0}: {{type: revolute, bodies: [r{0}, {4}], at: [{5}, {6}]}}\n",
+        i,
+        x,
+        y,
+        is_even ? "x" : "y",
+        head,
+        next_x,
+        next_y);
+    x = next_x;
+    y = next_y;
+  }
+  return fmt::format(
+      "space: planar\nground: frame\nbodies: [{}]\ncouplings:\n{}", bodies, couplings);
+}
+
+TEST(FiniteMobility, OfRodsThatMissWithAHighPowerIsInstantaneous) {
+  for (const int rods : {1, 2, 3, 4}) {
+    const FiniteMobility mobility = tried(moving(rods_at_right_angles(rods), {}));
+
+    ASSERT_EQ(mobility.trials.size(), 1U) << rods;
+    EXPECT_EQ(mobility.trials[0].persistence, Persistence::instantaneous) << rods;
+    EXPECT_EQ(mobility.nearby_freedom, 0) << rods;
+  }
 }
 
 }  // namespace

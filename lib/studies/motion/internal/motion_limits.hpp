@@ -54,17 +54,28 @@ inline constexpr double kTurnRoundings = 8.0;
 /// and enlarges it. Likewise of derivatives, beside all of these and the squares of rates.
 inline constexpr double kRoundingOfRates = 0x1p22 * kEpsilon;
 
-/// How far a freedom is tried.
+/// How far a freedom is tried at first.
 inline constexpr double kTrialStep = 0.01;
+
+/// Where conditions depend on each other it is followed so far: what misses with a high power of
+/// the way misses by rounding at first.
+inline constexpr double kFarTrial = 0.5;
+
+/// The longest and the shortest of the steps that it is followed by.
+inline constexpr double kLongestTrialStep = 0.05;
+inline constexpr double kLeastTrialStep = 1e-4;
+
+/// By this share of such a step the closed point may be off its direction.
+inline constexpr double kMostTrialTurn = 0.5;
+
+/// The part of a direction that stays open must be so long a share of it to lead on.
+inline constexpr double kLeadsOn = 0.5;
 
 /// Half the step must leave this share of the deviation at most if that shrinks with its square.
 inline constexpr double kShrinks = 0.75;
 
-/// A trial that comes back to less than this share of its step has not moved.
-inline constexpr double kLeastWay = 0.1;
-
-/// Nor has one whose share of half the step is so many times as large: it comes back to where the
-/// closure error is lost in rounding, whatever the step.
+/// A trial whose way by half the step is so many times as long a share of it has closed somewhere
+/// else, whatever the step.
 inline constexpr double kGrowingShare = 1.3;
 
 /// How far apart the regular points are from which a change point between them follows: a cubic

@@ -11,13 +11,17 @@ namespace kinestat {
 
 // Levenberg and Marquardt: the step is held back while it does not bring the ends together.
 template <class Frames>
-void PathTracker<Frames>::find_nearest(PathPoint& point, bool moves_drives) {
+void PathTracker<Frames>::find_nearest(PathPoint& point,
+                                       bool moves_drives,
+                                       std::span<const double> along) {
   std::vector<int> columns = unknown_;
   if (moves_drives) {
     columns.insert(columns.end(), driven_.begin(), driven_.end());
   }
   const int rows = system_.row_count();
   const int count = static_cast<int>(columns.size());
+  const int held = along.empty() ? 0 : 1;
+  const int height = rows + held + count;
   const auto missed = [&](const std::vector<double>& residuals) {
     return std::inner_product(residuals.begin(), residuals.end(), residuals.begin(), 0.0);
   };
@@ -27,15 +31,19 @@ void PathTracker<Frames>::find_nearest(PathPoint& point, bool moves_drives) {
   std::vector<double> matrix;
   for (int round = 0; round < kMostNearestRounds && damping < kMostDamping; ++round) {
     gather(columns, matrix);
-    std::vector<double> damped(at((rows + count) * count), 0.0);
-    std::vector<double> right(at(rows + count), 0.0);
+    std::vector<double> damped(at(height * count), 0.0);
+    std::vector<double> right(at(height), 0.0);
     for (int c = 0; c < count; ++c) {
-      std::copy_n(matrix.data() + c * rows, rows, damped.data() + c * (rows + count));
-      damped[at(c * (rows + count) + rows + c)] = std::sqrt(damping);
+      double* column = damped.data() + c * height;
+      std::copy_n(matrix.data() + c * rows, rows, column);
+      if (held > 0) {
+        column[rows] = along[at(columns[at(c)])];
+      }
+      column[rows + held + c] = std::sqrt(damping);
     }
     std::ranges::transform(
         system_.residuals(), right.begin(), [](double residual) { return -residual; });
-    qr_.factor(damped, rows + count, count);
+    qr_.factor(damped, height, count);
     std::vector<double> by(at(count));
     qr_.solve(right, by);
     std::ranges::fill(correction_, 0.0);
@@ -49,9 +57,12 @@ void PathTracker<Frames>::find_nearest(PathPoint& point, bool moves_drives) {
     if (then <= now) {
       point.coordinates = std::move(next);
       system_.follow_angles(point.angles);
+      for (std::size_t i = 0; i < point.arrival.size(); ++i) {
+        point.arrival[i] += correction_[i];
+      }
       damping *= 0.1;
       now = then;
-      if (largest(by) <= kLeastCorrection) {
+      if (largest(by) <= kLeastCorrection || system_.largest_residual() <= kEpsilon) {
         break;
       }
     } else {
@@ -62,7 +73,7 @@ void PathTracker<Frames>::find_nearest(PathPoint& point, bool moves_drives) {
   point.closure_error = system_.largest_residual();
 }
 
-template void PathTracker<PlanarFrames>::find_nearest(PathPoint&, bool);
-template void PathTracker<SpatialFrames>::find_nearest(PathPoint&, bool);
+template void PathTracker<PlanarFrames>::find_nearest(PathPoint&, bool, std::span<const double>);
+template void PathTracker<SpatialFrames>::find_nearest(PathPoint&, bool, std::span<const double>);
 
 }  // namespace kinestat

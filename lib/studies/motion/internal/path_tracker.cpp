@@ -151,6 +151,13 @@ bool PathTracker<Frames>::close(PathPoint& point, double& moved) {
 }
 
 template <class Frames>
+void PathTracker<Frames>::stand_at(const PathPoint& point) {
+  system_.evaluate(point.coordinates, point.angles);
+  gather(unknown_, matrix_);
+  qr_.factor(matrix_, system_.row_count(), static_cast<int>(unknown_.size()), kSize);
+}
+
+template <class Frames>
 void PathTracker<Frames>::find_rates(PathPoint& point) {
   const int rows = system_.row_count();
   std::ranges::fill(right_, 0.0);

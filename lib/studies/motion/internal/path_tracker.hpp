@@ -35,6 +35,9 @@ class PathTracker {
   /// correction of a joint. The factors of the closure are then those of the point.
   bool close(PathPoint& point, double& moved);
 
+  /// The factors of the closure are then those of this point.
+  void stand_at(const PathPoint& point);
+
   /// Rates of a point that was closed last.
   void find_rates(PathPoint& point);
 
@@ -45,8 +48,9 @@ class PathTracker {
   /// way ends before, its end. `before` may be without rates.
   Arrival advance(PathPoint& now, PathPoint& before, double share);
 
-  /// The least-squares minimum of what is missed; moves the drives too if they are let go.
-  void find_nearest(PathPoint& point, bool moves_drives);
+  /// The least-squares minimum of what is missed; moves the drives too if they are let go. The
+  /// point stays as far along the unknowns of `along`, if any, as it is.
+  void find_nearest(PathPoint& point, bool moves_drives, std::span<const double> along = {});
 
   /// Directions in which the joints may move with the drives held, of the point closed last.
   std::vector<VecX> open_directions();
