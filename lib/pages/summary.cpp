@@ -152,9 +152,10 @@ void add_shift(const ShiftAnalysis& shift, Sentences& sentences) {
                                  elements,
                                  gears,
                                  counted(static_cast<int>(solution.states.size()), "combination"),
-                                 gears == 1 ? "is" : "are");
+                                 gears == 1 ? "gives" : "give");
   if (solution.table.span) {
-    text += fmt::format(", and the forward ones span {}", format_short(*solution.table.span));
+    text +=
+        fmt::format("; ratio spread of the forward ones {}", format_short(*solution.table.span));
   }
   sentences.push_back(text + ".");
 }

@@ -37,7 +37,7 @@ NOT_RUN = {
 }
 # Warnings that examples of other codes may bring about too.
 BESIDE = {"W0302", "W0314"}
-EXAMPLE = "Example, wrong with -, right with +:"
+EXAMPLE = "Example (- wrong, + correct):"
 
 
 def kinestat(*arguments: str) -> subprocess.CompletedProcess[str]:

@@ -79,8 +79,8 @@ TEST(Summary, CountsTheGearsOfATransmission) {
   const auto sentences = sentences_of("transmissions/ravigneaux_input_shaft.yaml");
 
   EXPECT_TRUE(has(sentences,
-                  "A gear engages 2 of 4 shift elements; 4 of 6 combinations are a gear, and the "
-                  "forward ones span 2.84689."))
+                  "A gear engages 2 of 4 shift elements; 4 of 6 combinations give a gear; ratio "
+                  "spread of the forward ones 2.84689."))
       << testing::PrintToString(sentences);
 }
 
