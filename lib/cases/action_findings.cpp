@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/bearing_pair.hpp"
 #include "cases/known_side.hpp"
 #include "core/text.hpp"
 #include "kinematics/bounded_motion.hpp"
@@ -83,20 +84,22 @@ void add_contradiction(const JudgedFile& file, const CaseAnalysis& one, CaseFind
     return;
   }
   const KnownSide side = action_side(file, one.which);
+  const bool has_friction = !file.mechanism.frictions.empty();
   found.error(
       "E0602",
       place_of_surplus(one.which.actions, action.check, one.which.where),
-      fmt::format("case '{}' has no equilibrium: {}{}{}",
+      fmt::format("case '{}' has no equilibrium: {}{}{}{}",
                   one.which.label,
+                  has_friction ? "without friction, " : "",
                   cutsets_text(file, action, side),
-                  !action.unconstrained ? ""
-                  : !file.mechanism.frictions.empty()
-                      ? "; without friction nothing resists the motion: "
+                  !action.unconstrained     ? ""
+                  : has_friction            ? "; without it nothing resists the motion: "
                   : one.which.loads.empty() ? "; nothing resists the motion: "
                                             : "; nothing balances the load: ",
                   action.unconstrained ? unconstrained_text(file, *action.unconstrained) : ""),
-      removal_text(action.check, side) +
-          " so that it is solved, or add a support or actuator that resists this motion");
+      removal_text(action.check, side) + " so that it is solved" +
+          (has_friction ? " with friction" : "") +
+          ", or add a support or actuator that resists this motion");
 }
 
 // "work = -3305.72 N": what an equilibrium demands of the actuators that the case does not know, or
@@ -156,8 +159,8 @@ void add_other_equilibrium(const JudgedFile& file, const CaseAnalysis& one, Case
                 fmt::format("case '{}' has another equilibrium with this friction: {}",
                             one.which.label,
                             demands_text(file, one, one.action->other_actions.front())),
-                "the answer is the one that follows from that without friction as friction grows; "
-                "for the other, give one of its actions instead of a known one");
+                "the result is the one reached as friction grows from zero; to get the other, give "
+                "one of its actions instead of a known one");
 }
 
 std::string names_of(const std::vector<CouplingId>& couplings, const Topology& topology) {
@@ -324,8 +327,18 @@ std::vector<int> find_open(const StaticSolution& action) {
 }
 
 // What to type where the known actions are too few: more of them, or what completes them.
-std::string ways_out(const JudgedFile& file, const PrimaryCheck& check, const KnownSide& side) {
-  const std::string more = completions_text(check, side);
+std::string ways_out(const JudgedFile& file,
+                     const StaticSolution& action,
+                     const std::vector<int>& open,
+                     const KnownSide& side) {
+  const std::string release = bearing_pair_hint(file.mechanism, open);
+  const std::string given = completions_text(action.check, side);
+  const std::string more = release + (release.empty() || given.empty() ? "" : "; or ") + given;
+  if (!action.open_friction.empty()) {
+    return (release.empty() ? "let the couplings carry less: 'passive:' lists what one carries"
+                            : release) +
+           (given.empty() ? "" : "; or " + given);
+  }
   if (file.mechanism.indeterminate == IndeterminateChoice::stiffness) {
     return "give a 'stiffness:' to those of them that are not rigid" +
            (more.empty() ? "" : "; or " + more);
@@ -351,9 +364,9 @@ void add_indeterminacy(const JudgedFile& file, const CaseAnalysis& one, CaseFind
   found.warning(
       "W0601",
       one.which.where,
-      fmt::format("case '{}' gives {} of the {} actions needed; {} {}{}",
+      fmt::format("case '{}' gives {} of the {} actions that must be known; {} {}{}",
                   one.which.label,
-                  one.which.actions.size(),
+                  one.which.actions.empty() ? "none" : std::to_string(one.which.actions.size()),
                   action.counts.net_constraint,
                   has_completion ? "neither equilibrium nor stiffness determines"
                                  : "equilibrium does not determine",
@@ -362,9 +375,7 @@ void add_indeterminacy(const JudgedFile& file, const CaseAnalysis& one, CaseFind
                       ? fmt::format(", on which the friction of {} depends",
                                     names_of(action.open_friction, file.mechanism.topology))
                       : ""),
-      waits_for_friction ? "leave out with 'passive:' what a bearing does not take; or " +
-                               completions_text(action.check, side)
-                         : ways_out(file, action.check, side));
+      ways_out(file, action, open, side));
 }
 
 void add_ignored_reactions(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {

@@ -209,7 +209,8 @@ void add_curve_obstacle(const JudgedFile& file, const CaseAnalysis& one, CaseFin
     found.error(
         "E0326",
         one.which.where,
-        fmt::format("'{}' of case '{}' has no value there", obstacle.number, one.which.label),
+        fmt::format(
+            "'{}' of case '{}' is undefined in this position", obstacle.number, one.which.label),
         "its curves have values, but the expression divides by zero, or takes a root or a "
         "logarithm that does not exist");
     return;
@@ -301,17 +302,18 @@ void add_motion_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFi
                 fmt::format("case '{}': velocities are too large to compute with", one.which.label),
                 "give smaller motions; the answer is proportional to them");
   } else if (motion.status == SolveStatus::underdetermined) {
-    found.error("E0501",
-                one.which.where,
-                fmt::format("case '{}' gives {} of the {} motions needed (net degree of freedom "
-                            "{}); not determined: {}{}",
-                            one.which.label,
-                            one.which.motions.size(),
-                            motion.counts.net_freedom,
-                            motion.counts.net_freedom,
-                            plain_list(names_of(motion.check.undetermined, side)),
-                            converter_text(file, one)),
-                completions_text(motion.check, side));
+    found.error(
+        "E0501",
+        one.which.where,
+        fmt::format("case '{}' gives {} of the {} motions needed (net degree of freedom "
+                    "{}); not determined: {}{}",
+                    one.which.label,
+                    one.which.motions.empty() ? "none" : std::to_string(one.which.motions.size()),
+                    motion.counts.net_freedom,
+                    motion.counts.net_freedom,
+                    plain_list(names_of(motion.check.undetermined, side)),
+                    converter_text(file, one)),
+        completions_text(motion.check, side));
   }
 }
 
@@ -376,7 +378,7 @@ void add_power_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFin
                   fmt::format("case '{}' is self-locking: friction absorbs more power than the "
                               "input supplies, so the output must drive too",
                               one.which.label),
-                  "in this direction nothing moves by itself; that may be what is wanted");
+                  "the input alone cannot move it in this direction; this may be intended");
   }
   if (one.efficiency && one.efficiency->carrier.is_self_locking && !is_locked_anyway) {
     add_locking(file, one, found);

@@ -117,14 +117,16 @@ std::string completions_text(const PrimaryCheck& check, const KnownSide& side) {
     const std::string listed = plain_list(names);
     (has_actuators ? sets : others).push_back(set.size() == 1 ? listed : "{" + listed + "}");
   }
+  const bool may_be_idle = side.key == "action" && !sets.empty();
   sets.insert(sets.end(), others.begin(), others.end());
   if (sets.empty()) {
     return {};
   }
-  return fmt::format("add to '{}:' {}{}",
+  return fmt::format("add to '{}:' {}{}{}",
                      side.key,
                      sets.size() == 1 ? "" : "for example ",
-                     fmt::join(sets, " or "));
+                     fmt::join(sets, " or "),
+                     may_be_idle ? ", 0 where nothing acts" : "");
 }
 
 std::string circuits_text(const JudgedFile& file,

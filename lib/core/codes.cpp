@@ -187,7 +187,7 @@ constexpr auto kErrorCodes = std::to_array<Code>({
      "there."},
     {"E0310",
      wrong_input,
-     "parameters depend on each other as they may not",
+     "parameters in a circle, or open ones that depend on each other",
      "Parameters may use each other in any order, but not in a circle: none of them would ever "
      "have a value. The message lists the circle; give one of them a number. Nor may a parameter "
      "that is left open, {free: …}, use another open one: it would depend on that one and no "
@@ -283,7 +283,7 @@ constexpr auto kErrorCodes = std::to_array<Code>({
      "where they do. Give the three moments of inertia, or the rows of the tensor."},
     {"E0324",
      no_answer,
-     "spring has no force there",
+     "spring force is undefined in this position",
      "In this position the force of a spring is undefined: its two points coincide, so that it has "
      "no direction; a gas spring is longer than extended or shorter than compressed; or it acts on "
      "a freedom that has no position, such as those of balls and contacts. The actions of the case "
@@ -296,7 +296,7 @@ constexpr auto kErrorCodes = std::to_array<Code>({
      "first by itself; no point lies beyond the period. 'kinestat help curves' shows each kind."},
     {"E0326",
      no_answer,
-     "curve has no value there",
+     "curve is undefined in this position",
      "A load or an action of the case follows a curve that is undefined in this position: the "
      "position is beyond the points of a curve without a 'period'; the curve is over time in a "
      "motion without time; it is over an actuator whose position or speed is unknown; or the "

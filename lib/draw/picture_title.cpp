@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "report/report_parts.hpp"
+
 namespace kinestat {
 
 std::string shown_name(const std::string& file, const MechanismDescription& description) {
@@ -24,12 +26,16 @@ std::string picture_title(std::string_view what, const Analysis& analysis) {
 std::string picture_title_of_case(std::string_view what,
                                   const CaseAnalysis& one,
                                   const Analysis& analysis) {
-  return picture_title(fmt::format("{}, case {}", what, one.which.label), analysis);
+  return picture_title(
+      fmt::format("{}, case {}{}", what, one.which.label, in_drawn_position(analysis.description)),
+      analysis);
 }
 
 std::string picture_title_of_cases(std::string_view what, const Analysis& analysis) {
-  return analysis.cases.size() == 1 ? picture_title_of_case(what, analysis.cases.front(), analysis)
-                                    : picture_title(what, analysis);
+  return analysis.cases.size() == 1
+             ? picture_title_of_case(what, analysis.cases.front(), analysis)
+             : picture_title(fmt::format("{}{}", what, in_drawn_position(analysis.description)),
+                             analysis);
 }
 
 }  // namespace kinestat

@@ -52,7 +52,7 @@ struct FormRule {
     instead,              ///< `key` stands instead of `others`
     any_of,               ///< at least one of `others`
     one_of,               ///< exactly one of `others`
-    needed_beside,        ///< `key`, where `others.front()` stands
+    needed_beside,        ///< `key`, where `others.front()` stands and none of the rest
     needed_by_part,       ///< `key`, where one of the rest of `others` stands in `others.front()`
     needed_unless_whole,  ///< `key`, unless the bare number behind `others.front()` is whole
     spares,               ///< beside `key`, none of `others` is needed

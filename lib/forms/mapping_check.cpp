@@ -55,7 +55,10 @@ bool is_replaced(const FormShape& shape, std::string_view key, const FileValue& 
 bool is_called_for(const FormShape& shape, std::string_view key, const FileValue& mapping) {
   return std::ranges::any_of(shape.rules, [&](const FormRule& rule) {
     return rule.kind == FormRule::Kind::needed_beside && rule.key == key &&
-           has(mapping, rule.others.front());
+           has(mapping, rule.others.front()) &&
+           std::none_of(rule.others.begin() + 1, rule.others.end(), [&](std::string_view other) {
+             return has(mapping, other);
+           });
   });
 }
 

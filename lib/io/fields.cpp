@@ -121,7 +121,13 @@ void Fields::refuse(std::size_t index) {
   if (guess.empty()) {
     guess = meant_name(entry.key, known);
   }
-  const std::string others = fmt::format("known keys are {}", plain_list(known, kMostKeys));
+  // An actuator says where something acts, a case how much.
+  const std::string others =
+      fmt::format("known keys are {}{}",
+                  plain_list(known, kMostKeys),
+                  known == std::vector<std::string>{"coupling", "freedom"}
+                      ? "; values belong to a case: action: {NAME: 5 N*m}, motion: {NAME: 60 rpm}"
+                      : "");
   const std::string foreign = foreign_character(entry.key);
   found_.error("E0302",
                entry.key_where,

@@ -103,7 +103,7 @@ bool is_number_like(std::string_view text) {
 }
 
 // What to type where a point has the wrong number of components.
-std::string components_hint(const YamlNode& node, std::size_t count) {
+std::string components_hint(const YamlNode& node, const Title& what, std::size_t count) {
   const std::string form = count == 2 ? "write [x, y]" : "write [x, y, z]";
   const std::string decimal = tight_decimal(node);
   if (node.items.size() == 2 * count && std::ranges::all_of(node.items, is_whole_number)) {
@@ -113,7 +113,9 @@ std::string components_hint(const YamlNode& node, std::size_t count) {
     return fmt::format("{}; a decimal has a point: {}", form, decimal);
   }
   if (node.kind == YamlKind::scalar && is_number_like(node.text)) {
-    return fmt::format("{}, for example [{}, {}]", form, count == 2 ? "0" : "0, 0", node.text);
+    // Of gravity people give the size, and the number alone would be in the file's unit.
+    const std::string last = what.text() == "'gravity'" ? "-9.81 m/s^2" : node.text;
+    return fmt::format("{}, for example [{}, {}]", form, count == 2 ? "0" : "0, 0", last);
   }
   if (count == 2 && node.items.size() == 3) {
     return form + "; points in the plane have no z";
@@ -146,7 +148,7 @@ std::optional<std::vector<Value>> read_components(const YamlNode& node,
                                                                given == 1 ? "" : "s",
                                                                count == 2 ? "planar" : "spatial",
                                                                count),
-                components_hint(node, count));
+                components_hint(node, what, count));
     return std::nullopt;
   }
   std::vector<Value> values;

@@ -65,8 +65,8 @@ void add_coupling(const CouplingDescription& coupling,
   };
   if (coupling.at && !coupling.at->of_bodies.empty()) {
     add(coupling.at->where,
-        fmt::format("closure error of {}", word(coupling)),
-        "'kinestat motion' closes it and says how far each body moves and, where points alone were "
+        fmt::format("{} has a point on each of its bodies", word(coupling)),
+        "it says how far each body moves and, where points alone were "
         "wrong, which to draw for the other analyses; or write one point after 'at:', where both "
         "bodies are drawn to meet",
         true);

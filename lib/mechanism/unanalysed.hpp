@@ -16,6 +16,11 @@ struct Unanalysed {
   bool decides = false;           ///< other answers would be wrong without it, so there are none
   bool can_be_counted = false;    ///< a place that is missing: counts do without
   bool is_closure_error = false;  ///< a finite motion begins by closing it
+
+  std::string message() const {
+    return what + (is_closure_error ? "; only 'kinestat motion' closes the gap between them"
+                                    : " is not analysed yet");
+  }
 };
 
 /// In the order of the format. Empty for most files.

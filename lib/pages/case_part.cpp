@@ -9,6 +9,7 @@
 #include "pages/figures.hpp"
 #include "pages/page_parts.hpp"
 #include "pages/tables.hpp"
+#include "report/report_parts.hpp"
 #include "studies/shift/report/gear_report.hpp"
 
 namespace kinestat {
@@ -109,8 +110,9 @@ class CasePart {
     const CaseBlocks blocks = case_blocks(analysis_, one);
     const std::string id = case_id(index);
     html_.open("section", {{"class", "panel"}, {"id", id}, {"aria-labelledby", id + "-title"}});
-    html_.element(
-        section_.level(1), case_title(one), {{"id", id + "-title"}, {"class", "case-title"}});
+    html_.element(section_.level(1),
+                  fmt::format("{}{}", case_title(one), in_drawn_position(analysis_.description)),
+                  {{"id", id + "-title"}, {"class", "case-title"}});
     html_.element("p", "Known:" + blocks.known.substr(blocks.known.find(':') + 1));
     add_blocks(TextBlocks(blocks.results), "Case", html_);
     section_.add_pictures(pictures_of_case(index));

@@ -152,7 +152,7 @@ class FileSection {
     add_folded_blocks(fmt::format("{} combination{} of elements {} no gear",
                                   shift.other_count,
                                   shift.other_count == 1 ? "" : "s",
-                                  shift.other_count == 1 ? "is" : "are"),
+                                  shift.other_count == 1 ? "gives" : "give"),
                       "No gear",
                       shift.others);
     add_blocks(shift.elements, "Elements", html_);

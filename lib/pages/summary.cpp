@@ -148,9 +148,10 @@ void add_shift(const ShiftAnalysis& shift, Sentences& sentences) {
                                  elements,
                                  gears,
                                  counted(static_cast<int>(solution.states.size()), "combination"),
-                                 gears == 1 ? "is a gear" : "are gears");
+                                 gears == 1 ? "gives" : "give");
   if (solution.table.span) {
-    text += fmt::format("; the forward gears span {}", format_short(*solution.table.span));
+    text += fmt::format("; the ratio spread of the forward gears is {}",
+                        format_short(*solution.table.span));
   }
   sentences.push_back(text + ".");
 }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/rounding.hpp"
+#include "core/text.hpp"
 #include "couplings/kinds.hpp"
 #include "math/numbers/bounded_number.hpp"
 #include "mechanism/cases/load.hpp"
@@ -47,6 +48,32 @@ bool holds(const std::vector<Index>& first, const std::vector<Index>& second, st
          std::ranges::find(second, index) != second.end();
 }
 
+// "loads also supply or absorb power; list 'F', 'G' under 'input' and 'H' under 'output'": those
+// that neither names.
+std::string loads_beside(const Case& which, const CasePowers& powers, double negligible) {
+  std::vector<std::string> supply;
+  std::vector<std::string> absorb;
+  for (std::size_t i = 0; i < powers.loads.size(); ++i) {
+    const std::string& name = which.loads[i].name;
+    if (!holds(which.input_loads, which.output_loads, i) && !name.starts_with(kInertiaPrefix) &&
+        !name.starts_with(kSpringPrefix) && std::abs(powers.loads[i]) > negligible) {
+      (powers.loads[i] > 0.0 ? supply : absorb).push_back(fmt::format("'{}'", name));
+    }
+  }
+  std::vector<std::string> ends;
+  if (!supply.empty()) {
+    ends.push_back(plain_list(supply) + " under 'input'");
+  }
+  if (!absorb.empty()) {
+    ends.push_back(plain_list(absorb) + " under 'output'");
+  }
+  return fmt::format("loads also {}{}{} power; list {}",
+                     supply.empty() ? "" : "supply",
+                     ends.size() == 2 ? " and " : "",
+                     absorb.empty() ? "" : "absorb",
+                     fmt::join(ends, " and "));
+}
+
 // Why not all power comes from the inputs and goes to the outputs and into losses; empty if it
 // does.
 std::string exchange_beside(const Case& which, const CasePowers& powers) {
@@ -77,10 +104,9 @@ std::string exchange_beside(const Case& which, const CasePowers& powers) {
   }
   return load->name.starts_with(kInertiaPrefix)
              ? "the kinetic energy of the bodies also supplies or absorbs power"
-             : fmt::format(
-                   "load '{}' also supplies or absorbs power; list it under 'input' or "
-                   "'output'",
-                   load->name);
+         : load->name.starts_with(kSpringPrefix)
+             ? fmt::format("'{}' also supplies or absorbs power", load->name)
+             : loads_beside(which, powers, kPowerBalance * largest);
 }
 
 // Whether one of them has a power of that sign, +1 or -1.

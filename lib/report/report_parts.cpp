@@ -16,4 +16,8 @@ std::string title_text(const std::string& file, const MechanismDescription& desc
                                     : fmt::format("{} ({})\n", name, printable(description.source));
 }
 
+std::string_view in_drawn_position(const MechanismDescription& description) {
+  return description.motion || description.simulation ? ", in the drawn position" : "";
+}
+
 }  // namespace kinestat

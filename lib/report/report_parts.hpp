@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "description/mechanism_description.hpp"
 #include "report/json_archive.hpp"
@@ -14,6 +15,10 @@ std::string name_in_tables(const std::string& file, const MechanismDescription& 
 
 /// The first line of a report: the mechanism's name, or its file, and its source.
 std::string title_text(const std::string& file, const MechanismDescription& description);
+
+/// ", in the drawn position" behind the name of a case whose file moves the mechanism elsewhere
+/// too, so that nobody takes its values for the extremes; else empty.
+std::string_view in_drawn_position(const MechanismDescription& description);
 
 /// JSON, as far as the forms want it. Records are large: `record` is called only where one is used.
 template <class View>

@@ -143,16 +143,27 @@ std::vector<SourceRange> ranking_parameters(const MechanismDescription& descript
   return places;
 }
 
-// Without saying of those that they are never used.
+// Whether the sweep drops states whose planets cannot be equally spaced.
+bool requires_assembly(const MechanismDescription& description) {
+  return description.sweep &&
+         std::ranges::any_of(description.sweep->require, [](const Requirement& one) {
+           return std::ranges::any_of(
+               one.condition.questions(),
+               [](const ConditionQuestion& question) { return question.word == kAssembles; });
+         });
+}
+
+// Without saying of those that they are never used, or of the drawn teeth what 'require' asks.
 std::optional<Loaded> bind_ranked(MechanismDescription description,
                                   const std::optional<BestChoice>& best,
                                   Diagnostics& found) {
   const std::vector<SourceRange> used = ranking_parameters(description, best);
+  const bool is_assembled = requires_assembly(description);
   Diagnostics of_file;
   std::optional<Loaded> loaded = bind_swept(std::move(description), of_file);
   for (const Diagnostic& one : of_file.items()) {
     const bool is_used = one.code == "W0301" && std::ranges::find(used, one.where) != used.end();
-    if (!is_used) {
+    if (!is_used && !(is_assembled && one.code == "W0306")) {
       Diagnostic& kept = one.severity == Severity::error
                              ? found.error(one.code, one.where, one.message, one.hint)
                              : found.warning(one.code, one.where, one.message, one.hint);

@@ -40,7 +40,7 @@ NOT_RUN = {
 }
 # Warnings that examples of other codes may bring about too.
 BESIDE = {"W0302", "W0314"}
-EXAMPLE = "Example, wrong with -, right with +:"
+EXAMPLE = "Example (- wrong, + correct):"
 
 
 @lru_cache(maxsize=None)

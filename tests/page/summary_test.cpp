@@ -80,8 +80,8 @@ TEST(Summary, CountsTheGearsOfATransmission) {
 
   EXPECT_TRUE(
       has(sentences,
-          "A gear engages 2 of 4 shift elements; 4 of 6 combinations are gears; the forward "
-          "gears span 2.84689."))
+          "A gear engages 2 of 4 shift elements; 4 of 6 combinations give a gear; the ratio "
+          "spread of the forward gears is 2.84689."))
       << testing::PrintToString(sentences);
   EXPECT_TRUE(has(sentences, "4 gears are solved."));
 }

@@ -55,7 +55,7 @@ class FrictionInSlides(MotionTest):
             self.assertEqual(done.returncode, 0, f"{steps} steps: {done.stderr}")
             self.assertNotIn("E0606", done.stderr, f"{steps} steps")
             self.assertIn("friction of 'd' reverses", done.stderr, f"{steps} steps")
-            self.assertIn("and 1 more time", done.stderr, f"{steps} steps")
+            self.assertIn("and once more", done.stderr, f"{steps} steps")
 
 
 class FrictionInSlots(MotionTest):
@@ -76,7 +76,7 @@ class FrictionInSlots(MotionTest):
         for steps in (2, 3, 8):
             done = program.call("motion", "-", text=ends % steps)
             self.assertEqual(done.returncode, 0, f"{steps} steps: {done.stderr}")
-            self.assertIn("friction of 's' reverses at Tin = -2.2143 rad, and 1 more time",
+            self.assertIn("friction of 's' reverses at Tin = -2.2143 rad, and once more",
                           done.stderr)
             status = Motion(program.report(done))["status"]
             self.assertEqual(status, ["dead_point", *["solved"] * (steps - 1), "dead_point"])

@@ -10,6 +10,7 @@
 #include "report/column_table.hpp"
 #include "report/in_units.hpp"
 #include "report/number_format.hpp"
+#include "report/report_parts.hpp"
 #include "report/table.hpp"
 
 namespace kinestat {
@@ -123,7 +124,8 @@ CaseBlocks case_blocks(const Analysis& analysis, const CaseAnalysis& one) {
 
 TextBlocks case_text(const Analysis& analysis, const CaseAnalysis& one) {
   CaseBlocks blocks = case_blocks(analysis, one);
-  TextBlocks all(fmt::format("Case {}\n", printable(one.which.label)));
+  TextBlocks all(fmt::format(
+      "Case {}{}\n", printable(one.which.label), in_drawn_position(analysis.description)));
   all += blocks.known;
   all += blocks.results;
   all += "\n";

@@ -7,6 +7,7 @@
 #include "core/utf8.hpp"
 #include "report/column_table.hpp"
 #include "report/number_format.hpp"
+#include "report/report_parts.hpp"
 
 namespace kinestat {
 
@@ -23,7 +24,8 @@ TextBlocks overview_blocks(const Analysis& analysis) {
     return fmt::format("{} [{}]", what, units.text(kind));
   };
   std::vector<TextColumn> columns = {
-      {.head = "Case", .cells = {}},
+      {.head = in_drawn_position(analysis.description).empty() ? "Case" : "Case, as drawn",
+       .cells = {}},
       {.head = "ratio", .cells = {}},
       {.head = "efficiency", .cells = {}},
       {.head = with_unit("input power", QuantityKind::power), .cells = {}},

@@ -21,6 +21,18 @@ std::string shown_ratio(const RatioInUnits& ratio) {
   return format_short(*ratio.value) + (ratio.unit.empty() ? "" : " " + ratio.unit);
 }
 
+// Of the input's action over the output's.
+std::string_view action_word(const Case& which, const Mechanism& mechanism) {
+  const auto is_couple = [&](int actuator) {
+    const int action = mechanism.topology.actuators[static_cast<std::size_t>(actuator)].action;
+    return mechanism.topology.actions[static_cast<std::size_t>(action)].is_couple;
+  };
+  const bool is_of_couple = is_couple(which.inputs.front());
+  return is_of_couple != is_couple(which.outputs.front()) ? "action"
+         : is_of_couple                                   ? "torque"
+                                                          : "force";
+}
+
 std::string ratio_text(const CaseAnalysis& one,
                        const Mechanism& mechanism,
                        const FileUnits& units) {
@@ -29,8 +41,7 @@ std::string ratio_text(const CaseAnalysis& one,
       ratio.value ? fmt::format("  ratio {}{}", shown_ratio(ratio), fraction_behind(one.ratios))
                   : fmt::format("  no ratio: {}", one.ratios->reason);
   if (torque.value) {
-    text += fmt::format(
-        ", {} ratio {}", torque.unit.empty() ? "torque" : "action", shown_ratio(torque));
+    text += fmt::format(", {} ratio {}", action_word(one.which, mechanism), shown_ratio(torque));
   }
   return text + "\n";
 }
@@ -154,7 +165,7 @@ std::string largest_text(const Mechanism& mechanism, const CaseAnalysis& one, co
   }
   std::vector<std::string_view> remarks;
   if (largest.is_per_planet) {
-    remarks.push_back("per planet, the most loaded");
+    remarks.push_back("values are those of the most heavily loaded planet");
   }
   if (largest.has_central_hinges) {
     remarks.push_back("radial planet forces cancel on the central bearings");
@@ -187,9 +198,9 @@ std::string losses_text(const Mechanism& mechanism, const CaseAnalysis& one, con
                   share_text(efficiency.absolute));
   const std::string_view block =
       efficiency.state && nothing_rolls(*efficiency.state)
-          ? "  no lossy mesh rolls, as in a train that turns as a block: its teeth lose nothing;\n "
-            " the absolute efficiency also counts losses of power that is only carried round with "
-            "them\n"
+          ? "  no mesh with losses rolls, as where the train turns as a block: its teeth lose "
+            "nothing;\n"
+            "  the absolute efficiency also counts losses on power that is only carried around\n"
           : "";
   return (mechanism.loss_model == LossModel::carrier ? carrier + absolute : absolute + carrier) +
          std::string(block);

@@ -122,13 +122,13 @@ constexpr auto kStudyCodes = std::to_array<Code>({
      "or 'until', can end it earlier."},
     {"E0516",
      wrong_input,
-     "simulation does not know this",
+     "not supported by the simulation",
      "The mechanism has something that 'kinestat simulate' does not follow, and an answer without "
      "it would be wrong. 'kinestat help simulation' lists all that is refused; 'kinestat motion' "
      "finds the forces along a given motion with all of it ('kinestat help dynamics')."},
     {"E0517",
      wrong_input,
-     "start of a simulation does not fit",
+     "initial state of the simulation is invalid",
      "'start' gives positions and speeds of as many freedoms as are independent of each other, by "
      "actuators or COUPLING.FREEDOM; the others follow. The mechanism is moved there from the "
      "drawn position, as by 'kinestat motion', and must be able to reach it. What 'motion' of the "

@@ -175,7 +175,7 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      done,
      "friction reverses",
      "Where a coupling with friction comes to rest and reverses, its friction reverses too: "
-     "actions jump from those of one direction to those of the other. At the dead point itself "
+     "actions jump from those of one direction to those of the other. At the reversal itself "
      "they may be anything between the two, and a row exactly there has none. The message names "
      "the rows before and after, or the end of the range if it lies there; take more steps to "
      "narrow the interval."},

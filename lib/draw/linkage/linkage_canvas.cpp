@@ -10,6 +10,7 @@
 #include "core/text.hpp"
 #include "draw/symbols.hpp"
 #include "draw/text_styles.hpp"
+#include "report/report_parts.hpp"
 
 namespace kinestat {
 
@@ -337,7 +338,10 @@ void LinkageCanvas::draw_legend() {
     lines.push_back(options_.remark);
   }
   if (options_.which && *options_.which < analysis_.cases.size()) {
-    lines.push_back("case: " + analysis_.cases[*options_.which].which.label);
+    lines.push_back(
+        fmt::format("case: {}{}",
+                    analysis_.cases[*options_.which].which.label,
+                    options_.is_as_drawn() ? in_drawn_position(analysis_.description) : ""));
   }
   for (std::size_t i = 0; i < lines.size(); ++i) {
     svg_.text({.x = drawn.left, .y = y + 22 + 18 * static_cast<double>(i)}, lines[i], kSmall);

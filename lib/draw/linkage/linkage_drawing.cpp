@@ -12,6 +12,7 @@
 #include "draw/linkage/linkage_drawer.hpp"
 #include "draw/linkage/linkage_frames.hpp"
 #include "draw/picture_title.hpp"
+#include "report/report_parts.hpp"
 
 namespace kinestat {
 
@@ -21,9 +22,11 @@ namespace {
 std::string drawn_words(const Analysis& analysis, const LinkageOptions& options) {
   const bool has_forces =
       options.shows_forces && options.which && *options.which < analysis.cases.size();
-  return has_forces ? fmt::format("Mechanism with the forces of case {}",
-                                  analysis.cases[*options.which].which.label)
-                    : "Mechanism";
+  return has_forces
+             ? fmt::format("Mechanism with the forces of case {}{}",
+                           analysis.cases[*options.which].which.label,
+                           options.is_as_drawn() ? in_drawn_position(analysis.description) : "")
+             : "Mechanism";
 }
 
 Analysis standing_at(const LinkagePosition& position, const Analysis& analysis) {

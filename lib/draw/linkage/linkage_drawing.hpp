@@ -83,6 +83,8 @@ struct LinkageOptions {
   double width = kDrawingWidth;           ///< of the places of the mechanism, at most [px]
   std::vector<LinkagePosition> frames;
   std::optional<LinkageCycle> cycle;  ///< empty: the drawing stands still
+
+  bool is_as_drawn() const { return stands.empty() && frames.empty(); }
 };
 
 /// To scale, planar mechanisms as they are, spatial ones in parallel projection with z upwards, in

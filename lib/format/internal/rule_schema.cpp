@@ -207,6 +207,22 @@ void add_any_of(const SharedList<std::string_view>& keys, Json& schema) {
   }
 }
 
+namespace {
+
+void add_needed_beside(const FormRule& rule, Json& schema) {
+  if (rule.others.size() == 1) {
+    add_dependencies(rule.others.front(), {rule.key}, schema);
+    return;
+  }
+  SharedList<std::string_view> alternatives = {rule.key};
+  for (std::size_t i = 1; i < rule.others.size(); ++i) {
+    alternatives.push_back(rule.others[i]);
+  }
+  add_any_of(alternatives, schema["dependencies"][std::string(rule.others.front())]);
+}
+
+}  // namespace
+
 bool is_replaceable(const FormShape& shape, std::string_view key) {
   return !sparing_keys(shape, key).empty();
 }
@@ -221,7 +237,7 @@ void add_rules(const FormShape& shape, Json& schema) {
         add_any_of(rule.others, schema);
         break;
       case FormRule::Kind::needed_beside:
-        add_dependencies(rule.others.front(), {rule.key}, schema);
+        add_needed_beside(rule, schema);
         break;
       case FormRule::Kind::needed_by_part:
         add_needed_by_part(rule, schema);

@@ -29,8 +29,10 @@ constexpr std::string_view kGuideLength =
 const FrictionTexts& texts_of(FrictionKind kind) {
   static constexpr std::array<FrictionTexts, 6> kTexts = {{
       {.definition = "journal_friction",
-       .meaning = "Friction of a revolute coupling: a couple against its motion in the case. The "
-                  "coefficient needs the radius of the journal.",
+       .meaning =
+           "Friction of a revolute coupling: a couple against its motion in the case. The "
+           "coefficient needs the radius of the journal; 'thrust_radius' alone will do where "
+           "'passive' lists the axial force alone.",
        .example = "{mu: 0.1, radius: 12 mm}",
        .radius =
            "Radius of the journal, where the friction of the force perpendicular to the axis acts.",
@@ -101,8 +103,12 @@ void declare_radius(Mapping<FrictionDescription>& m, FrictionKind kind) {
            called(kind == FrictionKind::thread ? size() : radius(), "{1}"),
            kind == FrictionKind::guide ? "15 mm" : "12 mm")
       .add_hint("for example 'radius: 20 mm'");
-  if (turns(kind)) {
+  if (kind == FrictionKind::thread) {
     m.rule({.kind = FormRule::Kind::needed_beside, .key = "radius", .others = {"mu"}});
+  } else if (kind == FrictionKind::journal) {
+    m.rule({.kind = FormRule::Kind::needed_beside,
+            .key = "radius",
+            .others = {"mu", "thrust_radius"}});
   }
 }
 

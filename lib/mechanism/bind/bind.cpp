@@ -149,7 +149,7 @@ enum class Purpose {
 
 void report_unanalysed(const std::vector<Unanalysed>& list, Purpose purpose, Diagnostics& found) {
   for (const Unanalysed& one : list) {
-    std::string message = fmt::format("{} is not analysed yet", one.what);
+    std::string message = one.message();
     if (purpose == Purpose::close && one.is_closure_error) {
       continue;
     }

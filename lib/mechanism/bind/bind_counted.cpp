@@ -35,7 +35,7 @@ bool is_countable(const MechanismDescription& description, Diagnostics& found) {
   for (const Unanalysed& one : find_unanalysed(description)) {
     if (one.decides && !one.can_be_counted) {
       is_good = false;
-      found.error("E0315", one.where, fmt::format("{} is not analysed yet", one.what), one.hint);
+      found.error("E0315", one.where, one.message(), one.hint);
     }
   }
   return is_good;

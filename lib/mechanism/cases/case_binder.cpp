@@ -20,8 +20,9 @@ enum class Side { motion, acceleration, action };
 class Index {
  public:
   void add(std::string name) {
-    index_.emplace(name, static_cast<int>(names_.size()));
-    names_.push_back(std::move(name));
+    if (index_.emplace(name, static_cast<int>(names_.size())).second) {
+      names_.push_back(std::move(name));
+    }
   }
 
   std::optional<int> find(const std::string& name) const {
@@ -47,6 +48,11 @@ class CaseBinder {
     add_loads(description.loads);
     for (const CaseDescription& one : description.cases) {
       add_loads(one.loads);
+    }
+    for (const BodyDescription& body : description.bodies) {
+      if (body.mass && description.gravity) {
+        power_loads_.add(std::string(kWeightPrefix) + body.name.text);
+      }
     }
     for (int f = 0; f < topology.freedom_count(); ++f) {
       freedoms_.add(topology.freedom_name(f));
@@ -85,6 +91,7 @@ class CaseBinder {
   void add_loads(const std::vector<LoadDescription>& loads) {
     for (const LoadDescription& load : loads) {
       loads_.add(load.name.text);
+      power_loads_.add(load.name.text);
     }
   }
 
@@ -248,6 +255,25 @@ class CaseBinder {
     return guess_before(target.text, candidates, hint);
   }
 
+  // "did you mean 'motor'? actuators are motor, press; loads are F, gravity.ram"
+  std::string end_hint(const Name& name) const {
+    const std::vector<std::string>& actuators = actuators_.names();
+    const std::vector<std::string>& loads = power_loads_.names();
+    std::vector<std::string> candidates = actuators;
+    candidates.insert(candidates.end(), loads.begin(), loads.end());
+    if (candidates.empty()) {
+      return "declare it under 'actuators:'";
+    }
+    std::vector<std::string> parts;
+    if (!actuators.empty()) {
+      parts.push_back("actuators are " + plain_list(actuators));
+    }
+    if (!loads.empty()) {
+      parts.push_back("loads are " + plain_list(loads));
+    }
+    return guess_before(name.text, candidates, fmt::format("{}", fmt::join(parts, "; ")));
+  }
+
   std::vector<int> bind_actuators(const std::vector<Name>& names) {
     std::vector<int> result;
     for (const Name& name : names) {
@@ -261,11 +287,7 @@ class CaseBinder {
       found_.error("E0313",
                    name.where,
                    fmt::format("'{}' is neither an actuator nor a load", name.text),
-                   actuators_.names().empty()
-                       ? "declare it under 'actuators:'"
-                       : guess_before(name.text,
-                                      actuators_.names(),
-                                      "actuators are " + plain_list(actuators_.names())));
+                   end_hint(name));
     }
     return result;
   }
@@ -278,6 +300,7 @@ class CaseBinder {
   Index actions_;
   Index actuators_;
   Index loads_;
+  Index power_loads_;  ///< these, and the weights
 };
 
 }  // namespace

@@ -24,7 +24,7 @@ constexpr Share kShares[] = {
     {"absolute",
      &TransmissionEfficiency::absolute,
      "A mesh loses a fraction of the power through it relative to the ground, including power that "
-     "is only carried round with its gears. Includes friction of couplings."}};
+     "is only carried around with its gears. Includes friction of couplings."}};
 
 bool has_meshes(const EfficiencyView& v) {
   return v.meshes != nullptr;

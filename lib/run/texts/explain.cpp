@@ -36,7 +36,7 @@ std::string page_of(const Code& row) {
   std::string page =
       fmt::format("{}: {}\n\n{}", row.code, row.title, page_lines("", row.paragraph, 0, kWidth));
   if (const EmbeddedText* example = find_text(embedded_examples(), row.code)) {
-    page += fmt::format("\nExample, wrong with -, right with +:\n\n{}", indented(example->text));
+    page += fmt::format("\nExample (- wrong, + correct):\n\n{}", indented(example->text));
   }
   return page;
 }

@@ -188,14 +188,16 @@ Outcome word_page(const std::string& word) {
     return std::ranges::find(kind.others, word) != kind.others.end();
   };
   Outcome outcome;
+  const std::string term = glossary_lines(word);
   outcome.out = page_of_kind(find_kind(is_it));
   if (outcome.out.empty()) {
     outcome.out = key_page(word, [](std::string_view section) { return page_of(section); });
-    const std::string term = outcome.out.empty() ? "" : glossary_lines(word);
-    outcome.out = term + (term.empty() ? "" : "\n") + outcome.out;
   }
   if (outcome.out.empty()) {
     outcome.out = page_of_kind(find_kind(is_also_it));
+  }
+  if (!outcome.out.empty() && !term.empty()) {
+    outcome.out = fmt::format("{}\n{}", term, outcome.out);
   }
   if (outcome.out.empty()) {
     outcome.out = glossary_page(word);
@@ -254,9 +256,9 @@ Outcome mentions_page(const std::string& word,
   const std::string meant = meant_name(word, words);
   const bool is_synonym = meant != nearest_name(word, words);
   const std::string slip = did_you_mean(word, commands);
-  outcome.out = fmt::format("'{}' has no page of its own{} stands in\n\n{}{}",
+  outcome.out = fmt::format("no page on '{}'; {} is mentioned in:\n\n{}{}",
                             printable(word),
-                            is_synonym ? fmt::format("; did you mean '{}'? It", meant) : ", and",
+                            is_synonym ? fmt::format("did you mean '{}'? It", meant) : "it",
                             text,
                             slip.empty() ? "" : fmt::format("\nOr {}\n", slip));
   return outcome;
@@ -316,7 +318,8 @@ Outcome help_topic(const std::string& word, std::span<const std::string> command
 Outcome help_part(const std::string& topic, const std::string& part) {
   constexpr std::string_view kTopic = "reports";
   Outcome outcome;
-  outcome.out = topic == kTopic ? report_page(part) : "";
+  outcome = topic == kTopic ? Outcome() : word_page(fmt::format("{}_{}", topic, part));
+  outcome.out = topic == kTopic ? report_page(part) : outcome.out;
   if (!outcome.out.empty()) {
     return outcome;
   }

@@ -36,22 +36,76 @@ bool stands_in(std::string_view text, std::string_view word) {
   return false;
 }
 
-// The first line, without the blanks that only make columns.
-std::string line_with(std::string_view text, const std::string& word) {
+std::vector<std::string_view> lines_of(std::string_view text) {
+  std::vector<std::string_view> lines;
   while (!text.empty()) {
-    const std::string_view line = text.substr(0, text.find('\n'));
-    text.remove_prefix(std::min(text.size(), line.size() + 1));
-    if (mentions(line, word)) {
-      std::string shown;
-      for (const char c : line) {
-        if (c != ' ' || (!shown.empty() && shown.back() != ' ')) {
-          shown += c;
-        }
-      }
-      return shown;
+    lines.push_back(text.substr(0, text.find('\n')));
+    text.remove_prefix(std::min(text.size(), lines.back().size() + 1));
+  }
+  return lines;
+}
+
+std::size_t indent_of(std::string_view line) {
+  return std::min(line.find_first_not_of(' '), line.size());
+}
+
+// A line of a file or of the shell, or the key of a definition.
+bool stands_alone(std::string_view line) {
+  line.remove_prefix(indent_of(line));
+  const std::string_view first = line.substr(0, line.find(' '));
+  return line.empty() || first.ends_with(':') || first == "-" || first == "kinestat";
+}
+
+// The line and those before and after it in the same paragraph; of a definition, which begins in
+// the column behind its term, what follows the term.
+std::string paragraph_of(const std::vector<std::string_view>& lines, std::size_t at) {
+  const std::size_t indent = indent_of(lines[at]);
+  const auto belongs = [&](std::string_view line) {
+    return indent_of(line) == indent && !stands_alone(line);
+  };
+  std::size_t first = at;
+  std::size_t last = at;
+  if (!stands_alone(lines[at])) {
+    while (first > 0 && belongs(lines[first - 1])) {
+      --first;
+    }
+    while (last + 1 < lines.size() && belongs(lines[last + 1])) {
+      ++last;
     }
   }
-  return {};
+  std::string text;
+  if (first > 0 && indent > 2 && lines[first - 1].size() > indent &&
+      indent_of(lines[first - 1]) < indent && lines[first - 1].substr(indent - 2, 2) == "  ") {
+    text = std::string(lines[first - 1].substr(indent)) + " ";
+  }
+  for (std::size_t i = first; i <= last; ++i) {
+    text += std::string(lines[i]) + " ";
+  }
+  return text;
+}
+
+// The first sentence, without the blanks that only make columns.
+std::string sentence_with(std::string_view text, const std::string& word) {
+  const std::vector<std::string_view> lines = lines_of(text);
+  const auto line =
+      std::ranges::find_if(lines, [&](std::string_view one) { return mentions(one, word); });
+  if (line == lines.end()) {
+    return {};
+  }
+  std::string shown;
+  for (const char c : paragraph_of(lines, static_cast<std::size_t>(line - lines.begin()))) {
+    if (c != ' ' || (!shown.empty() && shown.back() != ' ')) {
+      shown += c;
+    }
+    if (shown.ends_with(". ")) {
+      if (mentions(shown, word)) {
+        break;
+      }
+      shown.clear();
+    }
+  }
+  shown.erase(shown.find_last_not_of(' ') + 1);
+  return shown;
 }
 
 }  // namespace
@@ -76,7 +130,7 @@ std::string mentions_of(const std::string& word, const std::vector<HelpPage>& pa
   std::string text;
   for (const HelpPage& page : pages) {
     const bool is_title = mentions(page.title, word);
-    const std::string line = is_title ? "" : line_with(page.text, word);
+    const std::string line = is_title ? "" : sentence_with(page.text, word);
     if (is_title || !line.empty()) {
       text += fmt::format("  {:<22} {}\n", page.command, page.title);
       text += line.empty() ? "" : below(line);

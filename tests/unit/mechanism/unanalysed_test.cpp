@@ -41,7 +41,7 @@ TEST(Unanalysed, IsNothingInAFileOfThisVersion) {
 }
 
 TEST(Unanalysed, DecidesWhereTheAnswerWouldBeWrongWithoutIt) {
-  EXPECT_EQ(list_of("", kMisdrawn), List{"closure error of revolute 'a'!"});
+  EXPECT_EQ(list_of("", kMisdrawn), List{"revolute 'a' has a point on each of its bodies!"});
 }
 
 TEST(Unanalysed, FrictionWithoutALawDecidesOnlyTheStatics) {
@@ -68,9 +68,13 @@ TEST(Unanalysed, IsAnErrorOfTheAnalysisAndAWarningOfTheCheck) {
   EXPECT_TRUE(check(description, of_check));
 
   EXPECT_EQ(complaints_of(of_bind),
-            Complaints{"6:43 E0315 closure error of revolute 'a' is not analysed yet"});
+            Complaints{"6:43 E0315 revolute 'a' has a point on each of its bodies; only 'kinestat "
+                       "motion' closes the gap between "
+                       "them"});
   EXPECT_EQ(complaints_of(of_check),
-            Complaints{"6:43 W0302 closure error of revolute 'a' is not analysed yet"});
+            Complaints{"6:43 W0302 revolute 'a' has a point on each of its bodies; only 'kinestat "
+                       "motion' closes the gap between "
+                       "them"});
 }
 
 TEST(Unanalysed, IsNoMisclosureForAPassThatClosesIt) {

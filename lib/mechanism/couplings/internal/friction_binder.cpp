@@ -133,6 +133,7 @@ class FrictionCheck {
              "leave 'length' out if friction is to ignore the tilting moment");
     }
     check_numbers(friction, bound);
+    check_radius(friction);
     if (bound.mu_static && *bound.mu_static < bound.mu) {
       refuse(
           found_,
@@ -163,6 +164,18 @@ class FrictionCheck {
   }
 
  private:
+  // A collar that bears a thrust alone has none.
+  void check_radius(const FrictionDescription& friction) {
+    if (kind_ == FrictionKind::journal && friction.mu && !friction.radius &&
+        !screws_.freedoms.empty() && (bears(false, false) || bears(true, false))) {
+      found_.error("E0303",
+                   friction.where,
+                   fmt::format("the friction of {} lacks the key 'radius'", title_of(coupling_)),
+                   "for example 'radius: 20 mm'; a collar without a journal bears the axial force "
+                   "alone, as 'passive: [Rz]' says of one along z");
+    }
+  }
+
   // A couple that presses is one about the place of the coupling.
   void check_place(const FrictionDescription& friction) {
     const bool is_without = kind_ == FrictionKind::guide && !coupling_.at;

@@ -71,8 +71,8 @@ std::string reshetov_remark(const ReshetovTable& table, const MotionCounts& exac
     return circuit.oblique_rotations + circuit.oblique_translations > 0;
   });
   return fmt::format(
-      "The Reshetov table fails here: it finds {} and {}, because it looks at the directions of "
-      "freedoms{} and not at the places of their axes; the geometry decides.",
+      "The Reshetov table fails here: it finds {} and {}, because it considers the directions of "
+      "freedoms{} but not the positions of their axes; the geometry decides.",
       freedoms_words(table.mobility),
       constraints_words(table.redundant),
       is_oblique ? " along the world axes, to which some are oblique," : "");
@@ -106,9 +106,8 @@ std::string model_remark(const Redundancies& spatial) {
   }
   return fmt::format(
       "Of the {} in space, {} {} to the model: gears count as rolling pairs, which prevent five "
-      "motions though teeth bear one force, and clutches and couplings with 'passive' bear less "
-      "than "
-      "they prevent. Nothing loads them, and they are not listed.",
+      "motions though teeth bear one force, and clutches and couplings with 'passive' carry "
+      "fewer actions than the motions they block. Nothing loads them, and they are not listed.",
       constraints_words(spatial.net_constraint),
       of_model == spatial.net_constraint ? "all" : std::to_string(of_model),
       of_model == 1 ? "belongs" : "belong");

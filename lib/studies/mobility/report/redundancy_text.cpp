@@ -33,7 +33,7 @@ class RedundancyText {
     const int of_model = redundancies.net_constraint - redundancies.borne;
     std::string text = fmt::format("Redundant in {}: {}", where, redundancies.net_constraint);
     if (of_model > 0) {
-      text += fmt::format(", {} of the model only",
+      text += fmt::format(", {} due to modelling only",
                           redundancies.borne == 0 ? "all" : std::to_string(of_model));
     }
     text +=

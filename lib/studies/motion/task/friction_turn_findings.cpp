@@ -26,17 +26,16 @@ void add_friction_turn_findings(const FoundMotion& motion,
   const std::vector<CouplingTopology>& couplings = mechanism.topology.couplings;
   for (const FrictionTurn& turn : motion.table.friction_turns) {
     const auto at = std::ranges::find(couplings, turn.coupling, &CouplingTopology::name);
-    const std::string more =
-        turn.count == 1
-            ? ""
-            : fmt::format(", and {} more time{}", turn.count - 1, turn.count == 2 ? "" : "s");
+    const std::string more = turn.count == 1   ? ""
+                             : turn.count == 2 ? ", and once more"
+                                               : fmt::format(", and {} more times", turn.count - 1);
     found.warning(
         "W0508",
         at->where,
         fmt::format(
             "friction of '{}' reverses {}{}", turn.coupling, turn_place(turn, motion.table), more),
-        "friction changes sign there, so actions jump; at the dead point itself they are not "
-        "determined, and a row exactly there has none");
+        "friction changes sign there, so actions jump; at the reversal itself they are "
+        "undetermined, and a row exactly there has none");
   }
 }
 

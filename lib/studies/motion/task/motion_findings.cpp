@@ -200,7 +200,7 @@ class Findings {
         fmt::format("the motion passes a singular position at {}{}",
                     drives_text(passed.front()->drive),
                     passed.size() == 1 ? "" : fmt::format(" and {} more", passed.size() - 1)),
-        "there another motion crosses; this one continues on the same branch");
+        "more than one motion is possible from there; the report follows the one it was on");
   }
 
   void add_missing_dead_points() const {
@@ -365,10 +365,11 @@ class Findings {
         is_singular
             ? std::string("the motion cannot leave the drawn position")
             : fmt::format("the motion cannot be followed beyond {}", reached_text().substr(3)),
-        is_singular ? "several motions begin there, or none; start from another position, "
-                      "or take more drives"
-                    : "other branches come too near there, or something goes far away: start after "
-                      "that or end before it, or take another path with more drives");
+        is_singular
+            ? "several motions begin there, or none; start from another position, "
+              "or take more drives"
+            : "another assembly branch comes too close there, or a point moves far away: end the "
+              "motion before that or start beyond it, or take another path with more drives");
   }
 
   const FoundMotion& motion_;

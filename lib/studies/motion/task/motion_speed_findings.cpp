@@ -98,7 +98,7 @@ class SpeedFindings {
                      fmt::format("accelerations are omitted at {}: a singular position is so near "
                                  "that they would be rounding",
                                  places_text(*first, holds)),
-                     "velocities are right there; take other steps, or another drive");
+                     "velocities are correct there; choose other steps or another drive");
     }
   }
 
@@ -114,7 +114,7 @@ class SpeedFindings {
                                    "they would be rounding",
                                    name,
                                    places_text(*first, holds)),
-                       "those that are there are right; take other steps, or another drive");
+                       "the values shown are correct; choose other steps or another drive");
       }
     }
   }

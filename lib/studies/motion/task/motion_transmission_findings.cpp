@@ -16,7 +16,8 @@ std::string reason_of(TransmissionObstacle why, std::string_view output) {
     case TransmissionObstacle::same_actuator:
       return "it is the input too";
     case TransmissionObstacle::no_one_coupling:
-      return fmt::format("not one coupling alone drives the body of '{}'", output);
+      return fmt::format("the body of '{}' is not driven through exactly one other coupling",
+                         output);
     case TransmissionObstacle::open_force:
       return fmt::format("equilibrium does not determine the force that drives '{}'", output);
     case TransmissionObstacle::couple:
@@ -29,8 +30,8 @@ std::string reason_of(TransmissionObstacle why, std::string_view output) {
 
 std::string hint_of(TransmissionObstacle why) {
   return why == TransmissionObstacle::open_force
-             ? "write 'space: planar' if all moves in one plane, or leave out with 'passive:' what "
-               "the couplings do not bear; 'mechanical_advantage' needs no force"
+             ? "write 'space: planar' if all moves in one plane, or list with 'passive:' what the "
+               "couplings carry; 'mechanical_advantage' needs no force"
              : "take 'transmission_angle' out of 'report'; 'mechanical_advantage' says how well "
                "the output is driven";
 }

@@ -91,7 +91,8 @@ void PositionFindings::add(std::size_t row, const CaseFindings& found) {
 void PositionFindings::tell(const MotionTable& table, Diagnostics& found) const {
   const std::size_t said = found.items().size();
   for (const Held& held : held_) {
-    const bool is_everywhere = held.rows.size() == table.rows.size();
+    // A dimension that friction lacks, W0604, it lacks everywhere.
+    const bool is_everywhere = held.rows.size() == table.rows.size() || held.worst.code == "W0604";
     if (is_everywhere && is_said(held.worst, table.label, found.items().first(said))) {
       continue;
     }

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "core/text.hpp"
 #include "expression/unit_quotient.hpp"
 #include "report/number_format.hpp"
 #include "report/report_parts.hpp"
@@ -59,13 +60,37 @@ std::string_view note_of(const SensitivityValue& value) {
   return "";
 }
 
+// Of parameters that follow from others.
+std::string dependent_text(const MechanismDescription& description, const Parameters& parameters) {
+  std::vector<std::string> names;
+  for (const ParameterDescription& one : description.parameters) {
+    const bool is_listed =
+        std::ranges::find(parameters, one.name.text, &SensitivityParameter::name) !=
+        parameters.end();
+    const bool depends =
+        std::ranges::any_of(description.parameters, [&](const ParameterDescription& other) {
+          return std::ranges::count(one.value.expression.names(), other.name.text) > 0;
+        });
+    if (is_listed && depends) {
+      names.push_back(one.name.text);
+    }
+  }
+  return names.empty() ? ""
+                       : fmt::format(
+                             "Derivatives by {}, which depend{} on other parameters, are "
+                             "those with the others held.\n\n",
+                             plain_list(names),
+                             names.size() == 1 ? "s" : "");
+}
+
 TextBlocks text_of(const MechanismDescription& description,
                    const std::string& file,
                    const std::vector<CaseSensitivity>& cases,
                    const Parameters& parameters) {
   TextBlocks text((description.name.empty() ? file : description.name) + "\n\n");
+  text += dependent_text(description, parameters);
   for (const CaseSensitivity& one : cases) {
-    text += fmt::format("Case {}\n", one.label);
+    text += fmt::format("Case {}{}\n", one.label, in_drawn_position(description));
     text += sensitivity_blocks(one, parameters);
   }
   return text;

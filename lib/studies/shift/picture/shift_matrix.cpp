@@ -177,7 +177,8 @@ class MatrixDrawing {
     svg_.circle({.x = kDot, .y = y_ - 4.0}, kDot - 1.5, {.stroke = Ink::blue, .fill = Ink::blue});
     std::string words = "engaged";
     if (solution_.table.span) {
-      words += fmt::format("; span of the forward gears {}", label_number(*solution_.table.span));
+      words += fmt::format("; ratio spread of the forward gears {}",
+                           label_number(*solution_.table.span));
     }
     if (row_count_ < solution_.states.size()) {
       words += fmt::format("; {} more that are not gears", solution_.states.size() - row_count_);

@@ -296,7 +296,8 @@ class ShiftTables {
       }
     }
     if (solution_.table.span) {
-      text += fmt::format("  span of the forward gears {}\n", format_short(*solution_.table.span));
+      text += fmt::format("  ratio spread of the forward gears {}\n",
+                          format_short(*solution_.table.span));
     }
     for (const std::vector<int>& group : solution_.table.equal_ratios) {
       std::vector<std::string> names;

@@ -127,7 +127,7 @@ class SimulationText {
   // Of what the rows have, but for time and energies; what never changes has none.
   Table extremes() const {
     const std::string at = fmt::format("at [{}]", units_.text(QuantityKind::time));
-    Table table({"Of the rows", "least", at, "greatest", at});
+    Table table({"Extremes of the rows", "least", at, "greatest", at});
     const std::vector<std::optional<double>>& times = columns_.front().values;
     for (const SimulationColumn& column : columns_) {
       if (column.quantity == "time" || column.quantity.starts_with(kEnergyWord)) {

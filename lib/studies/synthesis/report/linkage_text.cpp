@@ -249,7 +249,7 @@ std::string_view phrase_of(Defect defect) {
     case Defect::ratio:
       return "link ratio too large";
     case Defect::size:
-      return "too large";
+      return "linkage too large";
   }
   return "";
 }

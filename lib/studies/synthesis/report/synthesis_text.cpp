@@ -42,9 +42,10 @@ std::string selection_text(const SelectionCounts& counts, bool has_tasks) {
                      counts.with_linkage,
                      counts.usable,
                      rejected_text(counts),
-                     counts.usable > 0 ? "the best are:\n"
-                     : has_tasks       ? "the nearest is:\n"
-                                       : "");
+                     counts.usable == 1  ? "the best is:\n"
+                     : counts.usable > 1 ? "the best, with similar ones merged:\n"
+                     : has_tasks         ? "the nearest is:\n"
+                                         : "");
 }
 
 // Which of the listed angles: "angle 70 of position 3"; empty where a file has no lists.

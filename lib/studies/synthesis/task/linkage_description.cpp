@@ -159,7 +159,7 @@ std::string title_of(const SynthesisAnalysis& analysis) {
 std::string_view link_of(const Dyad& dyad) {
   switch (dyad.kind) {
     case DyadKind::crank:
-      return "crank";
+      return "pivoted link";
     case DyadKind::slider:
       return "slider";
     case DyadKind::inverted_slider:

@@ -193,6 +193,17 @@ class ToleranceJob {
     return true;
   }
 
+  // Of a figure of a motion, such as 'd.vx/range', where to find it.
+  static std::string name_hint(const std::string& name, const std::vector<std::string>& names) {
+    const std::string of = name.substr(0, name.find('/'));
+    const bool is_figure = of != name && std::ranges::find(names, of) != names.end();
+    return is_figure ? fmt::format(
+                           "write '{0}'; how its range over a motion varies is a sweep with "
+                           "'report: [{0}.position.range]': help sweeps",
+                           of)
+                     : guess_before(name, names, "write one of " + plain_list(names));
+  }
+
   void check_positions() {
     for (const std::string& name : choice_.positions) {
       if (watched_positions(mechanism_, points(), name).empty()) {
@@ -201,7 +212,7 @@ class ToleranceJob {
                      {},
                      fmt::format("--of '{}': there is no such freedom, actuator, point or body",
                                  printable(name)),
-                     guess_before(name, names, "write one of " + plain_list(names)));
+                     name_hint(name, names));
       }
     }
   }
