@@ -123,11 +123,11 @@ void Fields::refuse(std::size_t index) {
   }
   // An actuator says where something acts, a case how much.
   const std::string others =
-      fmt::format("known keys are {}{}",
-                  plain_list(known, kMostKeys),
+      fmt::format("{}known keys are {}",
                   known == std::vector<std::string>{"coupling", "freedom"}
-                      ? "; values belong to a case: action: {NAME: 5 N*m}, motion: {NAME: 60 rpm}"
-                      : "");
+                      ? "values belong to a case: action: {NAME: 5 N*m}, motion: {NAME: 60 rpm}; "
+                      : "",
+                  plain_list(known, kMostKeys));
   const std::string foreign = foreign_character(entry.key);
   found_.error("E0302",
                entry.key_where,

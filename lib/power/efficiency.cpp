@@ -48,30 +48,25 @@ bool holds(const std::vector<Index>& first, const std::vector<Index>& second, st
          std::ranges::find(second, index) != second.end();
 }
 
-// "loads also supply or absorb power; list 'F', 'G' under 'input' and 'H' under 'output'": those
-// that neither names.
+// "loads 'F', 'G' also supply or absorb power; list them under 'input' or 'output'": those that
+// neither names. Which of the two turns round where the outputs drive.
 std::string loads_beside(const Case& which, const CasePowers& powers, double negligible) {
-  std::vector<std::string> supply;
-  std::vector<std::string> absorb;
+  std::vector<std::string> names;
   for (std::size_t i = 0; i < powers.loads.size(); ++i) {
     const std::string& name = which.loads[i].name;
     if (!holds(which.input_loads, which.output_loads, i) && !name.starts_with(kInertiaPrefix) &&
         !name.starts_with(kSpringPrefix) && std::abs(powers.loads[i]) > negligible) {
-      (powers.loads[i] > 0.0 ? supply : absorb).push_back(fmt::format("'{}'", name));
+      names.push_back(fmt::format("'{}'", name));
     }
   }
-  std::vector<std::string> ends;
-  if (!supply.empty()) {
-    ends.push_back(plain_list(supply) + " under 'input'");
-  }
-  if (!absorb.empty()) {
-    ends.push_back(plain_list(absorb) + " under 'output'");
-  }
-  return fmt::format("loads also {}{}{} power; list {}",
-                     supply.empty() ? "" : "supply",
-                     ends.size() == 2 ? " and " : "",
-                     absorb.empty() ? "" : "absorb",
-                     fmt::join(ends, " and "));
+  return names.size() == 1 ? fmt::format(
+                                 "load {} also supplies or absorbs power; list it under "
+                                 "'input' or 'output'",
+                                 names.front())
+                           : fmt::format(
+                                 "loads {} also supply or absorb power; list them under "
+                                 "'input' or 'output'",
+                                 plain_list(names));
 }
 
 // Why not all power comes from the inputs and goes to the outputs and into losses; empty if it

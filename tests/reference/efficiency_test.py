@@ -457,7 +457,7 @@ class Answers(unittest.TestCase):
                                delta=1e-12)
 
     def test_load_that_drives(self) -> None:
-        self.check("wind", "loads also supply power; list 'w' under 'input'")
+        self.check("wind", "load 'w' also supplies or absorbs power")
 
     # Two planets share the load in a proportion that equilibrium does not tell.
     def test_forces_that_equilibrium_leaves_open(self) -> None:

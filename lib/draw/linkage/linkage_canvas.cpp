@@ -10,7 +10,6 @@
 #include "core/text.hpp"
 #include "draw/symbols.hpp"
 #include "draw/text_styles.hpp"
-#include "report/report_parts.hpp"
 
 namespace kinestat {
 
@@ -338,10 +337,7 @@ void LinkageCanvas::draw_legend() {
     lines.push_back(options_.remark);
   }
   if (options_.which && *options_.which < analysis_.cases.size()) {
-    lines.push_back(
-        fmt::format("case: {}{}",
-                    analysis_.cases[*options_.which].which.label,
-                    options_.is_as_drawn() ? in_drawn_position(analysis_.description) : ""));
+    lines.push_back("case: " + analysis_.cases[*options_.which].which.label);
   }
   for (std::size_t i = 0; i < lines.size(); ++i) {
     svg_.text({.x = drawn.left, .y = y + 22 + 18 * static_cast<double>(i)}, lines[i], kSmall);

@@ -40,14 +40,13 @@ TEST(Efficiency, HasNoValueWhereOthersExchangePower) {
   Case in_wind = drive();
   in_wind.loads.push_back({.name = "wind", .acts = {}, .point = {}, .where = {}});
   EXPECT_EQ(efficiency_of(in_wind, {100.0, 0.0, -97.0, 0.0}, {-1.0}).reason,
-            "loads also absorb power; list 'wind' under 'output'");
+            "load 'wind' also supplies or absorbs power; list it under 'input' or 'output'");
   Case in_wind_and_rain = in_wind;
   in_wind_and_rain.loads.push_back({.name = "rain", .acts = {}, .point = {}, .where = {}});
   in_wind_and_rain.loads.push_back({.name = "snow", .acts = {}, .point = {}, .where = {}});
-  EXPECT_EQ(
-      efficiency_of(in_wind_and_rain, {100.0, 0.0, -97.0, 0.0}, {-1.0, 3.0, -2.0}).reason,
-      "loads also supply and absorb power; list 'rain' under 'input' and 'wind', 'snow' under "
-      "'output'");
+  EXPECT_EQ(efficiency_of(in_wind_and_rain, {100.0, 0.0, -97.0, 0.0}, {-1.0, 3.0, -2.0}).reason,
+            "loads 'wind', 'rain', 'snow' also supply or absorb power; list them under 'input' or "
+            "'output'");
   in_wind.loads.front().name = "inertia.rotor";  // which no case can name
   EXPECT_EQ(efficiency_of(in_wind, {100.0, 0.0, -97.0, 0.0}, {-1.0}).reason,
             "the kinetic energy of the bodies also supplies or absorbs power");
