@@ -148,7 +148,7 @@ void add_shift(const ShiftAnalysis& shift, Sentences& sentences) {
                                  elements,
                                  gears,
                                  counted(static_cast<int>(solution.states.size()), "combination"),
-                                 gears == 1 ? "gives" : "give");
+                                 gears == 1 ? "gives a gear" : "give a gear");
   if (solution.table.span) {
     text += fmt::format("; the ratio spread of the forward gears is {}",
                         format_short(*solution.table.span));

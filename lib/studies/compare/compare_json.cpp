@@ -58,7 +58,9 @@ struct Visited {
   bool is_ordered = false;          // of a list of names
 
   Visited below(Json& item, const Shape* of_item) const {
-    return {.value = item, .shape = of_item, .object = &value, .reference = reference};
+    // The unit of a vector stands beside it.
+    const Json* const around = value.is_array() ? object : &value;
+    return {.value = item, .shape = of_item, .object = around, .reference = reference};
   }
 };
 

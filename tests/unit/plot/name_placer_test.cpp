@@ -61,7 +61,7 @@ TEST(NamePlacer, LeadsALineToANameThatIsFarAway) {
 TEST(NamePlacer, LeadsALineAcrossOthersOnlyForMuchLess) {
   NamePlacer placer;
   placer.keep_off({.left = -60.0, .top = -50.0, .right = 30.0, .bottom = 50.0});
-  placer.keep_off({.x = 34.0, .y = -300.0}, {.x = 34.0, .y = 300.0});
+  placer.keep_off({.x = 34.0, .y = -310.0}, {.x = 34.0, .y = 300.0});
   NamePlacer pricing = placer;
   pricing.price_crossings();
 
