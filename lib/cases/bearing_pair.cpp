@@ -2,38 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "core/tolerance.hpp"
-#include "screw/screw_axis.hpp"
+#include "mechanism/gears/hinge_lines.hpp"
 
 namespace kinestat {
 
 namespace {
-
-bool is_bearing(const CouplingTopology& one) {
-  return one.type == CouplingType::revolute || one.type == CouplingType::cylindrical;
-}
-
-ScrewAxis axis_of(const Mechanism& mechanism, const CouplingTopology& bearing) {
-  return *find_axis(mechanism.geometry.motions[static_cast<std::size_t>(bearing.first_freedom)],
-                    1.0);
-}
-
-// Whether they bear the same two bodies about the same axis.
-bool are_on_one_shaft(const Mechanism& mechanism,
-                      const CouplingTopology& one,
-                      const CouplingTopology& other) {
-  if (std::minmax(one.tail.value, one.head.value) !=
-      std::minmax(other.tail.value, other.head.value)) {
-    return false;
-  }
-  const ScrewAxis first = axis_of(mechanism, one);
-  const ScrewAxis second = axis_of(mechanism, other);
-  return first.direction.cross(second.direction).norm() <= kRankZero &&
-         (*first.point - *second.point).norm() <= kRankZero * mechanism.geometry.length;
-}
 
 struct BearingActions {
   std::vector<std::string> radial;
@@ -44,8 +23,8 @@ struct BearingActions {
 
 BearingActions actions_of(const Mechanism& mechanism,
                           const CouplingTopology& bearing,
+                          const Vec3& axis,
                           const std::vector<int>& open) {
-  const Vec3 axis = axis_of(mechanism, bearing).direction;
   BearingActions found;
   for (int a = bearing.first_action; a < bearing.first_action + bearing.action_count; ++a) {
     const ActionLabel& label = mechanism.topology.actions[static_cast<std::size_t>(a)];
@@ -71,31 +50,34 @@ BearingActions actions_of(const Mechanism& mechanism,
 }  // namespace
 
 std::string bearing_pair_hint(const Mechanism& mechanism, const std::vector<int>& open) {
-  const std::vector<CouplingTopology>& couplings = mechanism.topology.couplings;
-  for (const CouplingTopology& first : couplings) {
-    std::vector<const CouplingTopology*> others;
-    for (const CouplingTopology& other : couplings) {
-      if (&other != &first && is_bearing(first) && is_bearing(other) &&
-          are_on_one_shaft(mechanism, first, other)) {
-        others.push_back(&other);
+  const Topology& topology = mechanism.topology;
+  for (const HingeLine& line : find_hinge_lines(topology, mechanism.geometry)) {
+    std::map<std::pair<int, int>, std::vector<CouplingId>> bearings;  // of each two bodies
+    for (const CouplingId hinge : line.hinges) {
+      const CouplingTopology& one = topology.coupling(hinge);
+      if (!actions_of(mechanism, one, line.direction, open).radial.empty()) {  // no clutch
+        bearings[std::minmax(one.tail.value, one.head.value)].push_back(hinge);
       }
     }
-    if (others.size() != 1) {
-      continue;  // of three bearings this leaves one too many
+    for (const auto& [bodies, pair] : bearings) {
+      if (pair.size() != 2) {
+        continue;  // of three bearings this leaves one too many
+      }
+      const CouplingTopology& first = topology.coupling(pair.front());
+      const CouplingTopology& second = topology.coupling(pair.back());
+      const BearingActions locating = actions_of(mechanism, first, line.direction, open);
+      const BearingActions floating = actions_of(mechanism, second, line.direction, open);
+      const bool has_open_couple = locating.has_open_couple || floating.has_open_couple;
+      if (has_open_couple || (locating.has_open_thrust && floating.has_open_thrust)) {
+        return fmt::format(
+            "two bearings of one shaft: let '{}' carry passive: [{}] and '{}' passive: [{}]; "
+            "'passive' lists what a bearing carries",
+            first.name,
+            fmt::join(locating.forces, ", "),
+            second.name,
+            fmt::join(floating.radial, ", "));
+      }
     }
-    const BearingActions locating = actions_of(mechanism, first, open);
-    const BearingActions floating = actions_of(mechanism, *others.front(), open);
-    if (!locating.has_open_couple && !floating.has_open_couple &&
-        !(locating.has_open_thrust && floating.has_open_thrust)) {
-      continue;
-    }
-    return fmt::format(
-        "two bearings of one shaft: let '{}' carry passive: [{}] and '{}' passive: [{}]; 'passive' "
-        "lists what a bearing carries",
-        first.name,
-        fmt::join(locating.forces, ", "),
-        others.front()->name,
-        fmt::join(floating.radial, ", "));
   }
   return {};
 }

@@ -8,9 +8,8 @@
 
 namespace kinestat {
 
-/// "'A' and 'B' are on one axis: passive: [Rx, Ry, Rz] on 'A' and [Rx, Ry] on 'B', …": what makes
-/// them a locating and a floating bearing, if an action that this takes away is among the open
-/// ones; else empty.
+/// What they are to carry as a locating and a floating bearing, where that takes away one of the
+/// actions that are open; else empty.
 std::string bearing_pair_hint(const Mechanism& mechanism, const std::vector<int>& open);
 
 }  // namespace kinestat
