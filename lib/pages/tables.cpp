@@ -53,6 +53,22 @@ std::string class_of(const Table& table, std::size_t column) {
   return is_wide ? "w" : "";
 }
 
+// Where it is narrow, names of columns go on below behind the parts that they are made of.
+void add_row_head(std::string_view head, Html& html) {
+  std::string_view name = head.substr(0, head.find(" ["));
+  const std::string_view unit = head.substr(name.size());
+  html.open("th", {{"scope", "row"}});
+  for (std::size_t end = name.find_first_of("/_"); end < name.size();
+       end = name.find_first_of("/_")) {
+    html.text(name.substr(0, end + 1));
+    html.markup("<wbr>");
+    name.remove_prefix(end + 1);
+  }
+  html.text(name);
+  html.text(unit);
+  html.close();
+}
+
 // "Fx [N]": the unit is set apart.
 void add_head(const std::string& head, const std::string& kind, Html& html) {
   if (kind.empty()) {
@@ -86,7 +102,7 @@ void add_rows(const Table& table, const std::vector<std::string>& kinds, Html& h
   for (const auto& row : table.rows()) {
     html.markup("\n");
     html.open("tr");
-    html.element("th", row.front(), {{"scope", "row"}});
+    add_row_head(row.front(), html);
     for (std::size_t c = 1; c < row.size(); ++c) {
       if (kinds[c].empty()) {
         html.element("td", row[c]);
