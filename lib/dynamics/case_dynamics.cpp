@@ -6,6 +6,7 @@
 #include "core/index.hpp"
 #include "dynamics/body_inertia.hpp"
 #include "dynamics/planet_inertia.hpp"
+#include "math/numbers/bounded_number.hpp"
 
 namespace kinestat {
 

@@ -63,7 +63,7 @@ inline constexpr double kFarTrial = 0.5;
 
 /// The longest and the shortest of the steps that it is followed by.
 inline constexpr double kLongestTrialStep = 0.05;
-inline constexpr double kLeastTrialStep = 1e-4;
+inline constexpr double kLeastTrialStep = 0.01 * kTrialStep;
 
 /// By this share of such a step the closed point may be off its direction.
 inline constexpr double kMostTrialTurn = 0.5;

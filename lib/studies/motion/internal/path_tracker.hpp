@@ -35,11 +35,8 @@ class PathTracker {
   /// correction of a joint. The factors of the closure are then those of the point.
   bool close(PathPoint& point, double& moved);
 
-  /// The factors of the closure are then those of this point.
-  void stand_at(const PathPoint& point);
-
-  /// Rates of a point that was closed last.
-  void find_rates(PathPoint& point);
+  void stand_at(const PathPoint& point);  ///< the factors of the closure are then those of it
+  void find_rates(PathPoint& point);      ///< of a point that was closed last
 
   /// What the rates of it miss of closure, by the fastest drive: above rounding, it cannot move.
   double missed_rate(const PathPoint& point) const;
@@ -48,8 +45,7 @@ class PathTracker {
   /// way ends before, its end. `before` may be without rates.
   Arrival advance(PathPoint& now, PathPoint& before, double share);
 
-  /// The least-squares minimum of what is missed; moves the drives too if they are let go. The
-  /// point stays as far along the unknowns of `along`, if any, as it is.
+  /// What misses least, the drives let go or not, as far along `along`, if any, as it is.
   void find_nearest(PathPoint& point, bool moves_drives, std::span<const double> along = {});
 
   /// Directions in which the joints may move with the drives held, of the point closed last.
