@@ -90,7 +90,8 @@ struct AffineDependence {
 struct ShiftAnalysis {
   ShiftPlan plan;
   ShiftSolution solution;
-  std::vector<ShiftSlip> slips = {};  ///< in the order of the plan
+  std::vector<ShiftSlip> slips = {};                    ///< in the order of the plan
+  std::vector<SlipObstacle> slips_without_answer = {};  ///< likewise
 };
 
 /// One mechanism with its counts and its cases, in file order, then its gears.

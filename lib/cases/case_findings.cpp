@@ -469,6 +469,15 @@ bool is_reported(const CaseFinding& one, const Diagnostics& found) {
 
 }  // namespace
 
+void add_slip_findings(const ShiftAnalysis& shift, Diagnostics& found) {
+  for (const SlipObstacle& one : shift.slips_without_answer) {
+    found.error("E0712",
+                one.where,
+                fmt::format("slip '{}' has no answer: {}", one.name, one.reason),
+                one.remedy);
+  }
+}
+
 void add_findings(const Analysis& analysis, Diagnostics& found) {
   for (const CaseAnalysis& one : analysis.cases) {
     const CaseFindings of_case = find_case_findings(judged_file(analysis), one);
@@ -477,6 +486,9 @@ void add_findings(const Analysis& analysis, Diagnostics& found) {
         add(finding, found);
       }
     }
+  }
+  if (analysis.shift) {
+    add_slip_findings(*analysis.shift, found);
   }
 }
 

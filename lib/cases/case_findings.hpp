@@ -74,8 +74,11 @@ CaseFindings find_case_findings(const JudgedFile& file,
 /// Adds them to the messages of the file.
 void add(const CaseFinding& one, Diagnostics& found);
 
-/// The findings of all cases, at the lines of these: why one was not solved, and what to give
-/// instead.
+/// Of slips without an answer.
+void add_slip_findings(const ShiftAnalysis& shift, Diagnostics& found);
+
+/// The findings of all cases, and of slips, at the lines of these: why one was not solved, and what
+/// to give instead.
 void add_findings(const Analysis& analysis, Diagnostics& found);
 
 }  // namespace kinestat

@@ -51,10 +51,10 @@ constexpr auto kErrorCodes = std::to_array<Code>({
     {"E0153",
      environment,
      "output would replace a foreign file",
-     "A file of that name exists, and it is not a report that this program wrote. It is left "
-     "unchanged, because it may hold work that exists nowhere else. Choose another folder or name, "
-     "or give --force if it may be replaced. A file that the command itself reads is never "
-     "replaced."},
+     "A file of that name exists, and it is not a report that this program wrote, or it holds the "
+     "words for the numbers of an array of a sweep. It is left unchanged, because it may hold work "
+     "that exists nowhere else. Choose another folder or name, or give --force if it may be "
+     "replaced. A file that the command itself reads is never replaced."},
     {"E0154",
      environment,
      "out of memory",

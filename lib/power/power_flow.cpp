@@ -134,6 +134,18 @@ BoundedTwist relative_motion(const Mechanism& mechanism,
          bounded_body(motion, friction.between->tail);
 }
 
+// A converter may take power from both sides, but it keeps nothing from turning.
+bool is_taken_by_converters(const Mechanism& mechanism,
+                            const StaticSolution& action,
+                            const PowerFlow& flow) {
+  double taken = 0.0;
+  for (std::size_t i = 0; i < action.friction.size(); ++i) {
+    const CouplingTopology& coupling = mechanism.topology.coupling(action.friction[i].coupling);
+    taken -= coupling.type == CouplingType::torque_converter ? flow.friction[i] : 0.0;
+  }
+  return taken > flow.input;
+}
+
 }  // namespace
 
 bool determines_power(const Mechanism& mechanism, const StaticSolution& action) {
@@ -207,6 +219,10 @@ PowerFlow find_power(const Mechanism& mechanism,
     Efficiency found = find_efficiency(
         which,
         {.actuators = flow.actuators, .loads = flow.loads, .largest = largest, .slips = &slips});
+    if (found.is_self_locking && is_taken_by_converters(mechanism, action, flow)) {
+      found = {.value = std::nullopt,
+               .reason = "the torque converter takes power from inputs and outputs"};
+    }
     flow.efficiency = found.value;
     flow.no_efficiency = std::move(found.reason);
     flow.is_self_locking = found.is_self_locking;

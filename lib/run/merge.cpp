@@ -171,7 +171,8 @@ bool check_target(const std::vector<WholeShard>& shards,
                 "in --out results");
     return false;
   }
-  return true;
+  return options.folder.empty() ||
+         keeps_words(shards.front().header.metadata, options.folder, options.overwrite, found);
 }
 
 // Empty iff an error was added.

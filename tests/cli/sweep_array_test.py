@@ -126,6 +126,24 @@ class Values(ArrayCase):
         without = [row for row in array.rows if math.isnan(row[3])]
         self.assertTrue(0 < len(without) < array.count)
 
+    def test_no_other_rows_take_its_words_away(self) -> None:
+        self.sweep(TRAIN + SWEEP)
+        out, file = self.folder / "out", self.write(TRAIN + SWEEP)
+        before = {path.name: path.read_bytes() for path in out.iterdir()}
+        shard = self.new_folder("shards")
+        self.assertEqual(kinestat("sweep", "--shard", "1/1", "--out", shard, file).returncode, 0)
+        for command in (["sweep", "--format", "csv", file], ["sweep", "--format", "json", file],
+                        ["merge", *shard.iterdir()]):
+            done = kinestat(command[0], "--out", out, *command[1:])
+            self.assertEqual(done.returncode, 4, done.stderr)
+            self.assertIn("error[E0153]", done.stderr)
+            self.assertIn("has the words for the numbers of", done.stderr)
+            self.assertEqual({path.name: path.read_bytes() for path in out.iterdir()}, before)
+        for _ in range(2):
+            done = kinestat("sweep", "--format", "csv", "--force", "--out", out, file)
+            self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(kinestat("sweep", "--format", "csv", "--out", out, file).returncode, 0)
+
     def test_motions_of_linkages_that_cannot_turn_right_round(self) -> None:
         _, summary = self.assert_same(FOUR_BAR.split("sweep:")[0] + """
 motion: {drive: crank, to: 1 rad, steps: 24, case: pull}

@@ -28,6 +28,56 @@ def ravigneaux(slip: str) -> str:
                   CASES["shift_slip"]["yaml"], flags=re.M)
 
 
+def paired_planets(speed: float) -> str:
+    """Two sets with paired planets, one of which has mass."""
+    return f"""kinestat: 1
+space: planar
+units: {{length: mm}}
+ground: housing
+bodies: {{S0: {{inertia: 0.001}}, S1: {{inertia: 0.001}}, S2: {{inertia: 0.001}}, S3: {{inertia: 0.001}},
+  p0: {{inertia: 0.001}}, q0: {{inertia: 0.001}}, p1: {{inertia: 0.001}}, q1: {{inertia: 0.001, mass: 0.799}}}}
+couplings:
+  P0: {{type: revolute, bodies: [S0, p0]}}
+  Q0: {{type: revolute, bodies: [S0, q0]}}
+  P1: {{type: revolute, bodies: [S1, p1]}}
+  Q1: {{type: revolute, bodies: [S1, q1]}}
+  JS0: {{type: revolute, bodies: [housing, S0]}}
+  JS1: {{type: revolute, bodies: [housing, S1]}}
+  JS2: {{type: revolute, bodies: [housing, S2]}}
+  JS3: {{type: revolute, bodies: [housing, S3]}}
+  E0: {{type: brake, bodies: [housing, S3]}}
+  E1: {{type: clutch, bodies: [S2, S1]}}
+gears:
+  module: 2 mm
+  members:
+    s0: {{body: S3, teeth: 45}}
+    p0: {{body: p0, teeth: 40, count: 3}}
+    q0: {{body: q0, teeth: 33, count: 3}}
+    r0: {{body: S1, teeth: 174, internal: true}}
+    s1: {{body: S2, teeth: 35}}
+    p1: {{body: p1, teeth: 29}}
+    q1: {{body: q1, teeth: 22}}
+    r1: {{body: S3, teeth: 132, internal: true}}
+  meshes:
+    sp0: {{members: [s0, p0], carrier: S0}}
+    pq0: {{members: [p0, q0], carrier: S0}}
+    rq0: {{members: [r0, q0], carrier: S0}}
+    sp1: {{members: [s1, p1], carrier: S1}}
+    pq1: {{members: [p1, q1], carrier: S1}}
+    rq1: {{members: [r1, q1], carrier: S1}}
+actuators: {{in: {{coupling: JS0}}, out: {{coupling: JS2}}}}
+shift:
+  input: in
+  output: out
+  elements: [E0, E1]
+  input_motion: -214.66 rad/s
+  input_action: 35.58 N*m
+  slip:
+    up: {{from: E0, to: E1, input_speed: {speed!r} rad/s, input_action: 35.58,
+         output_action: -120.5, capacity: 743.2}}
+"""
+
+
 def up(torque: str = "120 N*m", change: str = "from: M1, to: M2", element: str = "B1") -> str:
     return (f"{{{change}, input_speed: 400 rad/s, input_action: 150 N*m, output_action: -250 N*m, "
             f"capacity: {{{element}: {torque}}}}}")
@@ -144,6 +194,37 @@ class SlipTest(DynamicsCase):
             text = ravigneaux(up(f"{just * share!r} N*m"))
             slip = program.run("shift", "-", text=text)["shift"]["slip"]["up"]
             self.assertEqual(slip["status"], status)
+
+    def test_inertia_does_not_hang_on_speed(self) -> None:
+        """Of a train whose bodies turn about their centres of mass, whatever rounding makes of it."""
+        slips = {}
+        for speed in (0.001, 20.0, 100.0, 200.0, 214.0, 214.66, 3000.0):
+            slips[speed] = program.run("shift", "-", text=paired_planets(speed))["shift"]["slip"]["up"]
+        for speed, slip in slips.items():
+            for key in ("input_inertia", "output_inertia", "shared_inertia", "slip_rate",
+                        "holding_torque", "least_capacity"):
+                self.near(slip[key], slips[20.0][key], abs(slips[20.0][key]), f"{key} at {speed}")
+            self.near(slip["slip"], slips[20.0]["slip"] * speed / 20.0, speed, f"slip at {speed}")
+
+    def test_inertia_that_changes(self) -> None:
+        """A planet off its centre of mass is lifted by its carrier."""
+        text = paired_planets(20.0).replace("q1: {inertia: 0.001,", "q1: {inertia: 0.001, centre_of_mass: [0, 30 mm],")
+        done = program.call("shift", "-", text=text)
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertIn("the inertia of the mechanism changes", done.stderr)
+
+    def test_one_refused(self) -> None:
+        """The gears, and the slips that have an answer, are written all the same."""
+        text = ravigneaux(up()).replace("slip: {up:", "slip: {down: "
+                                        + up(change="from: MR, to: M2") + ", up:")
+        done = program.call("shift", "-", text=text)
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertEqual(done.stderr.count("E0712"), 1, done.stderr)
+        shift = program.report(done)["shift"]
+        alone = program.run("shift", "-", text=ravigneaux(up()))["shift"]
+        self.assertEqual(shift["slip"], alone["slip"])
+        self.assertEqual(shift["states"], alone["states"])
+        self.assertIn("one element must open", shift["slip_without_answer"]["down"]["reason"])
 
     def test_refusals(self) -> None:
         for text, reason in {

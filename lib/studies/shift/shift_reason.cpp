@@ -121,10 +121,12 @@ class ReasonWriter {
   }
 
   std::string redundancy_text() const {
+    const bool are_all = state_.surplus.size() == engaged_.size();
     return fmt::format(
-        "the other elements already keep {} from slipping, so that their torques are not "
-        "determined",
-        names_of(state_.surplus));
+        "{} {} from slipping, so that {} not determined",
+        are_all ? "the train itself already keeps" : "the other elements already keep",
+        names_of(state_.surplus),
+        are_all && engaged_.size() == 1 ? "its torque is" : "their torques are");
   }
 
   std::string freewheel_text(std::string_view event,

@@ -74,7 +74,10 @@ class SlipSolver {
 
  private:
   bool refuse(SourceRange where, std::string reason, std::string remedy) {
-    obstacle_ = {.where = where, .reason = std::move(reason), .remedy = std::move(remedy)};
+    obstacle_ = {.name = asked_.name.text,
+                 .where = where,
+                 .reason = std::move(reason),
+                 .remedy = std::move(remedy)};
     return false;
   }
 

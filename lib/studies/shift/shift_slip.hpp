@@ -67,6 +67,7 @@ struct ShiftSlip {
 
 /// Why there is none, and what to do about it.
 struct SlipObstacle {
+  std::string name;  ///< of the slip
   SourceRange where;
   std::string reason;
   std::string remedy;

@@ -60,7 +60,7 @@ class ChangeText {
     using enum QuantityKind;
     const std::vector<ShiftSlip>& slips = analysis_.shift->slips;
     if (slips.empty()) {
-      return {};
+      return TextBlocks(refusals());
     }
     std::vector<TextColumn> columns = {head("Slip"),
                                        head("change"),
@@ -94,10 +94,18 @@ class ChangeText {
                            held_text(one),
                            balance_text(one));
     }
-    return TextBlocks(std::move(columns)) += lines + kInertiaPhase + "\n";
+    return TextBlocks(std::move(columns)) += lines + refusals() + kInertiaPhase + "\n";
   }
 
  private:
+  std::string refusals() const {
+    std::string lines;
+    for (const SlipObstacle& one : analysis_.shift->slips_without_answer) {
+      lines += fmt::format("  {}: no answer: {}\n", printable(one.name), one.reason);
+    }
+    return lines;
+  }
+
   static TextColumn head(std::string text) { return {.head = std::move(text), .cells = {}}; }
 
   TextColumn head(std::string_view text, QuantityKind kind) const {

@@ -471,6 +471,15 @@ const Record<Analysis>& shift_record() {
                    }
                  })
             .only_if([](const Analysis& v) { return !v.shift->slips.empty(); });
+        keys.map("slip_without_answer",
+                 slip_obstacle_record(),
+                 "The changes of 'slip' that have none, by their names; no key without any.",
+                 [](const Analysis& v, const Each<SlipObstacle>& each) {
+                   for (const SlipObstacle& one : v.shift->slips_without_answer) {
+                     each(one.name, one);
+                   }
+                 })
+            .only_if([](const Analysis& v) { return !v.shift->slips_without_answer.empty(); });
       });
   return record;
 }

@@ -150,6 +150,7 @@ class ShiftTables {
     if (is_lossy) {
       columns.push_back(std::move(carrier));
       columns.push_back(std::move(absolute));
+      friction.head = "friction alone";
     }
     if (has_losses) {
       columns.push_back(std::move(friction));

@@ -158,4 +158,14 @@ const Record<SlipView>& slip_record() {
   return record;
 }
 
+const Record<SlipObstacle>& slip_obstacle_record() {
+  static const Record<SlipObstacle> record(
+      "A change whose slip has no answer.", [](Record<SlipObstacle>& keys) {
+        keys.text("reason", "What keeps it from having one.", [](const SlipObstacle& v) {
+          return v.reason;
+        });
+      });
+  return record;
+}
+
 }  // namespace kinestat

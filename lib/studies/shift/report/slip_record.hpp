@@ -12,5 +12,6 @@ struct SlipView {
 };
 
 const Record<SlipView>& slip_record();
+const Record<SlipObstacle>& slip_obstacle_record();
 
 }  // namespace kinestat

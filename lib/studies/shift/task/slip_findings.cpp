@@ -87,10 +87,7 @@ void add_slips(const MechanismDescription& description,
   for (const SlipPlan& asked : shift.plan.slips) {
     auto answer = find_shift_slip(mechanism, shift.plan, shift.solution, asked, loads);
     if (auto* obstacle = std::get_if<SlipObstacle>(&answer)) {
-      found.error("E0712",
-                  obstacle->where,
-                  fmt::format("slip '{}' has no answer: {}", asked.name.text, obstacle->reason),
-                  std::move(obstacle->remedy));
+      shift.slips_without_answer.push_back(std::move(*obstacle));
       continue;
     }
     shift.slips.push_back(std::get<ShiftSlip>(std::move(answer)));

@@ -6,8 +6,7 @@
 
 namespace kinestat {
 
-/// Follows each slip of the plan: one that has no answer is an error (E0712), one that does not end
-/// as asked a warning (W0713).
+/// Follows each slip of the plan; one that does not end as asked is a warning (W0713).
 void add_slips(const MechanismDescription& description,
                const Mechanism& mechanism,
                ShiftAnalysis& shift,

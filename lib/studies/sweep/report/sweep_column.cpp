@@ -276,7 +276,8 @@ std::optional<double> efficiency_value(const CaseAnalysis& one, const Mechanism&
 // Where no mesh loses anything, both are the same.
 std::optional<double> action_value(const CaseAnalysis& one, std::size_t action, bool is_lossy) {
   if (is_lossy) {
-    return one.efficiency->state ? one.efficiency->state->actions[action] : std::nullopt;
+    return one.efficiency && one.efficiency->state ? one.efficiency->state->actions[action]
+                                                   : std::nullopt;
   }
   const bool has_value = one.action && action < one.action->magnitudes.size() &&
                          one.action->magnitudes[action].has_value();
@@ -393,8 +394,8 @@ std::optional<double> value_of(const SweepColumn& column,
       if (column.index < 0) {
         return std::nullopt;
       }
-      const std::optional<double> value =
-          action_value(one, i, column.kind == lossy_action && one.efficiency);
+      const bool is_lossy = column.kind == lossy_action && !mechanism.lossy_meshes.empty();
+      const std::optional<double> value = action_value(one, i, is_lossy);
       return value ? std::optional(in.action(*value, mechanism.topology.actions[i].is_couple))
                    : std::nullopt;
     }

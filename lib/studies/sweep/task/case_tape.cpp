@@ -68,7 +68,8 @@ class CaseRecorder {
     }
     if (action) {
       add_columns(NetworkSide::action, *action, SweepColumnKind::action);
-      if (!has_losses(one)) {
+      // Without lossy meshes the actions with losses are those without.
+      if (task_.mechanism.lossy_meshes.empty()) {
         add_columns(NetworkSide::action, *action, SweepColumnKind::lossy_action);
       }
       for (const int one_sided : one_sided_actions()) {
@@ -259,11 +260,6 @@ class CaseRecorder {
       recorder.demand_at_most(
           is_coast ? recorder.larger(force, zero) : recorder.smaller(force, zero), zero);
     }
-  }
-
-  // Otherwise the actions with losses are those without.
-  bool has_losses(const CaseAnalysis& one) const {
-    return one.efficiency && !task_.mechanism.lossy_meshes.empty();
   }
 
   bool add_power(const TapedCase& taped) {

@@ -26,6 +26,8 @@ bool is_chunk_name(std::string_view name) {
 // What was there before, and what is asked for, fit together.
 bool StoredSweep::prepare() {
   if (!check_output_folder(options_.folder, found_) ||
+      (is_whole_sweep() &&
+       !keeps_words(task_.metadata, options_.folder, options_.overwrite, found_)) ||
       !check_places(outputs({}, {}), options_.overwrite, inputs_, found_)) {
     return false;
   }

@@ -21,6 +21,17 @@ ChosenRows best_rows(const SweepMetadata& metadata, const std::vector<PieceFile>
   return best.take();
 }
 
+bool has_line(const std::string& path, std::string_view sought) {
+  RecordFile file(path);
+  while (file.is_open()) {
+    const std::optional<std::string> line = file.read_line();
+    if (!line || *line == sought) {
+      return line.has_value();
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 bool PieceReader::next(StoredChunk& record) {
@@ -89,6 +100,25 @@ NextPiece result_pieces(const SweepMetadata& metadata,
     piece = std::move(state->record.body);
     return true;
   };
+}
+
+bool keeps_words(const SweepMetadata& metadata,
+                 const std::string& folder,
+                 Overwrite overwrite,
+                 Diagnostics& found) {
+  SweepMetadata of_array = metadata;
+  of_array.format = RowFormat::npy;
+  const std::string array = path_in(folder, of_array.result_name());
+  const std::string summary = path_in(folder, summary_name(metadata));
+  if (metadata.format == RowFormat::npy || overwrite == Overwrite::force ||
+      !RecordFile(array).is_open() || !has_line(summary, "  \"words\": {")) {
+    return true;
+  }
+  found.error("E0153",
+              {},
+              fmt::format("'{}' has the words for the numbers of '{}'", summary, array),
+              "choose another folder, or give --force to replace it");
+  return false;
 }
 
 std::vector<OutputFile> result_files(const SweepMetadata& metadata,

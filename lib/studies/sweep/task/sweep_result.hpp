@@ -63,6 +63,13 @@ NextPiece result_pieces(const SweepMetadata& metadata,
                         const std::vector<PieceFile>& files,
                         const SweepCounts& counts);
 
+/// Refuses to replace a summary that has the words for the numbers of an array beside it by one
+/// without them.
+bool keeps_words(const SweepMetadata& metadata,
+                 const std::string& folder,
+                 Overwrite overwrite,
+                 Diagnostics& found);
+
 /// The result and the file beside it, for write_files; `scratch` may be empty.
 std::vector<OutputFile> result_files(const SweepMetadata& metadata,
                                      const std::string& folder,
