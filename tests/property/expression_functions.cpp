@@ -121,6 +121,11 @@ Meaning remainder(const Meaning& a, const Meaning& b) {
   if (b.value == 0) {
     return fault(Verdict::undefined);
   }
+  // What doubles leave of it is rounding there.
+  constexpr long double kWhole = 0x1p53L;
+  if (std::max({std::abs(a.value), std::abs(b.value), std::abs(a.value / b.value)}) >= kWhole) {
+    return fault(Verdict::unclear);
+  }
   const Meaning ratio = chain(a.value / b.value, 1 / b.value, a, -a.value / b.value / b.value, b);
   if (ratio.error > 0 && std::abs(ratio.value - std::round(ratio.value)) <= ratio.error) {
     return fault(Verdict::unclear);

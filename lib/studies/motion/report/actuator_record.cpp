@@ -117,7 +117,9 @@ const Record<EnergyFigures>& energy_record() {
                       "Energy supplied by loads, weights and springs.",
                       [](const Figures& v) { return v.loads; });
         keys.quantity(
-            "lost", energy, "What friction takes.", [](const Figures& v) { return v.lost; });
+            "lost", energy, "What friction and the losses of meshes take.", [](const Figures& v) {
+              return v.lost;
+            });
         keys.quantity("kinetic_energy_change",
                       energy,
                       "Kinetic energy at the end minus that at the start.",

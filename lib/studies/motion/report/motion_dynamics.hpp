@@ -114,9 +114,10 @@ struct ActuatorFigures {
 
 /// Where the energy of the whole motion comes from and goes [J].
 struct EnergyFigures {
-  double actuators = 0.0;       ///< of all actuators
-  double loads = 0.0;           ///< of loads, weights and springs
-  double lost = 0.0;            ///< in friction
+  double actuators = 0.0;  ///< of all actuators
+  double loads = 0.0;      ///< of loads, weights and springs
+  double lost = 0.0;       ///< in friction and meshes
+  bool has_lossy_meshes = false;
   double kinetic_change = 0.0;  ///< end less begin
   double greatest_kinetic = 0.0;
   std::optional<double> audit;       ///< by how much these differ, as share of the greatest kinetic

@@ -102,10 +102,11 @@ class DynamicsWriter {
                          amount(QuantityKind::energy, std::abs(energy)));
     };
     return TextBlocks(fmt::format(
-        "Energy\n  actuators {}; loads, weights and springs {}; friction dissipates {}\n  net "
+        "Energy\n  actuators {}; loads, weights and springs {}; {} {}\n  net "
         "change of kinetic energy {}, largest value {}{}{}\n\n",
         exchanged(figures.actuators),
         exchanged(figures.loads),
+        figures.has_lossy_meshes ? "friction and meshes dissipate" : "friction dissipates",
         amount(QuantityKind::energy, figures.lost),
         amount(QuantityKind::energy, figures.kinetic_change),
         amount(QuantityKind::energy, figures.greatest_kinetic),

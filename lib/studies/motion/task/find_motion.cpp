@@ -18,7 +18,6 @@ std::optional<FoundMotion> find_motion(const MechanismDescription& description,
       !check_report(plan, mechanism, found)) {
     return std::nullopt;
   }
-  add_motion_loss_findings(plan, mechanism, found);
   std::optional<FoundMotion> motion = follow_motion(description, mechanism, std::move(plan), found);
   if (!motion) {
     return std::nullopt;

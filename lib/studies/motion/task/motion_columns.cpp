@@ -78,6 +78,7 @@ class ReadingList {
     add_accelerations();
     add_actions();
     add_powers();
+    add_losses();
     if (report().dynamics && plan_.which >= 0 && which().has_inertia()) {
       std::vector<MotionReading> dynamics = dynamic_readings(units_, mechanism_, plan_);
       std::ranges::move(dynamics, std::back_inserter(readings_));
@@ -307,11 +308,14 @@ class ReadingList {
     }
   }
 
+  bool names_actuator(std::size_t actuator) const {
+    return std::ranges::find(report().actuators, static_cast<int>(actuator)) !=
+           report().actuators.end();
+  }
+
   void add_powers() {
     for (std::size_t i = 0; detail_.statics && i < topology_.actuators.size(); ++i) {
-      const bool is_named =
-          std::ranges::find(report().actuators, static_cast<int>(i)) != report().actuators.end();
-      if (report().power || is_named) {
+      if (report().power || names_actuator(i)) {
         add(topology_.actuators[i].name,
             "power",
             QuantityKind::power,
@@ -333,6 +337,33 @@ class ReadingList {
             return at.solved && at.solved->power ? std::optional(at.solved->power->loads[i])
                                                  : std::nullopt;
           });
+    }
+  }
+
+  // What meshes lose changes the actions of actuators, beside those without it.
+  void add_losses() {
+    const bool has_losses = detail_.statics && !mechanism_.lossy_meshes.empty();
+    for (std::size_t i = 0; has_losses && i < topology_.actuators.size(); ++i) {
+      const ActuatorTopology& actuator = topology_.actuators[i];
+      if (report().action || names_action(actuator.action)) {
+        const auto a = static_cast<std::size_t>(actuator.action);
+        add(actuator.name,
+            "lossy_action",
+            topology_.actions[a].is_couple ? QuantityKind::moment : QuantityKind::force,
+            [a](const MotionPosition& at) -> std::optional<double> {
+              const LossyState* const lossy = lossy_state_of(at);
+              return lossy != nullptr ? lossy->actions[a] : std::nullopt;
+            });
+      }
+      if (report().power || names_actuator(i)) {
+        add(actuator.name,
+            "lossy_power",
+            QuantityKind::power,
+            [i](const MotionPosition& at) -> std::optional<double> {
+              const LossyState* const lossy = lossy_state_of(at);
+              return lossy != nullptr ? std::optional(lossy->actuators[i]) : std::nullopt;
+            });
+      }
     }
   }
 

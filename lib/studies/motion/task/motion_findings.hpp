@@ -53,11 +53,6 @@ void add_motion_transmission_findings(const FoundMotion& motion,
                                       const Mechanism& mechanism,
                                       Diagnostics& found);
 
-/// W0610, that actions and powers of a motion leave out what meshes lose.
-void add_motion_loss_findings(const MotionPlan& plan,
-                              const Mechanism& mechanism,
-                              Diagnostics& found);
-
 /// W0508, once a coupling, that friction turns round: at a dead point its friction has no
 /// direction, and just before and behind it two.
 void add_friction_turn_findings(const FoundMotion& motion,

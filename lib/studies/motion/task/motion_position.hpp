@@ -45,6 +45,14 @@ inline bool has_motion(const MotionPosition& position) {
   return position.has_speeds() && !position.state.is_singular;
 }
 
+/// What acts with the losses of meshes; null where the mechanism has none, or they lock, or
+/// equilibrium leaves them open.
+inline const LossyState* lossy_state_of(const MotionPosition& position) {
+  const bool has_state =
+      position.solved && position.solved->efficiency && position.solved->efficiency->state;
+  return has_state ? &*position.solved->efficiency->state : nullptr;
+}
+
 /// Works them out one after the other.
 class MotionPositions {
  public:

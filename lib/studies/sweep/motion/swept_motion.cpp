@@ -225,9 +225,6 @@ std::optional<SweptMotion> MotionColumnSearch::take() {
   if (!can_report(asked_.report)) {
     return std::nullopt;
   }
-  MotionPlan plan = plan_;
-  plan.report = asked_.report;
-  add_motion_loss_findings(plan, mechanism_, found_);
   return std::move(asked_);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include <fmt/format.h>
@@ -35,6 +36,10 @@ constexpr std::size_t kSpeed = 2;
 constexpr std::size_t kOfActuator = 3;
 
 // Behind these the powers of all actuators and of all loads, of a case that names both ends.
+
+double sum_of(const std::vector<double>& powers) {
+  return std::accumulate(powers.begin(), powers.end(), 0.0);
+}
 
 class ActuatorFinder {
  public:
@@ -75,10 +80,17 @@ class ActuatorFinder {
       return std::nullopt;
     }
     const PowerFlow& power = *solved->power;
-    std::vector<CycleValue> values = whole_of(*solved);
+    const LossyState* const lossy = lossy_state_of(at);
+    if (lossy == nullptr && !sampler_.mechanism().lossy_meshes.empty()) {
+      return std::nullopt;
+    }
+    const auto& actions = lossy != nullptr ? lossy->actions : solved->action->magnitudes;
+    const auto& actuators = lossy != nullptr ? lossy->actuators : power.actuators;
+    const double largest = largest_of(*solved);
+    std::vector<CycleValue> values = whole_of(*solved, lossy);
     for (const WatchedActuator& one : plan_) {
       const ActuatorTopology& actuator = topology_.actuators[kinestat::at(one.actuator)];
-      const auto& action = solved->action->magnitudes[kinestat::at(actuator.action)];
+      const auto& action = actions[kinestat::at(actuator.action)];
       const auto& rate = at.state.rates[kinestat::at(actuator.freedom)];
       if (!action || !rate) {
         return std::nullopt;
@@ -86,16 +98,15 @@ class ActuatorFinder {
       const auto& bias = solved->dynamics->reduced.bias;
       const double inertial = bias.size() > 0 ? bias.lpNorm<Eigen::Infinity>() : 0.0;
       values.push_back({.value = *action, .size = std::max(std::abs(*action), inertial)});
-      values.push_back(
-          {.value = power.actuators[kinestat::at(one.actuator)], .size = largest_of(*solved)});
+      values.push_back({.value = actuators[kinestat::at(one.actuator)], .size = largest});
       values.push_back({.value = *rate, .size = std::abs(*rate)});
     }
     if (ends_) {
-      for (const double one : power.actuators) {
-        values.push_back({.value = one, .size = largest_of(*solved)});
+      for (const double one : actuators) {
+        values.push_back({.value = one, .size = largest});
       }
       for (std::size_t l = 0; l < ends_->loads.size(); ++l) {
-        values.push_back({.value = power.loads[l], .size = largest_of(*solved)});
+        values.push_back({.value = power.loads[l], .size = largest});
       }
     }
     return values;
@@ -113,21 +124,19 @@ class ActuatorFinder {
     return largest;
   }
 
-  static std::vector<CycleValue> whole_of(const CaseAnalysis& solved) {
+  // `lossy` where meshes lose power.
+  static std::vector<CycleValue> whole_of(const CaseAnalysis& solved, const LossyState* lossy) {
     const PowerFlow& power = *solved.power;
-    double supplied = 0.0;
+    const double supplied = sum_of(lossy != nullptr ? lossy->actuators : power.actuators);
+    double lost = -sum_of(lossy != nullptr ? lossy->friction : power.friction);
+    double balance = sum_of(power.supplied);
+    if (lossy != nullptr) {
+      for (const MeshLossPower& one : lossy->meshes) {
+        lost -= one.power;
+      }
+      balance = supplied - lost;
+    }
     double loads = 0.0;
-    double lost = 0.0;
-    double balance = 0.0;
-    for (const double one : power.actuators) {
-      supplied += one;
-    }
-    for (const double one : power.friction) {
-      lost -= one;
-    }
-    for (const double one : power.supplied) {
-      balance += one;
-    }
     for (std::size_t l = 0; l < power.loads.size(); ++l) {
       const bool is_inertia = solved.which.loads[l].name.starts_with(kInertiaPrefix);
       loads += is_inertia ? 0.0 : power.loads[l];
@@ -249,6 +258,7 @@ class ActuatorFinder {
     EnergyFigures figures{.actuators = integral_of(kSupplied),
                           .loads = integral_of(kLoads),
                           .lost = integral_of(kLost),
+                          .has_lossy_meshes = !sampler_.mechanism().lossy_meshes.empty(),
                           .kinetic_change = 0.0,
                           .greatest_kinetic = peak_of(kKinetic).value,
                           .audit = {},

@@ -83,8 +83,14 @@ class FlywheelFinder {
         at.solved->action->magnitudes.empty()) {
       return std::nullopt;
     }
+    const LossyState* const lossy = lossy_state_of(at);
+    if (lossy == nullptr && !sampler_.mechanism().lossy_meshes.empty()) {
+      return std::nullopt;
+    }
     const std::optional<double>& action =
-        at.solved->action->magnitudes[static_cast<std::size_t>(actuator(motor_).action)];
+        (lossy != nullptr
+             ? lossy->actions
+             : at.solved->action->magnitudes)[static_cast<std::size_t>(actuator(motor_).action)];
     const ReducedEquation& reduced = at.solved->dynamics->reduced;
     if (!action || !reduced.derivative) {
       return std::nullopt;
