@@ -35,6 +35,10 @@ def states() -> list[Path]:
     return [ROOT / "tests" / "cli" / name / "file.yaml" for name in STATES]
 
 
+def has_sanitizers() -> bool:
+    return sanitized.has_sanitizers(PROGRAM)
+
+
 @lru_cache(maxsize=None)
 def files() -> list[Path]:
     found = sorted(path for path in (ROOT / "mechanisms").rglob("*.yaml")
@@ -94,8 +98,8 @@ def at(value: Any, path: str) -> Any:
 
 
 class ReportCase(unittest.TestCase):
-    def for_each(self) -> Iterator[Path]:
-        for path in files():
+    def for_each(self, paths: list[Path] | None = None) -> Iterator[Path]:
+        for path in files() if paths is None else paths:
             with self.subTest(str(path.relative_to(ROOT))):
                 yield path
 
