@@ -121,7 +121,6 @@ void add_analysis(Record<ReportView>& keys) {
              }
            })
       .not_in_tables()
-      .not_compared()
       .only_if([](const ReportView& v) {
         return v.analysis != nullptr && has_planets(v.analysis->mechanism);
       });

@@ -141,7 +141,8 @@ class TableReader {
   // The quantity is a path already.
   std::string place_of(const CsvRow& row) const {
     std::string place = columns_.contains("file") ? place_below("", cell(row, "file")) : "";
-    for (const char* column : {"mechanism", "case", "pass", "element"}) {
+    place = place_below(place, compared_name(cell(row, kMechanismColumn)));
+    for (const char* column : {"case", "pass", "element"}) {
       place = place_below(place, cell(row, column));
     }
     if (columns_.contains("parameter")) {

@@ -47,7 +47,7 @@ bool is_blank(const CsvRow& row) {
 
 // Null of another table.
 const RowForm* find_form(const std::vector<std::string>& heads) {
-  static constexpr std::array<std::string_view, 2> kCase = {"mechanism", "case"};
+  static constexpr std::array<std::string_view, 2> kCase = {kMechanismColumn, "case"};
   static constexpr std::array<std::string_view, 1> kStatus = {"status"};
   static constexpr std::array<std::string_view, 3> kEntry = {"matrix", "row", "column"};
   static constexpr std::array<std::string_view, 1> kCoupling = {"coupling"};
@@ -100,7 +100,11 @@ class RowReader {
     std::string place;
     for (const std::size_t key : keys_) {
       const std::string& cell = row.cells[key];
-      append_key(place, titles_[key].name == kStep ? fmt::format("{} {}", kStep, cell) : cell);
+      const std::string& name = titles_[key].name;
+      append_key(place,
+                 name == kStep              ? fmt::format("{} {}", kStep, cell)
+                 : name == kMechanismColumn ? compared_name(cell)
+                                            : cell);
     }
     for (const std::vector<std::size_t>& columns : columns_) {
       if (!add_value(row, place, columns)) {

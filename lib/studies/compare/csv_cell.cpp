@@ -32,6 +32,10 @@ std::optional<double> read_cell(std::string_view text, int line, Diagnostics& fo
   return {};
 }
 
+std::string compared_name(const std::string& mechanism) {
+  return mechanism.ends_with(".yaml") || mechanism.ends_with(".yml") ? "" : mechanism;
+}
+
 std::optional<ColumnTitle> read_title(const std::string& text, int line, Diagnostics& found) {
   const std::size_t bracket = text.ends_with(']') ? text.rfind(" [") : std::string::npos;
   const std::string unit =

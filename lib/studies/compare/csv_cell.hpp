@@ -21,6 +21,12 @@ void refuse_line(int line, std::string message, std::string hint, Diagnostics& f
 /// else.
 std::optional<double> read_cell(std::string_view text, int line, Diagnostics& found);
 
+/// The column with the name of the mechanism or, of one without a name, the path of its file.
+inline constexpr const char* kMechanismColumn = "mechanism";
+
+/// What two tables have in common there: paths are not compared.
+std::string compared_name(const std::string& mechanism);
+
 /// The head of a column of numbers: "C1 [N*m]".
 struct ColumnTitle {
   std::string name;
