@@ -76,6 +76,10 @@ inline constexpr double kLeastLook = 1e-6;
 /// Steps that differ by less than this share are equal.
 inline constexpr double kSameStep = 1e-9;
 
+/// Drives that part by less from a straight line run along it [rad, or shares of the size]: what
+/// happens on it happens on their way.
+inline constexpr double kStraightWay = 1e-13;
+
 /// A cable that lies on its pulley by this much less than nothing [rad] runs straight past it: the
 /// angles of its segments are rounded.
 inline constexpr double kStraightArc = 1e-12;

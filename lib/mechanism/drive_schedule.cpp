@@ -275,6 +275,57 @@ double DriveSchedule::before(double jump) {
   return jump - kBefore * kSameValue;
 }
 
+// Within what has one formula: its speed is at most a quadratic, or never changes its sign.
+void DriveSchedule::add_turns(std::size_t drive,
+                              double from,
+                              double to,
+                              std::vector<double>& turns) const {
+  const double edge = std::min(2.0 * kSameValue, 0.25 * (to - from));
+  const double first = from + edge;
+  const double last = to - edge;
+  const double bend = at(drive, first).acceleration;
+  const double last_bend = at(drive, last).acceleration;
+  const double fastest = bend * last_bend < 0.0 ? first + (last - first) * bend / (bend - last_bend)
+                                                : 0.5 * (first + last);
+  double low = first;
+  for (const double end : {fastest, last}) {
+    const double speed = at(drive, low).speed;
+    double high = end;
+    if (speed * at(drive, end).speed < 0.0) {
+      for (double middle = 0.5 * (low + high); low < middle && middle < high;
+           middle = 0.5 * (low + high)) {
+        (at(drive, middle).speed * speed > 0.0 ? low : high) = middle;
+      }
+      turns.push_back(high);
+    }
+    low = end;
+  }
+}
+
+std::vector<double> DriveSchedule::turns() const {
+  std::vector<double> ends = breaks();
+  for (const DriveCourse& course : courses_) {
+    for (const CoursePart& part : course.parts) {
+      ends.insert(ends.end(), {part.begin, part.end});
+    }
+  }
+  std::erase_if(ends, [](double time) { return time <= 0.0 || time >= 1.0; });
+  std::ranges::sort(ends);
+  std::vector<double> turns = ends;
+  double from = 0.0;
+  ends.push_back(1.0);
+  for (const double to : ends) {
+    for (std::size_t d = 0; d < courses_.size(); ++d) {
+      add_turns(d, from, to, turns);
+    }
+    from = to;
+  }
+  std::ranges::sort(turns);
+  const auto is_same = [](double one, double next) { return next - one <= kSameValue; };
+  turns.erase(std::unique(turns.begin(), turns.end(), is_same), turns.end());
+  return turns;
+}
+
 std::vector<double> DriveSchedule::jumps() const {
   std::vector<double> result;
   for (const DriveCourse& course : courses_) {

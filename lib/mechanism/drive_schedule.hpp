@@ -83,7 +83,13 @@ class DriveSchedule {
   std::vector<double> breaks() const;
   static double before(double jump);
 
+  /// The shares of the time, in order, without 0 and 1, between which each drive runs one way or
+  /// rests.
+  std::vector<double> turns() const;
+
  private:
+  void add_turns(std::size_t drive, double from, double to, std::vector<double>& turns) const;
+
   double duration_ = 1.0;
   std::vector<DriveCourse> courses_;
   bool is_straight_ = true;

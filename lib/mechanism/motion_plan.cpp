@@ -132,7 +132,12 @@ class MotionBinder {
     const bool has_courses = std::ranges::any_of(motion_.drives, &DriveRange::has_course);
     const auto to_limit = std::ranges::find_if(plan_.drives, &PlannedDrive::until_limit);
     if (to_limit != plan_.drives.end()) {
-      if (motion_.law || motion_.time || has_courses) {
+      // At a steady speed of one drive all rows are alike in time.
+      const bool changes_speed =
+          speeds_up && (plan_.drives.size() > 1 ||
+                        std::ranges::any_of(*which()->accelerations,
+                                            [](const Primary& one) { return one.value != 0.0; }));
+      if (motion_.law || motion_.time || has_courses || changes_speed) {
         complain(TimeProblem::to_limit, static_cast<std::size_t>(to_limit - plan_.drives.begin()));
       }
       return;

@@ -23,6 +23,21 @@ std::vector<Vec3Of<Scalar>> bind_reference_points(const MechanismDescription& de
     references[b] = evaluator.point(*body.reference).value_or(references[b]);
     is_set[b] = true;
   }
+  // As drawn on that body, of a coupling whose two bodies are drawn apart.
+  const auto point_on = [&](std::size_t e, BodyId body) {
+    const auto at = std::ranges::find(
+        description.couplings,
+        topology.couplings[e].name,
+        [](const CouplingDescription& one) -> const std::string& { return one.name.text; });
+    if (at != description.couplings.end() && at->at) {
+      for (const auto& [name, point] : at->at->of_bodies) {
+        if (name.text == topology.body(body).name) {
+          return evaluator.point(point).value_or(geometry.points[e]);
+        }
+      }
+    }
+    return geometry.points[e];
+  };
   for (std::size_t e = 0; e < topology.couplings.size(); ++e) {
     if (!has_point[e]) {
       continue;
@@ -30,7 +45,7 @@ std::vector<Vec3Of<Scalar>> bind_reference_points(const MechanismDescription& de
     for (const BodyId body : {topology.couplings[e].tail, topology.couplings[e].head}) {
       const auto b = static_cast<std::size_t>(body.value);
       if (!is_set[b]) {
-        references[b] = geometry.points[e];
+        references[b] = point_on(e, body);
         is_set[b] = true;
       }
     }

@@ -9,8 +9,8 @@
 namespace kinestat {
 
 /// Of each body of the topology [m]: the point that its description gives, else that of its first
-/// coupling that has one, else the origin of the geometry. `has_point` says which couplings of the
-/// topology have a point of their own. `Scalar` is double or Dual.
+/// coupling that has one, as drawn on the body, else the origin of the geometry. `has_point` says
+/// which couplings of the topology have a point of their own. `Scalar` is double or Dual.
 template <class Scalar>
 std::vector<Vec3Of<Scalar>> bind_reference_points(const MechanismDescription& description,
                                                   const std::vector<bool>& has_point,

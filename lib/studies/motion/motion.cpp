@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "core/contract.hpp"
@@ -9,6 +10,7 @@
 #include "studies/motion/configuration.hpp"
 #include "studies/motion/internal/motion_limits.hpp"
 #include "studies/motion/internal/path_tracker.hpp"
+#include "studies/motion/path_leg.hpp"
 
 namespace kinestat {
 
@@ -21,12 +23,13 @@ class MotionSolver {
       : network_(network), task_(task), tracker_(network) {
     solution_.drives = task.drives;
     solution_.path = task.path;
+    solution_.turns = task.turns;
     solution_.coordinate_count = network.coordinate_count;
     solution_.angle_count = network.angle_count;
     for (const MotionDrive& drive : task.drives) {
-      const double unit = unit_of(drive.freedom);
-      from_.push_back(drive.from / unit);
-      to_.push_back(drive.to / unit);
+      units_.push_back(unit_of(drive.freedom));
+      from_.push_back(drive.from / units_.back());
+      to_.push_back(drive.to / units_.back());
     }
   }
 
@@ -44,6 +47,7 @@ class MotionSolver {
                                               double start_share,
                                               double share) {
     (void)tracker_.take_special();
+    passed_.clear();
     if (tracker_.is_beside_change_point()) {
       tracker_ = PathTracker<Frames>(network_);  // There the last way would go on.
     }
@@ -82,32 +86,68 @@ class MotionSolver {
     return {.coordinates = point.coordinates, .angles = point.angles};
   }
 
-  // On a path, by the straight line between two of its places; shares of the point are of the path.
+  // On a path, from turn to turn; shares of the point are of the path.
   Arrival go_on(PathPoint& now, double start_share, double share) {
-    leg_ = {.from = start_share, .to = share};
-    std::vector<double> low;
-    std::vector<double> high;
-    for (std::size_t d = 0; d < task_.drives.size(); ++d) {
-      const double unit = unit_of(task_.drives[d].freedom);
-      low.push_back(task_.path(d, start_share) / unit);
-      high.push_back(task_.path(d, share) / unit);
-    }
+    double from = start_share;
     Arrival arrival = Arrival::reached;
-    now.share = 1.0;
-    if (low != high) {
-      tracker_.set_range(low, high);
-      now.share = 0.0;
-      now.arrival_share = 0.0;
-      double moved = 0.0;
-      if (!tracker_.close(now, moved)) {
-        return Arrival::lost;
+    for (const double turn : task_.turns) {
+      if (arrival == Arrival::reached && turn > from && turn < share) {
+        arrival = go_on(now, PathLeg(task_, units_, from, turn));
+        from = turn;
       }
-      tracker_.find_rates(now);
-      PathPoint before = tracker_.make_point();
-      arrival = tracker_.advance(now, before, 1.0);
     }
-    now.share = leg_->share(now.share);
+    return arrival == Arrival::reached ? go_on(now, PathLeg(task_, units_, from, share)) : arrival;
+  }
+
+  // By the straight line between its ends. What happens on it happens on the path where the line
+  // is the path, to rounding; a leg is halved until it is.
+  Arrival go_on(PathPoint& now, const PathLeg& leg) {
+    const double bow = leg.bow();
+    if (bow > kMostBow) {
+      return go_by_halves(now, leg);
+    }
+    if (!leg.moves()) {
+      now.share = leg.to();
+      return Arrival::reached;
+    }
+    const bool is_exact = bow <= kStraightWay || !leg.can_be_halved();
+    std::optional<PathTracker<Frames>> tracker_before;
+    std::optional<PathPoint> point_before;
+    if (!is_exact) {
+      tracker_before = tracker_;
+      point_before = now;
+    }
+    tracker_.set_range(leg.low(), leg.high());
+    now.share = 0.0;
+    now.arrival_share = 0.0;
+    double moved = 0.0;
+    if (!tracker_.close(now, moved)) {
+      return Arrival::lost;
+    }
+    tracker_.find_rates(now);
+    PathPoint before = tracker_.make_point();
+    const Arrival arrival = tracker_.advance(now, before, 1.0);
+    if (!is_exact && (arrival != Arrival::reached || tracker_.has_special())) {
+      tracker_ = *std::move(tracker_before);
+      now = *std::move(point_before);
+      return go_by_halves(now, leg);
+    }
+    for (SpecialPosition& one : tracker_.take_special()) {
+      const double low = leg.share(std::max(one.share - one.uncertainty, 0.0));
+      const double high = leg.share(std::min(one.share + one.uncertainty, 1.0));
+      one.share = leg.share(one.share);
+      one.uncertainty = std::max(high - one.share, one.share - low);
+      passed_.push_back(std::move(one));
+    }
+    now.share = leg.share(now.share);
     return arrival;
+  }
+
+  Arrival go_by_halves(PathPoint& now, const PathLeg& leg) {
+    const double middle = 0.5 * (leg.from() + leg.to());
+    const Arrival arrival = go_on(now, PathLeg(task_, units_, leg.from(), middle));
+    return arrival == Arrival::reached ? go_on(now, PathLeg(task_, units_, middle, leg.to()))
+                                       : arrival;
   }
 
   // Closes the drawn position with the drives at zero.
@@ -255,11 +295,10 @@ class MotionSolver {
   }
 
   void note_special(int step, bool is_on_the_way) {
-    for (SpecialPosition& one : tracker_.take_special()) {
+    std::vector<SpecialPosition> passed = std::exchange(passed_, {});
+    std::ranges::move(tracker_.take_special(), std::back_inserter(passed));
+    for (SpecialPosition& one : passed) {
       one.step = step;
-      if (leg_) {
-        one.share = leg_->share(one.share);
-      }
       one.drive_values = drive_values(one.share, is_on_the_way);
       solution_.special.push_back(std::move(one));
     }
@@ -326,7 +365,7 @@ class MotionSolver {
       const double share = k == task_.steps ? 1.0 : end * share_of(k);
       const Arrival arrival = task_.path ? go_on(now, solution_.shares.back(), share)
                                          : tracker_.advance(now, before, share);
-      if (tracker_.has_special()) {
+      if (tracker_.has_special() || !passed_.empty()) {
         note_special(k - 1, false);
       }
       if (arrival == Arrival::lost) {
@@ -351,19 +390,12 @@ class MotionSolver {
     return task_.shares.empty() ? static_cast<double>(step) / task_.steps : task_.shares[at(step)];
   }
 
-  // A straight piece of a path.
-  struct Leg {
-    double from = 0.0;
-    double to = 0.0;
-
-    double share(double of_leg) const { return of_leg == 1.0 ? to : from + of_leg * (to - from); }
-  };
-
   const MotionNetwork& network_;
   const MotionTask& task_;
-  std::optional<Leg> leg_;
+  std::vector<SpecialPosition> passed_;  // on a path, since the last that were noted
   PathTracker<Frames> tracker_;
   MotionSolution solution_;
+  std::vector<double> units_;  // of each drive: 1 rad, or the size of the mechanism
   std::vector<double> from_;
   std::vector<double> to_;
 };
@@ -384,7 +416,11 @@ MotionSolution solve_motion(const MotionNetwork& network, const MotionTask& task
 
 struct WayBetween::Solver {
   Solver(const MotionNetwork& network, const MotionSolution& motion)
-      : task{.drives = motion.drives, .steps = 1, .shares = {}, .path = motion.path} {
+      : task{.drives = motion.drives,
+             .steps = 1,
+             .shares = {},
+             .path = motion.path,
+             .turns = motion.turns} {
     if (network.space == Space::planar) {
       planar.emplace(network, task);
     } else {

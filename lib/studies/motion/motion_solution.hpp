@@ -27,6 +27,8 @@ struct MotionTask {
   int steps = 360;
   std::vector<double> shares = {};  ///< of each position, of the ranges; empty: equal steps
   DrivePath path = {};              ///< instead of straight lines; then a share is of the path
+  std::vector<double> turns = {};   ///< shares of the path, rising, without 0 and 1, between which
+                                    ///< each drive runs one way or rests
   bool until_limit = false;  ///< the steps divide the way to where the drives turn back; `to` is
                              ///< how far that is looked for
 };
@@ -86,6 +88,7 @@ struct MotionSolution {
   Assembly assembly;
   std::vector<MotionDrive> drives;  ///< `to` of a task until the limit is where that was found
   DrivePath path;                   ///< as in the task
+  std::vector<double> turns;        ///< likewise
   std::vector<double> shares;       ///< of each position found, rising from 0; the last is a limit
                                     ///< or lift-off where the status says so
   std::vector<double> closure_errors;  ///< of each: largest, as share of the mechanism's size

@@ -34,6 +34,10 @@ inline constexpr double kLongestArc = 0.1;
 inline constexpr double kNearSingularity = 0.1;
 inline constexpr double kNearSingularStep = 0.1;
 
+/// Drives that run by laws of their own are followed along straight lines from which they part by
+/// no more [rad, or sizes of the mechanism].
+inline constexpr double kMostBow = 0.02;
+
 /// Cables whose arcs are shorter than a step are looked at in shorter ones, down to this.
 inline constexpr double kLeastCableStep = 0.01;
 

@@ -54,6 +54,7 @@ std::optional<FoundMotion> follow_motion(const MechanismDescription& description
       task.path = [schedule](std::size_t drive, double share) {
         return schedule.at(drive, share).position;
       };
+      task.turns = schedule.turns();
     }
   }
   motion.drawn = bind_drawn_couplings(description, mechanism);

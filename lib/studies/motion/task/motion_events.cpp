@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "studies/motion/hermite_cubic.hpp"
 #include "studies/motion/motion.hpp"
 #include "studies/motion/motion_state.hpp"
+#include "studies/motion/path_leg.hpp"
 
 namespace kinestat {
 
@@ -28,13 +30,17 @@ constexpr int kMostLooks = 500'000;
 
 class DeadPointFinder {
  public:
-  DeadPointFinder(const Mechanism& mechanism, const FoundMotion& motion)
+  // Of drives that run along a straight line.
+  DeadPointFinder(const Mechanism& mechanism,
+                  const MotionNetwork& network,
+                  const MotionSolution& solution)
       : mechanism_(mechanism),
-        motion_(motion),
-        watched_(watched_freedoms(mechanism, motion.network)),
-        states_(motion.network, mechanism),
-        way_(motion.network, motion.solution) {
-    for (const MotionDrive& drive : motion.solution.drives) {
+        network_(network),
+        solution_(solution),
+        watched_(watched_freedoms(mechanism, network)),
+        states_(network, mechanism),
+        way_(network, solution) {
+    for (const MotionDrive& drive : solution.drives) {
       const bool turns =
           mechanism_.topology.freedoms[static_cast<std::size_t>(drive.freedom)].is_rotation;
       const double way = drive.to - drive.from;
@@ -44,15 +50,14 @@ class DeadPointFinder {
   }
 
   DeadPoints run() {
-    // Where drives run by a path of their own, freedoms turn back with them.
-    if (watched_.empty() || motion_.solution.path) {
+    if (watched_.empty()) {
       return {};
     }
     std::optional<Place> before;
     std::optional<double> singular;  // the share of a position behind which nothing is known yet
-    for (int p = 0; p < motion_.solution.position_count(); ++p) {
+    for (int p = 0; p < solution_.position_count(); ++p) {
       std::optional<Place> here = place_at(p);
-      const double share = motion_.solution.shares[static_cast<std::size_t>(p)];
+      const double share = solution_.shares[static_cast<std::size_t>(p)];
       if (!here) {
         if (before) {
           before = approach(*std::move(before), share);
@@ -136,8 +141,8 @@ class DeadPointFinder {
   }
 
   std::optional<Place> place_at(int position) {
-    return judged(place(motion_.solution.shares[static_cast<std::size_t>(position)],
-                        motion_.solution.configuration_at(position)));
+    return judged(place(solution_.shares[static_cast<std::size_t>(position)],
+                        solution_.configuration_at(position)));
   }
 
   std::optional<Place> place_after(const Place& from, double share) {
@@ -161,11 +166,11 @@ class DeadPointFinder {
   // Backwards, from a regular place to a singular position at which the motion begins.
   void leave(double share, Place to) {
     MotionSolution reversed;
-    reversed.drives = motion_.solution.drives;
+    reversed.drives = solution_.drives;
     for (MotionDrive& drive : reversed.drives) {
       std::swap(drive.from, drive.to);
     }
-    WayBetween backwards(motion_.network, reversed);
+    WayBetween backwards(network_, reversed);
     double left = to.share - share;
     for (int k = 0; k < kStretchesToSingular; ++k) {
       left *= kTowardsSingular;
@@ -197,7 +202,7 @@ class DeadPointFinder {
       // A rate that is zero at a place itself counts there once, where it comes to rest.
       if (before != 0 && after != before) {
         add(freedom, from, to);
-      } else if (before == 0 && after != 0 && from.share == motion_.solution.shares.front()) {
+      } else if (before == 0 && after != 0 && from.share == solution_.shares.front()) {
         add(freedom, from, from);
       }
     }
@@ -327,13 +332,14 @@ class DeadPointFinder {
   }
 
   int last_position_before(double share) const {
-    const std::vector<double>& all = motion_.solution.shares;
+    const std::vector<double>& all = solution_.shares;
     const auto behind = std::ranges::lower_bound(all, share);
     return std::max(static_cast<int>(behind - all.begin()) - 1, 0);
   }
 
   const Mechanism& mechanism_;
-  const FoundMotion& motion_;
+  const MotionNetwork& network_;
+  const MotionSolution& solution_;
   std::vector<int> watched_;
   MotionStates states_;
   WayBetween way_;
@@ -342,6 +348,111 @@ class DeadPointFinder {
   int looks_ = 0;       ///< between the positions
   bool may_lack_some_ = false;
   std::vector<DeadPoint> found_;
+};
+
+// Of drives that run by laws of their own: from turn to turn, where they run along a straight line
+// between two.
+class DeadPointsOnPath {
+ public:
+  DeadPointsOnPath(const Mechanism& mechanism, const FoundMotion& motion)
+      : mechanism_(mechanism),
+        motion_(motion),
+        solution_(motion.solution),
+        way_(motion.network, motion.solution),
+        task_{.drives = solution_.drives,
+              .shares = {},
+              .path = solution_.path,
+              .turns = solution_.turns} {
+    for (const MotionDrive& drive : solution_.drives) {
+      const bool turns =
+          mechanism.topology.freedoms[static_cast<std::size_t>(drive.freedom)].is_rotation;
+      units_.push_back(turns ? 1.0 : mechanism.geometry.length);
+    }
+  }
+
+  DeadPoints run() {
+    const double end = solution_.shares.empty() ? 0.0 : solution_.shares.back();
+    std::vector<double> ends;
+    std::ranges::copy_if(
+        solution_.turns, std::back_inserter(ends), [&](double turn) { return turn < end; });
+    ends.push_back(end);
+    double from = 0.0;
+    for (const double to : ends) {
+      const PathLeg leg(task_, units_, from, to);
+      if (leg.moves() && leg.bow() <= kStraightWay) {
+        add(leg);
+      }
+      found_.may_lack_some = found_.may_lack_some || leg.bow() > kStraightWay;
+      from = to;
+    }
+    return std::move(found_);
+  }
+
+ private:
+  // At a share of the path, at or behind a position.
+  std::optional<Configuration> configuration_at(double share) {
+    const auto behind = std::ranges::upper_bound(solution_.shares, share);
+    const auto p = static_cast<int>(behind - solution_.shares.begin()) - 1;
+    const double before = solution_.shares[static_cast<std::size_t>(p)];
+    return before == share ? solution_.configuration_at(p)
+                           : way_.follow(solution_.configuration_at(p), before, share);
+  }
+
+  // The leg as a motion of its own, whose shares are of the line.
+  std::optional<MotionSolution> alone(const PathLeg& leg) {
+    MotionSolution line;
+    line.coordinate_count = solution_.coordinate_count;
+    line.angle_count = solution_.angle_count;
+    for (std::size_t d = 0; d < units_.size(); ++d) {
+      line.drives.push_back({.freedom = solution_.drives[d].freedom,
+                             .from = leg.low()[d] * units_[d],
+                             .to = leg.high()[d] * units_[d]});
+    }
+    std::vector<double> shares = {leg.from()};
+    std::ranges::copy_if(solution_.shares, std::back_inserter(shares), [&](double share) {
+      return share > leg.from() && share < leg.to();
+    });
+    shares.push_back(leg.to());
+    for (const double share : shares) {
+      const double of_line = leg.part_at(share);
+      const std::optional<Configuration> here = line.shares.empty() || of_line > line.shares.back()
+                                                    ? configuration_at(share)
+                                                    : std::nullopt;
+      if (here) {
+        line.shares.push_back(of_line);
+        std::ranges::copy(here->coordinates, std::back_inserter(line.coordinates));
+        std::ranges::copy(here->angles, std::back_inserter(line.angles));
+      }
+    }
+    return line.shares.size() > 1 ? std::optional(std::move(line)) : std::nullopt;
+  }
+
+  void add(const PathLeg& leg) {
+    const std::optional<MotionSolution> line = alone(leg);
+    if (!line) {
+      found_.may_lack_some = true;
+      return;
+    }
+    DeadPoints on_line = DeadPointFinder(mechanism_, motion_.network, *line).run();
+    found_.may_lack_some = found_.may_lack_some || on_line.may_lack_some;
+    for (DeadPoint& one : on_line.points) {
+      const double low = leg.share(one.share - one.uncertainty);
+      const double high = leg.share(one.share + one.uncertainty);
+      one.share = leg.share(one.share);
+      one.uncertainty = std::max(high - one.share, one.share - low);
+      const auto behind = std::ranges::lower_bound(solution_.shares, one.share);
+      one.step = std::max(static_cast<int>(behind - solution_.shares.begin()) - 1, 0);
+      found_.points.push_back(std::move(one));
+    }
+  }
+
+  const Mechanism& mechanism_;
+  const FoundMotion& motion_;
+  const MotionSolution& solution_;
+  WayBetween way_;
+  MotionTask task_;
+  std::vector<double> units_;  // of each drive
+  DeadPoints found_;
 };
 
 }  // namespace
@@ -366,7 +477,8 @@ std::vector<int> watched_freedoms(const Mechanism& mechanism, const MotionNetwor
 }
 
 DeadPoints find_dead_points(const Mechanism& mechanism, const FoundMotion& motion) {
-  return DeadPointFinder(mechanism, motion).run();
+  return motion.solution.path ? DeadPointsOnPath(mechanism, motion).run()
+                              : DeadPointFinder(mechanism, motion.network, motion.solution).run();
 }
 
 }  // namespace kinestat

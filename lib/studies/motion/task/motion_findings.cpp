@@ -170,7 +170,7 @@ class Findings {
     }
     return "the motion begins at the closed position; other analyses accept the file if it is "
            "drawn so: " +
-           text;
+           text + ", and what else lies on the bodies that move with them";
   }
 
   bool is_planar() const { return mechanism_.space == Space::planar; }

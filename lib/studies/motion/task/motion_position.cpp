@@ -100,7 +100,8 @@ MotionPosition MotionPositions::at(const Configuration& configuration,
     }
   }
   const bool asks_speeds = which_ != nullptr && (detail_.velocity || detail_.acceleration);
-  const bool needs_speeds = asks_speeds || (detail_.statics && has_motion_of_state(*which_));
+  const bool needs_speeds =
+      asks_speeds || (detail_.statics && (has_motion_of_state(*which_) || loads_by_speed(*which_)));
   const StateDetail detail =
       detail_.acceleration ? StateDetail::acceleration : StateDetail::velocity;
   CaseSpeeds found{.known = SpeedsKnown::not_by_state, .speeds = {}};
@@ -191,6 +192,11 @@ bool MotionPositions::has_own_rank() const {
 // What bodies do by themselves is that of the state, too.
 bool MotionPositions::has_motion_of_state(const Case& which) const {
   return which.asks_motions && (!has_own_rank() || !network_.passive_motions.empty());
+}
+
+// Whether what acts may follow speeds.
+bool MotionPositions::loads_by_speed(const Case& which) const {
+  return which.asks_motions && (!mechanism_.springs.empty() || which.follows_curves());
 }
 
 KinematicSolution MotionPositions::motion_of_state(const MotionPosition& position) const {

@@ -81,6 +81,7 @@ class MotionPositions {
                     MotionPosition& position);
   bool has_own_rank() const;
   bool has_motion_of_state(const Case& which) const;
+  bool loads_by_speed(const Case& which) const;
   KinematicSolution motion_of_state(const MotionPosition& position) const;
 
   const Mechanism& mechanism_;

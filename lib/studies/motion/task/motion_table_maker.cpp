@@ -279,12 +279,13 @@ class TableMaker {
     return values;
   }
 
-  // How uncertain the position of the first drive is there. Shares of the way to the start, before
-  // the first step, are of that way.
-  double uncertainty(double share, int step) const {
+  // How uncertain the position of the first drive is at a share that is uncertain by so much.
+  // Shares of the way to the start, before the first step, are of that way.
+  double uncertainty(double share, double by, int step) const {
     const PlannedDrive& drive = plan_.drives.front();
-    const double way = step < 0 ? drive.from : drive.to - drive.from;
-    return in_unit(kind_of(drive), std::abs(share * way));
+    const double nearer = share > by ? share - by : share + by;  // within the way
+    const double reach = solution_.drive_at(0, nearer) - solution_.drive_at(0, share);
+    return in_unit(kind_of(drive), std::abs(step < 0 ? by * drive.from : reach));
   }
 
   static std::string kind_of(const SpecialPosition& special) {
@@ -354,26 +355,28 @@ class TableMaker {
     table_.may_lack_dead_points = dead_points.may_lack_some;
     MotionPositions positions(mechanism_, plan_, motion_.network, motion_.drawn, {});
     for (const DeadPoint& point : dead_points.points) {
-      placed.push_back({.share = point.share,
-                        .event = {.kind = std::string(kDeadPointEvent),
-                                  .element = topology_.freedom_name(point.freedom),
-                                  .step = point.step,
-                                  .drive = drives_at(point.share),
-                                  .uncertainty = uncertainty(point.uncertainty, point.step),
-                                  .places = places_at(point, positions)}});
+      placed.push_back(
+          {.share = point.share,
+           .event = {.kind = std::string(kDeadPointEvent),
+                     .element = topology_.freedom_name(point.freedom),
+                     .step = point.step,
+                     .drive = drives_at(point.share),
+                     .uncertainty = uncertainty(point.share, point.uncertainty, point.step),
+                     .places = places_at(point, positions)}});
     }
     for (const SpecialPosition& special : solution_.special) {
       std::vector<double> drive;
       for (std::size_t d = 0; d < plan_.drives.size(); ++d) {
         drive.push_back(in_unit(kind_of(plan_.drives[d]), special.drive_values[d]));
       }
-      placed.push_back({.share = special.share,
-                        .event = {.kind = kind_of(special),
-                                  .element = element_of(special),
-                                  .step = special.step,
-                                  .drive = std::move(drive),
-                                  .uncertainty = uncertainty(special.uncertainty, special.step),
-                                  .places = {}}});
+      placed.push_back(
+          {.share = special.share,
+           .event = {.kind = kind_of(special),
+                     .element = element_of(special),
+                     .step = special.step,
+                     .drive = std::move(drive),
+                     .uncertainty = uncertainty(special.share, special.uncertainty, special.step),
+                     .places = {}}});
     }
     std::ranges::stable_sort(
         placed, {}, [](const Placed& one) { return std::pair(one.event.step >= 0, one.share); });

@@ -59,8 +59,8 @@ TimeText text_of(const MotionPlan& plan, const std::string& drive, const std::st
               "leave out 'to' or 'time', or give a law"};
     case TimeProblem::to_limit:
       return {fmt::format("drive '{}' runs to a limit, which nobody knows before in time", drive),
-              "leave out 'time' and 'law', or write the place of the limit, which the report of a "
-              "motion without them tells"};
+              "leave out 'time', 'law' and what speeds up, or write the place of the "
+              "limit, which the report of a motion without them tells"};
     case TimeProblem::other_time:
       return {fmt::format("drive '{}' reaches its end at another time than the first drive", drive),
               "give 'time' in place of 'to', or a law for all"};
