@@ -1,4 +1,4 @@
-// What is to be said of the statics of a case.
+// Findings about the actions of a case.
 #pragma once
 
 #include <string_view>
@@ -8,7 +8,7 @@
 
 namespace kinestat {
 
-/// What a reaction is called, and the key of a friction that would count it.
+/// The name of a reaction that causes no friction, and the key that would make it count.
 struct ReactionWords {
   std::string_view what;
   std::string_view key;
@@ -16,13 +16,13 @@ struct ReactionWords {
 
 ReactionWords words_of(Reaction reaction);
 
-/// Why a case has no actions, or not all of them. It must have an action solution.
+/// Adds why a case has no actions, or not all of them. The case must have an action solution.
 void add_action_status_findings(const JudgedFile& file,
                                 const CaseAnalysis& one,
                                 CaseFindings& found);
 
-/// What the actions that it has cannot be: reactions without friction, contacts that pull, cables
-/// in compression or slip. Likewise.
+/// Adds what is wrong with the actions of a case: reactions that cause no friction, contacts that
+/// pull, cables in compression or slipping. The case must have an action solution.
 void add_action_value_findings(const JudgedFile& file,
                                const CaseAnalysis& one,
                                CaseFindings& found);

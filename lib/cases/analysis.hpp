@@ -1,4 +1,4 @@
-// What the report of one file is made of.
+// The results of the analysis of one file, from which its report is made.
 #pragma once
 
 #include <optional>
@@ -25,8 +25,8 @@
 
 namespace kinestat {
 
-/// The dependence of one rate or action on the free parameters, the magnitude in SI, the parameters
-/// in their units; empty if it is not affine.
+/// The dependence of one rate or action [SI] on the free parameters, which are in their own units.
+/// `value` is empty if the dependence is not affine.
 struct AffineMagnitude {
   int index = 0;  ///< into Topology::freedoms or Topology::actions
   std::optional<AffineValue> value;
@@ -41,35 +41,34 @@ struct FreeParameterLabel {
 /// A case whose motion a torque converter decides, by the torque that it takes.
 struct ConverterSearch {
   CouplingId coupling;
-  int action = 0;                   ///< the one that must fit: index into Topology::actions
-  double least = 0.0;               ///< what it may be at the speeds of the case [N·m]
-  double greatest = 0.0;            ///< likewise
-  bool has_any = false;             ///< whether it may be anything
-  std::vector<double> ratios = {};  ///< speed ratios at which it fits
+  int action = 0;                   ///< the known action to be met: index into Topology::actions
+  double least = 0.0;               ///< its least value at the speeds of the case [N·m]
+  double greatest = 0.0;            ///< its greatest value there [N·m]
+  std::vector<double> ratios = {};  ///< the speed ratios at which it is met
   std::optional<Case> which =
-      {};  ///< with the slip as a known motion instead of it, where one fits
+      {};  ///< the case with the slip as a known motion in its place, if one ratio is found
 };
 
-/// The passes that a case asked for; a pass that it did not ask for is empty.
+/// The results of a case, one for each pass. A pass that the case does not ask for is empty.
 struct CaseAnalysis {
   Case which;
   std::optional<KinematicSolution> motion;
   std::optional<StaticSolution> action;
   std::vector<CableContactState>
-      contacts;  ///< of cables with pulleys, in the order of the mechanism's
-  std::vector<ConverterState> converters;           ///< beside `action`, where the case has motion
-  std::optional<ConverterSearch> converter_search;  ///< where the motion lacks what that decides
-  std::optional<VecX> pretension;  ///< of each action, which keeps pushed segments in tension
-  std::vector<int> coast_flanks;   ///< of geometry.other_flanks: those on which the teeth press
+      contacts;  ///< of cables with pulleys, in the order of Mechanism::contacts
+  std::vector<ConverterState> converters;           ///< if the case has both motion and action
+  std::optional<ConverterSearch> converter_search;  ///< if a torque converter decides the motion
+  std::optional<VecX> pretension;  ///< of each action: keeps segments in tension that would push
+  std::vector<int> coast_flanks;   ///< indices into Geometry::other_flanks: where teeth press
   std::optional<PowerFlow> power;
-  std::optional<PowerGraph> power_graph;             ///< beside `power`
-  std::optional<TransmissionEfficiency> efficiency;  ///< beside `power`, where meshes lose any
+  std::optional<PowerGraph> power_graph;             ///< only with `power`
+  std::optional<TransmissionEfficiency> efficiency;  ///< only with `power`, if meshes lose power
   std::optional<Ratios> ratios;
-  std::vector<SpringState> springs;               ///< in the order of the mechanism's
-  std::optional<SpringObstacle> spring_obstacle;  ///< why they are not known; then no `action`
-  std::optional<CurveObstacle> curve_obstacle;    ///< likewise, of what follows curves
-  std::optional<CaseDynamics> dynamics;  ///< of a case with inertia whose accelerations are known
-  std::optional<InertiaObstacle> inertia_obstacle;  ///< why they are not; then it has no `action`
+  std::vector<SpringState> springs;               ///< in the order of Mechanism::springs
+  std::optional<SpringObstacle> spring_obstacle;  ///< why they are unknown; no `action` then
+  std::optional<CurveObstacle> curve_obstacle;    ///< the same for what follows curves
+  std::optional<CaseDynamics> dynamics;  ///< of a case with inertia and known accelerations
+  std::optional<InertiaObstacle> inertia_obstacle;  ///< why they are unknown; no `action` then
 
   bool has_unknown_loads() const { return spring_obstacle || curve_obstacle || inertia_obstacle; }
 };
@@ -80,21 +79,21 @@ struct AffineCase {
   std::vector<AffineMagnitude> actions;
 };
 
-/// How the cases depend on the parameters that the file leaves free; empty without any.
+/// The dependence of all cases on the parameters that the file leaves free; empty if it has none.
 struct AffineDependence {
   std::vector<FreeParameterLabel> parameters;
-  std::vector<AffineCase> cases;  ///< as those of the analysis
+  std::vector<AffineCase> cases;  ///< in the order of Analysis::cases
 };
 
 /// The section `shift` and the states of the transmission.
 struct ShiftAnalysis {
   ShiftPlan plan;
   ShiftSolution solution;
-  std::vector<ShiftSlip> slips = {};                    ///< in the order of the plan
-  std::vector<SlipObstacle> slips_without_answer = {};  ///< likewise
+  std::vector<ShiftSlip> slips = {};                    ///< in the order of ShiftPlan::slips
+  std::vector<SlipObstacle> slips_without_answer = {};  ///< in the same order
 };
 
-/// One mechanism with its counts and its cases, in file order, then its gears.
+/// The analysis of one mechanism: its counts and its cases, in file order, followed by its gears.
 struct Analysis {
   std::string file;  ///< as the user gave it
   MechanismDescription description;
@@ -102,7 +101,7 @@ struct Analysis {
   MobilityCounts mobility;
   std::vector<CaseAnalysis> cases;
   std::optional<ShiftAnalysis> shift;
-  MadeOnce<AffineDependence> affine;  ///< affine_dependence says it
+  MadeOnce<AffineDependence> affine;  ///< to be read by affine_dependence
 };
 
 /// A mechanism file that was read and bound.

@@ -1,4 +1,4 @@
-// Two bearings of one shaft that bear more than equilibrium determines.
+// Two bearings of one shaft that together bear more than equilibrium determines.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace kinestat {
 
-/// What they are to carry as a locating and a floating bearing, where that takes away one of the
-/// actions that are open; else empty.
+/// A hint what two bearings of one shaft should carry as a locating and a floating bearing. Empty
+/// if that would remove none of the open actions. `open` are indices of actions.
 std::string bearing_pair_hint(const Mechanism& mechanism, const std::vector<int>& open);
 
 }  // namespace kinestat

@@ -1,4 +1,4 @@
-// What there is to say of the answer of one case in one position.
+// Findings: what is wrong with the answer of one case in one position, or worth knowing of it.
 #pragma once
 
 #include <functional>
@@ -13,22 +13,22 @@
 
 namespace kinestat {
 
-/// One thing to say. Code, place and element tell whether two positions say the same.
+/// One finding. Findings of two positions are the same if code, place and element are equal.
 struct CaseFinding {
   Severity severity = Severity::error;
   std::string_view code;  ///< a literal that core/codes lists
   SourceRange where;
   std::string message;
   std::string hint;
-  std::string element = {};  ///< which of several at that place, as the message has it
-  double size = 0.0;         ///< how bad: the largest stands for several positions
+  std::string element = {};  ///< the element that it is about, as the message calls it
+  double size = 0.0;         ///< severity: the largest finding represents several positions
 };
 
-/// Whether another position has said what has this code and place, so that its words, where they
-/// cost more than the solution, are left out.
+/// Whether another position has reported a finding with this code and place. The text of a finding
+/// is then left out if writing it costs more than the solution.
 using IsReported = std::function<bool(std::string_view code, SourceRange where)>;
 
-/// Collects them, in the order in which they were found.
+/// The findings of one case, in the order in which they were found.
 class CaseFindings {
  public:
   explicit CaseFindings(IsReported is_reported = {}) : is_reported_(std::move(is_reported)) {}
@@ -55,7 +55,7 @@ class CaseFindings {
   std::vector<CaseFinding> items_;
 };
 
-/// What a finding is told from beside the solution: the names, places and units of the file. Holds
+/// What a finding needs besides the solution: the names, places and units of the file. Holds
 /// references.
 struct JudgedFile {
   const MechanismDescription& description;
@@ -65,20 +65,20 @@ struct JudgedFile {
 
 JudgedFile judged_file(const Analysis& analysis);
 
-/// Everything that is wrong with the answer of a case, or to be known of it: the one judge of
-/// solved cases, for every pass. Nothing of a case that is in order.
+/// Finds everything that is wrong with the answer of a case, or worth knowing of it; nothing if the
+/// case is in order. This is the only function that judges solved cases, for every pass.
 CaseFindings find_case_findings(const JudgedFile& file,
                                 const CaseAnalysis& one,
                                 IsReported is_reported = {});
 
-/// Adds them to the messages of the file.
+/// Adds a finding to the messages of the file.
 void add(const CaseFinding& one, Diagnostics& found);
 
-/// Of slips without an answer.
+/// Adds a finding for each slip of `shift` that has no answer.
 void add_slip_findings(const ShiftAnalysis& shift, Diagnostics& found);
 
-/// The findings of all cases, and of slips, at the lines of these: why one was not solved, and what
-/// to give instead.
+/// Adds the findings of all cases and slips at their lines: why one was not solved, and what to
+/// give instead.
 void add_findings(const Analysis& analysis, Diagnostics& found);
 
 }  // namespace kinestat

@@ -1,4 +1,4 @@
-// Cases solved as far as somebody reads them.
+// Cases solved with some passes only, as far as a caller needs them.
 #pragma once
 
 #include <vector>
@@ -7,18 +7,18 @@
 
 namespace kinestat {
 
-/// Of all cases the rates and actions alone.
+/// Solves all cases for their rates and actions alone.
 std::vector<CaseAnalysis> solve_magnitudes(const Mechanism& mechanism);
 
-/// What is known of a position beside the case.
+/// What is known of a position in addition to the case.
 struct KnownState {
-  const KinematicSolution* motion = nullptr;  ///< its motion, or why it has none
+  const KinematicSolution* motion = nullptr;  ///< its motion, whose status may be any
   const InertialMotion* inertial = nullptr;   ///< of a case with inertia
   const LoadState* place = nullptr;           ///< where it stands; null: as drawn
 };
 
-/// What a row of a motion holds and is judged by: no power graph, unless the losses of meshes need
-/// it.
+/// Solves a case for a row of a motion: what the row contains and what it is judged by. The power
+/// graph is left out unless the losses of meshes need it.
 CaseAnalysis solve_row(const Mechanism& mechanism, const Case& which, const KnownState& known);
 
 }  // namespace kinestat

@@ -1,4 +1,4 @@
-// The status of a row: what became of one case in one state or position.
+// The status of a row: whether one case has an answer in one state or position, and why not.
 #pragma once
 
 #include <array>
@@ -16,17 +16,17 @@ inline constexpr std::string_view kUnbalanced = "unbalanced";
 inline constexpr std::string_view kSelfLocking = "self_locking";
 inline constexpr std::string_view kUnknownLoad = "unknown_load";
 
-/// What case_status may say beside the words of SolveStatus.
+/// The words that case_status may give besides those of SolveStatus.
 inline constexpr std::array kCaseStatuses = {
     kAmbiguous, kCableSlack, kContactPulls, kCableSlips, kUnbalanced, kSelfLocking, kUnknownLoad};
 
-/// Whether the answer is one that the mechanism can have: "cable_slack", "contact_pulls" or
-/// "cable_slips" where a cable would have to push, surfaces to pull on each other or a cable to
-/// hold by more friction than there is; otherwise empty.
+/// Why the mechanism cannot have the answer: "cable_slack" if a cable would have to push,
+/// "contact_pulls" if surfaces would have to pull on each other, "cable_slips" if a cable would
+/// need more friction than there is. Otherwise empty.
 std::string_view impossible_status(const Mechanism& mechanism, const CaseAnalysis& one);
 
-/// The status of the motion or of the actions where they have no answer, or an impossible one; then
-/// what else is wrong with the power, if that is asked for; "solved" where nothing is.
+/// The status of a case: that of the motion or of the actions if they have no answer, or why the
+/// answer is impossible; then what is wrong with the power, if `asks_power`; otherwise "solved".
 std::string_view case_status(const Mechanism& mechanism, const CaseAnalysis& one, bool asks_power);
 
 }  // namespace kinestat

@@ -1,4 +1,4 @@
-// What is known of the answers of an analysis beyond the bounds of their errors.
+// How certain the answers of an analysis are, apart from their error bounds.
 #pragma once
 
 #include <optional>
@@ -9,17 +9,18 @@
 
 namespace kinestat {
 
-/// Sides of a case that have an answer as typed where they have none once rounded to double.
+/// Whether motion and action of a case have an answer with the numbers as typed, but none once
+/// these are rounded to double.
 struct CaseCertainty {
   bool has_exact_input_motion = false;
   bool has_exact_input_action = false;
 };
 
-/// Beside an Analysis.
+/// The certainty of the answers of an Analysis.
 struct Certainty {
-  AccuracyRequest accuracy;                  ///< what was asked for
-  std::optional<RankCertainty> motion_rank;  ///< unless speed was asked for
-  std::optional<RankCertainty> action_rank;  ///< likewise, where actions are counted
+  AccuracyRequest accuracy;                  ///< as requested
+  std::optional<RankCertainty> motion_rank;  ///< empty if Accuracy::fast was requested
+  std::optional<RankCertainty> action_rank;  ///< also empty if actions are not counted
   std::vector<CaseCertainty> cases;          ///< of each case of the analysis
 };
 

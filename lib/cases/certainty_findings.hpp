@@ -1,4 +1,4 @@
-// What is to be said of the certainty of answers.
+// Findings about the certainty of answers.
 #pragma once
 
 #include "cases/analysis.hpp"
@@ -7,10 +7,11 @@
 
 namespace kinestat {
 
-/// Both ranks where rounding to double decides, W0501.
+/// Adds W0501, with both ranks, for each rank that depends on the rounding of numbers to double.
 void add_rank_findings(const Certainty& certainty, Diagnostics& found);
 
-/// Both answers where rounding to double decides, W0501; fewer digits than asked for, W0502.
+/// Adds W0501 for each answer that depends on the rounding of numbers to double, and W0502 for each
+/// answer with fewer digits than requested.
 void add_certainty_findings(const Analysis& analysis,
                             const Certainty& certainty,
                             Diagnostics& found);

@@ -9,7 +9,8 @@
 
 namespace kinestat {
 
-/// The first without a label; null if the file has no cases. An unknown label is an error: E0101.
+/// The case with this label; without a label the first. Null if the file has no cases. An unknown
+/// label is an error (E0101).
 const Case* choose_case(const std::vector<Case>& cases,
                         const std::string& label,
                         Diagnostics& found);

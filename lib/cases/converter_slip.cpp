@@ -54,8 +54,8 @@ class SlipSearch {
             .relative_bound = kSolvedRounding};
   }
 
-  // Everything is linear in the slip. To the last digit: the speeds of turbine and pump are what is
-  // left between this and the slip.
+  // The speed of the pump at a rate of the slip, in which it is linear. High accuracy, because the
+  // speed of the turbine is the difference of this speed and the slip.
   std::optional<double> pump_speed(double rate) const {
     std::vector<Primary> known = which_.motions;
     known.push_back(slip(rate));
@@ -108,7 +108,6 @@ class SlipSearch {
                            .action = given.index,
                            .least = found.least + given.value,
                            .greatest = found.greatest + given.value,
-                           .has_any = true,
                            .ratios = std::move(found.ratios)};
     if (result.ratios.size() == 1) {
       result.which = case_at(result.ratios.front());
@@ -130,16 +129,19 @@ class SlipSearch {
 }  // namespace
 
 std::vector<std::size_t> deciding_actions(const Topology& topology, const Case& which) {
+  enum class Rank { of_known_motion, of_input, of_other_actuator, of_no_actuator };
   const auto rank = [&](std::size_t i) {
     const int index = which.actions[i].index;
     const auto actuator = std::ranges::find(topology.actuators, index, &ActuatorTopology::action);
     if (actuator == topology.actuators.end()) {
-      return 3;
+      return Rank::of_no_actuator;
     }
     const auto a = static_cast<int>(actuator - topology.actuators.begin());
     const bool moves =
         std::ranges::find(which.motions, actuator->freedom, &Primary::index) != which.motions.end();
-    return moves ? 0 : std::ranges::count(which.inputs, a) > 0 ? 1 : 2;
+    return moves                                     ? Rank::of_known_motion
+           : std::ranges::count(which.inputs, a) > 0 ? Rank::of_input
+                                                     : Rank::of_other_actuator;
   };
   std::vector<std::size_t> list;
   for (std::size_t i = 0; i < which.actions.size(); ++i) {

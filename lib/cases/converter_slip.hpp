@@ -1,4 +1,4 @@
-// The slip of a torque converter that the torques of a case decide.
+// The slip of a torque converter, if the torques of a case decide it.
 #pragma once
 
 #include <functional>
@@ -10,16 +10,17 @@
 
 namespace kinestat {
 
-/// Indices of the known actions of a case, in the order in which they may follow from a converter:
-/// those of the inputs before others, and such as have a known speed, too, before all.
+/// Indices of the known actions of a case, in the order in which they are tried as the action that
+/// decides the slip: first those of actuators whose speed is known too, then those of inputs, then
+/// those of other actuators, then the rest. Actions that follow curves are left out.
 std::vector<std::size_t> deciding_actions(const Topology& topology, const Case& which);
 
-/// A case that lacks a motion and has an action more than equilibrium leaves open: the engine of an
-/// automatic, with its speed and its torque. The speed ratio at which the converter takes that
-/// torque gives the motion.
+/// Solves a case that lacks a known motion and has one known action too many, such as the torque of
+/// an engine beside its speed in an automatic transmission: looks for the speed ratio at which the
+/// converter takes this torque.
 ///
-/// The case with the slip as a known motion and without that action, or why there is none; empty
-/// where no converter decides it. `solve` is a case with velocities and actions.
+/// The result has the case with the slip as a known motion in place of that action, or why there is
+/// none. Empty if no converter decides the motion. `solve` must solve velocities and actions.
 std::optional<ConverterSearch> find_converter_slip(
     const Mechanism& mechanism,
     const CoordinateBasis& motions,

@@ -1,4 +1,4 @@
-// The numbers of a mechanism as typed, bound when somebody first needs them.
+// Answers from the numbers of a mechanism as typed; these are bound when they are first needed.
 #pragma once
 
 #include <optional>
@@ -15,16 +15,16 @@
 
 namespace kinestat {
 
-/// Where the request is for exact numbers: E0316 for those that have a value by rounding alone, and
-/// what else is wrong with a number as typed. `mechanism` must be what bind made of the
-/// description.
+/// If the request is for exact numbers: adds E0316 for each number that has a value only by
+/// rounding, and whatever else is wrong with a number as typed. `mechanism` must be what bind made
+/// of the description.
 void check_exact_input(const MechanismDescription& description,
                        const Mechanism& mechanism,
                        const AccuracyRequest& request,
                        Diagnostics& found);
 
 /// Answers from the numbers as typed for one mechanism, whose cases are those of the description.
-/// The automatic way asks for them only in mechanisms of some hundred unknowns.
+/// Accuracy::automatic uses them only for mechanisms with up to some hundred unknowns.
 class ExactInputCases {
  public:
   /// Both must outlive it; `mechanism` must be what bind made of the description.
@@ -33,29 +33,31 @@ class ExactInputCases {
                   const AccuracyRequest& request)
       : description_(&description), mechanism_(&mechanism), request_(request) {}
 
-  /// Fills in what is proved of the ranks of motions, and of actions if wanted. The numbers as
-  /// typed are asked where the doubles prove nothing, or where the request is for exact ones.
+  /// Finds what is proved about the rank of the motions, and about that of the actions if wanted.
+  /// The numbers as typed are used if the doubles prove nothing, or if the request is for exact
+  /// numbers.
   void find_ranks(bool with_actions, Certainty& certainty);
 
-  /// Sets the counts to those of the ranks as typed, as far as these are known: where rounding made
-  /// what is redundant regular, and, if the request is for exact numbers, also where what is nearly
-  /// singular as typed counts as singular once rounded.
+  /// Corrects the counts to the ranks of the numbers as typed, if these are known: if rounding made
+  /// a redundant mechanism regular and, for requests of exact numbers, also if a mechanism that is
+  /// nearly singular as typed counted as singular once rounded.
   void count_exact_input(const Certainty& certainty, MobilityCounts& counts) const;
 
-  /// Takes the answer of a case as typed where the request, or the bound of the one in doubles,
-  /// asks for it. True if there is one as typed where the doubles have none; it is taken only if
-  /// the request is for exact ones: otherwise what is singular once rounded is nearly so as typed.
-  /// `known` are the primary motions of the case, with those that it assumes at rest behind them.
+  /// Replaces the answer of a case by that of the numbers as typed, if the request or the error
+  /// bound of the answer in doubles requires this. Returns true if the doubles have no answer but
+  /// the numbers as typed have one. That answer replaces `motion` only if the request is for exact
+  /// numbers, because the mechanism is then nearly singular. `known` are the primary motions of the
+  /// case, followed by those that it assumes at rest.
   bool improve(std::size_t which, std::span<const Primary> known, KinematicSolution& motion);
 
-  /// Likewise, with the teeth of `turned` on their coast flanks; `motion` is that of the case,
-  /// which may leave something open, or null.
+  /// The same for the actions, with the teeth of `turned` on their coast flanks. `motion` is that
+  /// of the case; it may be null or underdetermined.
   bool improve(std::size_t which,
                const std::vector<int>& turned,
                const KinematicSolution* motion,
                StaticSolution& action);
 
-  /// Asks again for a solved motion, once the actions of its case are known.
+  /// Improves a solved motion again, once the actions of its case are known.
   void improve_beside(std::size_t which,
                       std::span<const Primary> known,
                       const StaticSolution& action,

@@ -6,7 +6,7 @@
 
 namespace kinestat {
 
-/// Refers to all of them.
+/// The view of a gear that the shift table uses; it refers to all arguments, which must outlive it.
 SolvedGear solved_gear(const Mechanism& mechanism,
                        const ShiftPlan& plan,
                        const ShiftState& state,

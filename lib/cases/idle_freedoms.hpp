@@ -1,4 +1,4 @@
-// Cases that leave open only what no other body feels.
+// Cases that leave open only freedoms that no other body feels.
 #pragma once
 
 #include "kinematics/kinematic_solution.hpp"
@@ -7,18 +7,18 @@
 
 namespace kinestat {
 
-/// Where the known motions of a case leave nothing open but idle freedoms, as the spin of a rod
-/// between two balls: adds to them that one rate of each is zero, by which all other motions are
-/// determined, and answers what is idle. Empty, and the case as it was, where more is open, or
-/// where something rubs in what an idle freedom moves.
+/// If the known motions of a case leave only idle freedoms open, such as the spin of a rod between
+/// two ball joints: adds a rate of zero for each of them to the known motions, which determines all
+/// others, and returns the idle freedoms. If more is open, or if there is friction in what an idle
+/// freedom moves, returns nothing and leaves the case as it was.
 std::vector<IdleFreedom> hold_idle_freedoms(const Mechanism& mechanism,
                                             const CoordinateBasis& basis,
                                             const KinematicSolution& open,
                                             Case& which);
 
-/// Likewise of a gear, which may leave open more than that: whatever moves while its inputs and
-/// engaged elements rest, as another shaft on which nothing turns that is engaged. What rubs there
-/// has no direction, and leaves open the actions alone.
+/// The same for a gear, which may leave open every motion that is possible while its inputs and
+/// engaged elements are at rest, such as that of a shaft with no engaged element. Friction there
+/// has no direction; it leaves only actions open.
 std::vector<IdleFreedom> hold_beside_gear(const Mechanism& mechanism,
                                           const CoordinateBasis& basis,
                                           const KinematicSolution& open,

@@ -1,4 +1,4 @@
-// The inertia that the input of a solved case feels.
+// The equivalent inertia of all bodies at the input of a solved case.
 #pragma once
 
 #include <optional>
@@ -8,11 +8,11 @@
 
 namespace kinestat {
 
-/// The freedom of the one input of a case; empty where it has none or several.
+/// The freedom of the input of a case; empty if it has no input or several.
 std::optional<int> only_input_freedom(const Mechanism& mechanism, const Case& which);
 
-/// Of each body what it adds to the equivalent inertia or mass there, as `equivalent_inertias` has
-/// it; empty without such an input or a solved motion.
+/// The contribution of each body to the equivalent moment of inertia [kg·m²], or mass [kg], at the
+/// input, as by `equivalent_inertias`. Empty without one input or without a solved motion.
 std::optional<std::vector<double>> input_inertias(const Mechanism& mechanism,
                                                   const CaseAnalysis& one);
 

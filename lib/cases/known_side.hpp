@@ -1,4 +1,4 @@
-// How findings speak of the known magnitudes of one side, motions or actions.
+// Text of findings about the known magnitudes of one side, motions or actions.
 #pragma once
 
 #include <functional>
@@ -10,16 +10,16 @@
 
 namespace kinestat {
 
-/// The magnitudes of one side by the names that a case gives them, in the units of the file. Holds
-/// references to what it was made from, for the time of one finding.
+/// The names, kinds and units of the magnitudes of one side, as a case and its file write them.
+/// Holds references to its sources: use it for one finding only.
 struct KnownSide {
   std::function<std::string(int)> name;
   std::function<QuantityKind(int)> kind;
   std::string_view key;                      ///< "motion" or "action"
-  std::function<std::string(int)> actuator;  ///< that moves or bears it; empty if none does
+  std::function<std::string(int)> actuator;  ///< the one to which it belongs; empty if none
   const FileUnits& units;
 
-  /// SI per unit of the file.
+  /// The unit of the file, in SI.
   double unit(int index) const { return units.factor(kind(index)); }
 };
 
@@ -28,24 +28,24 @@ KnownSide action_side(const JudgedFile& file, const Case& which);
 
 std::vector<std::string> names_of(const std::vector<int>& indices, const KnownSide& side);
 
-/// "add to 'motion:' for example drive or b.wz", or sets in braces where several are missing; those
-/// of actuators first, which are what an engineer would give. Empty if the check proposes none.
+/// "add to 'motion:' for example drive or b.wz", with sets in braces if several are missing. Those
+/// of actuators come first, as an engineer would give these. Empty if the check proposes none.
 std::string completions_text(const PrimaryCheck& check, const KnownSide& side);
 
-/// "closure of circuit a, b, c, d requires drive = 2.5 load", a part for each relation.
+/// "closure of circuit a, b, c, d requires drive = 2.5 load", for each relation between primaries.
 std::string circuits_text(const JudgedFile& file,
                           const KinematicSolution& motion,
                           const KnownSide& side);
 
-/// "equilibrium of crank, rod (cut-set a, d) requires a.Rx = 2.5 b.Rx + 12 N".
+/// "equilibrium of crank, rod (cut-set a, d) requires a.Rx = 2.5 b.Rx + 12 N", likewise.
 std::string cutsets_text(const JudgedFile& file,
                          const StaticSolution& action,
                          const KnownSide& side);
 
-/// "remove 'a' or 'b' from 'motion:'"; sets in braces where several must go.
+/// "remove 'a' or 'b' from 'motion:'", with sets in braces if several must be removed.
 std::string removal_text(const PrimaryCheck& check, const KnownSide& side);
 
-/// The place of the first magnitude of the first relation.
+/// The place in the file of the first magnitude of the first relation; `otherwise` if it has none.
 SourceRange place_of_surplus(const std::vector<Primary>& primaries,
                              const PrimaryCheck& check,
                              SourceRange otherwise);

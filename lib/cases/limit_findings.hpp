@@ -1,11 +1,12 @@
-// What a gear takes beyond the limits of `shift`.
+// Findings about gears that exceed the limits of `shift`.
 #pragma once
 
 #include "cases/case_findings.hpp"
 
 namespace kinestat {
 
-/// Warns of every limit that the case exceeds, at the limit; of a case that is no gear of nothing.
+/// Adds a warning (W0712) for every limit that the gear exceeds, at the line of the limit. `state`
+/// is that of the gear.
 void add_limit_findings(const JudgedFile& file,
                         const CaseAnalysis& one,
                         const ShiftState& state,

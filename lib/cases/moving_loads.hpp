@@ -1,4 +1,4 @@
-// Loads of a case that follow from how the mechanism stands and moves.
+// Loads of a case that depend on the position and motion of the mechanism.
 #pragma once
 
 #include <optional>
@@ -7,19 +7,20 @@
 
 namespace kinestat {
 
-/// Gives a case whose motion is solved what hangs on where the mechanism stands: loads and actions
-/// that follow curves and the forces of springs, unless nothing can be said of one. `place` is
-/// null as drawn with the speeds of the case.
+/// Adds to a case whose motion is solved what depends on the position of the mechanism: the loads
+/// and actions that follow curves, and the forces of springs. If one has no value, the case gets
+/// the obstacle. `place` is null for the drawn position.
 void add_placed_loads(const Mechanism& mechanism, const LoadState* place, CaseAnalysis& one);
 
-/// Adds the forces of inertia of a case that has them; `known` is how the bodies speed up, null
-/// as drawn. Empty where that is not known: then nothing can be said of the actions.
+/// Adds the inertia forces to a case that has them. `known` has the accelerations of the bodies; if
+/// it is null, they are found for the drawn position. Empty if they cannot be found: the actions
+/// are then not known.
 std::optional<InertialMotion> add_inertial_loads(const Mechanism& mechanism,
                                                  const InertialMotion* known,
                                                  CaseAnalysis& one);
 
-/// Whether no such load does anything and no action moves, of which numbers as typed know nothing;
-/// `given` is the case without them.
+/// Whether all loads and actions of a solved case are numbers as typed: all loads that were added
+/// to `given` are zero, and no action follows curves. `given` is the case before it was solved.
 bool has_typed_loads(const Case& given, const Case& solved);
 
 }  // namespace kinestat

@@ -1,4 +1,4 @@
-// Runs the passes that each case asks for, and nothing else.
+// Solves cases: runs the passes that each of them asks for, and no others.
 #pragma once
 
 #include <span>
@@ -11,32 +11,33 @@
 
 namespace kinestat {
 
-/// A case that names motions has its velocities solved, one that names actions or on which loads
-/// act its statics; power and ratios where both sides, or an input and an output, are there. The
-/// motions are always counted, the actions if some case asks for any or if there are no cases.
+/// Solves all cases of a file. A case that names motions is solved for velocities; a case that
+/// names actions, or on which loads act, for actions. Powers are found if it has both, ratios if it
+/// names an input and an output. Motions are always counted; actions are counted if some case asks
+/// for them, or if there are no cases.
 Analysis solve_cases(std::string file, Loaded loaded, const AccuracyRequest& request = {});
 
-/// These cases alone, which may be others than those of the mechanism.
+/// Solves only these cases, which need not be those of the mechanism.
 std::vector<CaseAnalysis> solve_some_cases(const Mechanism& mechanism,
                                            std::span<const Case> cases,
                                            const AccuracyRequest& request = {});
 
-/// One case as an analysis answers it: with bounds, and with the numbers as typed where the bounds
-/// ask for them. `mechanism` must be what bind made of the description, and `which` its case of
-/// that index, perhaps with fewer passes.
+/// Solves one case as an analysis does: with error bounds, and with the numbers as typed if the
+/// bounds require it. `mechanism` must be what bind made of the description, and `which` its case
+/// of that index, perhaps with fewer passes.
 CaseAnalysis solve_certified_case(const MechanismDescription& description,
                                   const Mechanism& mechanism,
                                   std::size_t index,
                                   const Case& which);
 
-/// The passes of every case with as many digits as asked for, and what is proved of the ranks.
+/// An analysis whose answers have the requested digits, and what is proved about its ranks.
 struct CertifiedAnalysis {
   Analysis analysis;
   Certainty certainty;
 };
 
-/// solve_cases; where the request, or what the doubles prove, asks for it, with the numbers as
-/// typed.
+/// Does what solve_cases does, and uses the numbers as typed if the request, or what the doubles
+/// prove, requires it.
 CertifiedAnalysis solve_certified_cases(std::string file,
                                         Loaded loaded,
                                         const AccuracyRequest& request);

@@ -258,8 +258,7 @@ constexpr auto kErrorCodes = std::to_array<Code>({
      "number is too large to compute with",
      "Distances, forces and speeds are multiplied with each other and squared. A number above 1e60 "
      "in SI units would soon exceed the range of floating-point numbers and leave no result, and "
-     "so "
-     "would the reciprocal size of a mechanism smaller than 1e-60 m. A point at infinity is a "
+     "so would the reciprocal size of a mechanism smaller than 1e-60 m. A point at infinity is a "
      "direction: use a prismatic coupling instead of a revolute."},
     {"E0321",
      wrong_input,

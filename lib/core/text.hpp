@@ -1,6 +1,7 @@
 // Words for messages: lists of names and the nearest known name.
 #pragma once
 
+#include <concepts>
 #include <span>
 #include <string>
 #include <string_view>
@@ -25,6 +26,18 @@ std::string did_you_mean(std::string_view word, std::span<const std::string> can
 std::string guess_before(std::string_view word,
                          std::span<const std::string> candidates,
                          std::string rest);
+
+/// "1 body", "2 bodies".
+template <std::integral Number>
+std::string counted(Number number, std::string_view one, std::string_view many) {
+  return std::to_string(number).append(" ").append(number == 1 ? one : many);
+}
+
+/// "1 coupling", "2 couplings".
+template <std::integral Number>
+std::string counted(Number number, const std::string& noun) {
+  return counted(number, noun, noun + "s");
+}
 
 /// "0.7 s", "3 min 20 s", "1 h 2 min", "12 d 3 h"
 std::string duration_text(double seconds);

@@ -21,6 +21,12 @@ struct Character {
 /// What begins at that byte: overlong forms and surrogates are no characters.
 Character character_at(std::string_view text, std::size_t at);
 
+/// Whether the byte is a control character of ASCII, such as a line feed.
+inline bool is_ascii_control(char byte) {
+  const auto code = static_cast<unsigned char>(byte);
+  return code < 0x20 || code == 0x7F;
+}
+
 /// Whether the byte is not inside a character.
 inline bool begins_character(char byte) {
   return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;

@@ -33,7 +33,7 @@ class GearExpansion {
 
   void run() {
     const bool is_good = std::ranges::all_of(
-        gears_.meshes, [&](const MeshDescription& mesh) { return can_be_added(mesh); });
+        gears_.meshes, [&](const MeshDescription& mesh) { return takes_name(mesh); });
     if (!is_good) {
       return;
     }
@@ -46,7 +46,8 @@ class GearExpansion {
   }
 
  private:
-  bool can_be_added(const MeshDescription& mesh) {
+  // Whether its gears and bodies are there and its name was free, which is then taken.
+  bool takes_name(const MeshDescription& mesh) {
     const GearMember* first = find_member(gears_, mesh.first);
     const GearMember* second = find_member(gears_, mesh.second);
     return first != nullptr && second != nullptr && bodies_.contains(first->body.text) &&
@@ -54,7 +55,7 @@ class GearExpansion {
            taken_.insert(mesh.name.text).second;
   }
 
-  // In the plane an axis is a point, and nothing is left to say.
+  // Puts couplings that have no place on the main axis, which is a point in a planar mechanism.
   void place_on_axes() {
     std::set<std::string> on_axis;
     for (const GearMember& member : gears_.members) {

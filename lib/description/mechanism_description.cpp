@@ -10,8 +10,7 @@ std::vector<Parameter> parameters_of(const MechanismDescription& description) {
   for (const ParameterDescription& parameter : description.parameters) {
     parameters.push_back({.name = parameter.name.text,
                           .value = parameter.value.expression,
-                          .name_where = parameter.name.where,
-                          .value_where = parameter.value.where});
+                          .name_where = parameter.name.where});
   }
   return parameters;
 }

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "core/utf8.hpp"
 #include "draw/markup.hpp"
 #include "report/number_format.hpp"
 
@@ -12,17 +13,17 @@ namespace kinestat {
 
 namespace {
 
-// In single quotes nothing has a meaning but the quote itself, which is doubled. What is no
-// printable character becomes a space: a script is one line a command.
-std::string in_gnuplot_quotes(std::string_view text) {
+// A script is one line a command or comment: a control character becomes a space.
+std::string in_one_line(std::string text) {
+  std::ranges::replace_if(text, is_ascii_control, ' ');
+  return text;
+}
+
+// In single quotes nothing has a meaning but the quote itself, which is doubled.
+std::string in_gnuplot_quotes(const std::string& text) {
   std::string result = "'";
-  for (const char character : text) {
-    const auto byte = static_cast<unsigned char>(character);
-    if (character == '\'') {
-      result += "''";
-    } else {
-      result += byte < 0x20 || byte == 0x7F ? ' ' : character;
-    }
+  for (const char character : in_one_line(text)) {
+    result += character == '\'' ? "''" : std::string(1, character);
   }
   return result + "'";
 }
@@ -32,9 +33,10 @@ std::string number(double value) {
 }
 
 std::string head_text(const std::string& title, const std::string& description) {
-  std::string text = std::string(gnuplot_signature()) + "# " + in_gnuplot_quotes(title).substr(1);
-  text.pop_back();
-  return text + "\n# " + description + "\nset encoding utf8\n";
+  return fmt::format("{}# {}\n# {}\nset encoding utf8\n",
+                     gnuplot_signature(),
+                     in_one_line(title),
+                     in_one_line(description));
 }
 
 std::string block_name(std::size_t chart, std::size_t series) {
@@ -133,7 +135,7 @@ std::string layout_text(std::size_t count) {
       "# To read all charts: set terminal pngcairo size {},{}\n"
       "set grid\nset key outside top center horizontal\nset multiplot layout {},{}\n",
       kWidth * columns,
-      std::max(kHeight * rows, 480UL),
+      std::max<std::size_t>(kHeight * rows, 480),
       rows,
       columns);
 }
@@ -142,8 +144,7 @@ std::string layout_text(std::size_t count) {
 std::string cell(const std::string& name) {
   std::string text = "\"";
   for (const char character : name) {
-    const auto byte = static_cast<unsigned char>(character);
-    const bool breaks = character == '"' || character == '\\' || byte < 0x20 || byte == 0x7F;
+    const bool breaks = character == '"' || character == '\\' || is_ascii_control(character);
     text += breaks ? '_' : character;
   }
   return text + "\"";

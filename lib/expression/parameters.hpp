@@ -20,7 +20,6 @@ struct Parameter {
   std::string name;
   Expression value;
   SourceRange name_where;
-  SourceRange value_where;
 };
 
 /// What is wrong with the value of one parameter.

@@ -141,11 +141,9 @@ std::optional<std::vector<Value>> read_components(const YamlNode& node,
                 node.where,
                 node.kind == YamlKind::null      ? fmt::format("{} is empty", what)
                 : node.kind == YamlKind::mapping ? fmt::format("{} is a mapping", what)
-                                                 : fmt::format("{} has {} component{}, {} space "
-                                                               "needs {}",
+                                                 : fmt::format("{} has {}, {} space needs {}",
                                                                what,
-                                                               given,
-                                                               given == 1 ? "" : "s",
+                                                               counted(given, "component"),
                                                                count == 2 ? "planar" : "spatial",
                                                                count),
                 components_hint(node, what, count));

@@ -1,4 +1,4 @@
-// The motions of bodies and couplings with how far they may be off.
+// The motions of bodies and couplings with their error bounds.
 #pragma once
 
 #include "kinematics/kinematic_solution.hpp"
@@ -7,21 +7,23 @@
 
 namespace kinestat {
 
-/// A rate with its bound: that of the solution, where there is one.
+/// The rate of a freedom with its error bound. If the solution has no bounds, the bound is the
+/// rounding of the rate itself.
 BoundedNumber bounded_rate(const KinematicSolution& motion, int freedom);
 
-/// Head relative to tail: the sum of the unit screws of the coupling, each times its rate.
+/// The twist of the head of a coupling relative to its tail: the sum of its unit screws, each times
+/// its rate.
 BoundedTwist bounded_coupling(const Mechanism& mechanism,
                               const KinematicSolution& motion,
                               CouplingId coupling);
 
-/// Relative to the ground.
+/// The twist of a body relative to the ground.
 BoundedTwist bounded_body(const KinematicSolution& motion, BodyId body);
 
-/// Makes the motions of the couplings and the bounds of those of the bodies from the rates: a body
-/// moves as the couplings between it and the ground do one after the other, over the fewest of
-/// them. By how far its own solution misses that sum counts too. What its bound does not tell from
-/// zero is zero then.
+/// Computes the twists of the couplings and the error bounds of the twists of the bodies from the
+/// rates. The bound of a body is the sum of the bounds of the couplings between it and the ground,
+/// along the path with the fewest couplings, and of the difference between its own twist and the
+/// sum of theirs. Components that are not larger than their bounds become zero.
 void finish_motions(const Mechanism& mechanism, KinematicSolution& motion);
 
 }  // namespace kinestat

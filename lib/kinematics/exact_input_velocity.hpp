@@ -9,9 +9,10 @@
 
 namespace kinestat {
 
-/// solve_velocity without rounding: in fractions where all numbers are, otherwise in a hundred
-/// digits. Counts, evidence and the check of the primaries are those of `rounded`, the solution in
-/// doubles. Empty where the primaries are not right as typed, or a number has no digits.
+/// Does what solve_velocity does, without rounding: in fractions if all numbers are fractions,
+/// otherwise with a hundred digits. Counts, evidence and the check of the primaries are copied from
+/// `rounded`, the solution in doubles. `values` are those of the primaries. Empty if the primaries
+/// are wrong for the typed numbers, or if a number has no digits.
 [[nodiscard]] std::optional<KinematicSolution> solve_velocity_of_exact_input(
     const Mechanism& mechanism,
     const std::vector<ExactInputScrew>& motions,

@@ -12,32 +12,33 @@
 
 namespace kinestat {
 
-/// A motion of bodies that no other body feels, which a case leaves open.
+/// A motion that a case leaves open and that no other body feels, such as the spin of a rod between
+/// two ball joints.
 struct IdleFreedom {
   std::vector<BodyId> bodies;
-  std::vector<int> freedoms;  ///< that it moves: indices into Topology::freedoms
+  std::vector<int> freedoms;  ///< those with a rate in it: indices into Topology::freedoms
 };
 
-/// Lists are parallel to those of the Topology; empty unless the status is solved. Twists are
-/// written about the origin of the Geometry.
+/// The answer of the kinematics. Lists are parallel to those of the Topology, and empty unless the
+/// status is solved. Twists are written about the origin of the Geometry.
 struct KinematicSolution {
   SolveStatus status = SolveStatus::solved;
   MotionCounts counts;
   RankEvidence evidence;           ///< of the velocity system, whose rank is m + λ (n - 1)
   double residual = 0.0;           ///< relative, of the velocity system
-  AnswerEvidence answer;           ///< its bounds are those of the rates
+  AnswerEvidence answer;           ///< with error bounds of the rates
   PrimaryCheck check;              ///< what is wrong with the primaries, if anything
   std::vector<double> rates;       ///< of each freedom [rad/s or m/s]
   std::vector<Twist> bodies;       ///< of each body relative to the ground
-  std::vector<Twist> body_bounds;  ///< how far each component of them may be off, rounding of the
-                                   ///< drawing included; 0 of typed numbers that are exact
+  std::vector<Twist> body_bounds;  ///< error bounds of their components, which include the rounding
+                                   ///< of the drawn dimensions; 0 if the typed numbers are exact
   std::vector<Twist> couplings;    ///< of each coupling: head relative to tail
-  std::vector<IdleFreedom> idle = {};  ///< at rest by assumption: what they move is not determined
+  std::vector<IdleFreedom> idle = {};  ///< assumed at rest: the motions in them are not determined
 
-  /// Whether the rate of a freedom is that of no idle one.
+  /// Whether the rate of a freedom is determined: no idle freedom changes it.
   bool knows_rate(int freedom) const;
 
-  /// Whether no idle freedom moves the body.
+  /// Whether the motion of a body is determined: no idle freedom moves it.
   bool knows_body(BodyId body) const;
 };
 

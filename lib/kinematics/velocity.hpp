@@ -12,8 +12,8 @@ namespace kinestat {
 /// Solves M_N φ = 0 for the secondary motions, given the primary ones (Cazangi 2008, sections 3.8.1
 /// and 3.9.1), on the node system, which has the same solutions. `basis` must hold all unit
 /// motions. The status is `dependent` if primaries follow from each other (even if they agree),
-/// otherwise `underdetermined` if some motion is left open. The digits that are asked for are those
-/// of the rates and of the twists of the bodies about the origin of the geometry.
+/// otherwise `underdetermined` if some motion is left open. `request` says how many digits the
+/// rates and the twists of the bodies, about the origin of the geometry, must have.
 [[nodiscard]] KinematicSolution solve_velocity(const Mechanism& mechanism,
                                                const CoordinateBasis& basis,
                                                std::span<const Primary> primaries,

@@ -15,6 +15,14 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
+// Up to the eighth of the time, modified laws accelerate as c · sin(w u).
+LawPoint first_eighth(double c, double u) {
+  const double w = 4.0 * kPi;
+  return {.share = c * (u / w - std::sin(w * u) / (w * w)),
+          .slope = c * (1.0 - std::cos(w * u)) / w,
+          .bend = c * std::sin(w * u)};
+}
+
 // The first half of a law that is odd about its middle. Accelerations that vanish in the middle are
 // sines of what is left to it, so that they do so exactly.
 LawPoint first_half(DriveLaw law, double ramp, double u) {
@@ -50,9 +58,7 @@ LawPoint first_half(DriveLaw law, double ramp, double u) {
       const double c = 8.0 * kPi / (kPi + 2.0);
       const double w = 4.0 * kPi;
       if (u < 0.125) {
-        return {.share = c * (u / w - std::sin(w * u) / (w * w)),
-                .slope = c * (1.0 - std::cos(w * u)) / w,
-                .bend = c * std::sin(w * u)};
+        return first_eighth(c, u);
       }
       const double first = c * (0.125 / w - 1.0 / (w * w));
       if (u < 0.375) {
@@ -70,9 +76,7 @@ LawPoint first_half(DriveLaw law, double ramp, double u) {
       const double c = 4.0 * kPi * kPi / (kPi + 4.0);
       const double w = 4.0 * kPi;
       if (u < 0.125) {
-        return {.share = c * (u / w - std::sin(w * u) / (w * w)),
-                .slope = c * (1.0 - std::cos(w * u)) / w,
-                .bend = c * std::sin(w * u)};
+        return first_eighth(c, u);
       }
       const double first = c * (0.125 / w - 1.0 / (w * w));
       const double phase = w * u / 3.0 + kPi / 3.0;
@@ -82,6 +86,14 @@ LawPoint first_half(DriveLaw law, double ramp, double u) {
     }
   }
   return {};
+}
+
+// In order, each once, for rounding parts what is the same.
+std::vector<double> merged_times(std::vector<double> times) {
+  std::ranges::sort(times);
+  const auto is_same = [](double one, double next) { return next - one <= kSameValue; };
+  times.erase(std::unique(times.begin(), times.end(), is_same), times.end());
+  return times;
 }
 
 // Where a steady acceleration turns a drive round within the time.
@@ -263,10 +275,7 @@ std::vector<double> DriveSchedule::breaks() const {
   std::erase_if(result, [](double time) {
     return time <= 2.0 * kSameValue || time >= 1.0 - 2.0 * kSameValue;
   });
-  std::ranges::sort(result);
-  const auto is_same = [](double one, double next) { return next - one <= kSameValue; };
-  result.erase(std::unique(result.begin(), result.end(), is_same), result.end());
-  return result;
+  return merged_times(std::move(result));
 }
 
 // Parts and laws take what is nearer than kSameValue as behind.
@@ -310,7 +319,7 @@ std::vector<double> DriveSchedule::turns() const {
     }
   }
   std::erase_if(ends, [](double time) { return time <= 0.0 || time >= 1.0; });
-  std::ranges::sort(ends);
+  ends = merged_times(std::move(ends));
   std::vector<double> turns = ends;
   double from = 0.0;
   ends.push_back(1.0);
@@ -320,10 +329,7 @@ std::vector<double> DriveSchedule::turns() const {
     }
     from = to;
   }
-  std::ranges::sort(turns);
-  const auto is_same = [](double one, double next) { return next - one <= kSameValue; };
-  turns.erase(std::unique(turns.begin(), turns.end(), is_same), turns.end());
-  return turns;
+  return merged_times(std::move(turns));
 }
 
 std::vector<double> DriveSchedule::jumps() const {
@@ -336,9 +342,7 @@ std::vector<double> DriveSchedule::jumps() const {
       }
     }
   }
-  std::ranges::sort(result);
-  result.erase(std::unique(result.begin(), result.end()), result.end());
-  return result;
+  return merged_times(std::move(result));
 }
 
 }  // namespace kinestat

@@ -10,27 +10,29 @@
 
 namespace kinestat {
 
-/// The share of a range at a share of the time, and its derivatives towards the latter. Where a
-/// second derivative jumps it is that behind the jump, at the end that before.
+/// A point of a drive law: the share of the range that is covered at a share of the time, and its
+/// derivatives with respect to the share of the time. Where the second derivative jumps, it is the
+/// value after the jump; at the end it is the value before.
 struct LawPoint {
   double share = 0.0;
-  double slope = 0.0;
-  double bend = 0.0;
+  double slope = 0.0;  ///< first derivative
+  double bend = 0.0;   ///< second derivative
 };
 
-/// `time` from 0 to 1; `ramp` counts for a trapezoid alone.
+/// The point of a law at the share `time`, from 0 to 1. `ramp` is used by the trapezoid only.
 LawPoint law_at(DriveLaw law, double ramp, double time);
 
-/// Where a drive is at an instant, from the drawn position, and how it moves: rad or m, and s.
+/// The state of a drive at an instant, in rad or m and s. Its position is from the drawn one.
 struct DriveInstant {
   double position = 0.0;
   double speed = 0.0;
   double acceleration = 0.0;
 };
 
-/// To a place by a law, within a part of the time; without a way it rests.
+/// A part of a course, in which a drive moves to another position by a law. It dwells if the two
+/// positions are the same.
 struct CoursePart {
-  double begin = 0.0;  ///< share of the whole time
+  double begin = 0.0;  ///< as a share of the whole time
   double end = 1.0;
   double from = 0.0;  ///< [rad or m]
   double to = 0.0;
@@ -38,48 +40,48 @@ struct CoursePart {
   double ramp = kUsualRamp;
 };
 
-/// Of one drive: by parts or a curve or, without these, by a speed and an acceleration that stay as
-/// they are.
+/// The course of one drive in time: by parts, by a curve or, without these, with a constant
+/// acceleration.
 struct DriveCourse {
   double from = 0.0;  ///< [rad or m]
   double to = 0.0;
-  double speed = 0.0;                            ///< at the beginning, of a steady course
-  double acceleration = 0.0;                     ///< likewise
-  std::vector<CoursePart> parts = {};            ///< one behind the other; then it rests
-  std::shared_ptr<const Curve> curve = nullptr;  ///< over time, its values in rad or m
+  double speed = 0.0;                            ///< at the beginning [rad/s or m/s]
+  double acceleration = 0.0;                     ///< constant [rad/s² or m/s²]
+  std::vector<CoursePart> parts = {};            ///< in order of time; after them the drive rests
+  std::shared_ptr<const Curve> curve = nullptr;  ///< position over time [rad or m]
 
   bool is_steady() const { return parts.empty() && curve == nullptr; }
 };
 
-/// All drives together, in steps of equal time.
+/// The courses of all drives of a motion.
 class DriveSchedule {
  public:
   DriveSchedule(double duration, std::vector<DriveCourse> courses);
 
   double duration() const { return duration_; }  ///< [s]
 
-  /// Whether the drives keep the proportion of their ranges and never turn back or rest, so that a
-  /// share of the ranges tells a place.
+  /// Whether all drives cover equal shares of their ranges at any time and never reverse or dwell,
+  /// so that a share of the ranges identifies a position.
   bool is_straight() const { return is_straight_; }
 
-  /// At a share of the time.
+  /// The state of a drive at the share `time` of the duration.
   DriveInstant at(std::size_t drive, double time) const;
 
-  /// Of drives that run straight: when they have come to that share of their ranges.
+  /// The share of the time at which straight drives have covered this share of their ranges.
   double time_of(double share) const;
 
-  /// When they are at the place that the motion knows by that share: of the time, or of the ranges
-  /// of drives that run straight.
+  /// The share of the time at the position that a motion identifies by `share`: this is a share of
+  /// the ranges if the drives run straight, otherwise of the time.
   double time_at(double share) const { return is_straight_ ? time_of(share) : share; }
 
-  /// That share at a share of the time.
+  /// The inverse of time_at.
   double share_at(double time) const;
 
-  /// At which shares of the time a speed jumps.
+  /// The shares of the time at which a speed jumps, in order and each once.
   std::vector<double> jumps() const;
 
-  /// At which of them on the way an acceleration or a speed may be another before than behind, in
-  /// order; `before` is where it is still that before.
+  /// The shares of the time, without its ends and in order, at which a speed or an acceleration may
+  /// jump. `before` gives a time just before such a jump, which still has the values before it.
   std::vector<double> breaks() const;
   static double before(double jump);
 

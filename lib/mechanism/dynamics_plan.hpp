@@ -10,7 +10,7 @@ namespace kinestat {
 
 struct FlywheelPlan {
   int actuator = 0;          ///< index into Topology::actuators
-  double fluctuation = 0.0;  ///< that is allowed: greatest less least speed, over the mean
+  double fluctuation = 0.0;  ///< allowed: greatest minus least speed, over the mean speed
   SourceRange where;
 };
 
@@ -26,7 +26,7 @@ struct LimitedCoupling {
   SourceRange where;
 };
 
-/// An actuator whose powers and energies are told.
+/// An actuator whose powers and energies are reported.
 struct WatchedActuator {
   int actuator = 0;  ///< index into Topology::actuators
   SourceRange where;
@@ -41,8 +41,8 @@ struct DynamicsPlan {
   SourceRange where;
 };
 
-/// Of a description that has been bound to this mechanism without an error; empty if it has no
-/// section `dynamics`.
+/// Binds the section `dynamics` of a description that was bound to this mechanism without an error.
+/// Empty if there is no such section.
 std::optional<DynamicsPlan> bind_dynamics(const MechanismDescription& description,
                                           const Mechanism& mechanism);
 

@@ -9,16 +9,17 @@
 
 namespace kinestat {
 
-/// Teeth that press with their coast flank where the force along the line of action is negative.
+/// The coast flank of a mesh, on which teeth press if the force along the line of action is
+/// negative.
 template <class Scalar>
 struct OtherFlankOf {
   int action = 0;          ///< into Topology::actions
   WrenchOf<Scalar> screw;  ///< unit screw of the action on that flank
 };
 
-/// Axes of the world, SI units. Each list is parallel to one of the Topology. Points are measured
-/// from `origin`, screws are written about it. `Scalar` is double or Dual; the origin and the size
-/// are plain numbers in both.
+/// The numbers of a mechanism in SI units, along the axes of the world. Each list is parallel to
+/// one of the Topology. Points are measured from `origin`, and screws are written about it.
+/// `Scalar` is double or Dual; the origin and the size are plain numbers in both cases.
 template <class Scalar>
 struct GeometryOf {
   std::vector<TwistOf<Scalar>> motions;    ///< unit screw of each freedom: head relative to tail
@@ -32,7 +33,8 @@ struct GeometryOf {
 
 using Geometry = GeometryOf<double>;
 
-/// Lets the teeth of these other flanks, given by index, press with them; a second time undoes it.
+/// Makes teeth press on their coast flanks, which are indices into `other_flanks`. A second call
+/// with the same flanks undoes this.
 template <class Scalar>
 void load_coast_flanks(const std::vector<int>& flanks, GeometryOf<Scalar>& geometry) {
   for (const int i : flanks) {

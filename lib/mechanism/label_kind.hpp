@@ -1,4 +1,4 @@
-// What the numbers of freedoms and actions measure.
+// The kinds of quantity of freedoms and actions.
 #pragma once
 
 #include "expression/quantity.hpp"
@@ -6,17 +6,17 @@
 
 namespace kinestat {
 
-/// Of where a freedom stands.
+/// The kind of the position of a freedom.
 constexpr QuantityKind position_kind(bool is_rotation) {
   return is_rotation ? QuantityKind::angle : QuantityKind::length;
 }
 
-/// Of the rate of a freedom.
+/// The kind of the rate of a freedom.
 constexpr QuantityKind rate_kind(bool is_rotation) {
   return is_rotation ? QuantityKind::angular_velocity : QuantityKind::velocity;
 }
 
-/// Of the magnitude of an action.
+/// The kind of the magnitude of an action.
 constexpr QuantityKind action_kind(bool is_couple) {
   return is_couple ? QuantityKind::moment : QuantityKind::force;
 }

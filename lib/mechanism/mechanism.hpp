@@ -27,29 +27,29 @@ struct Mechanism {
   Space space = Space::spatial;
   Topology topology;
   Geometry geometry;
-  std::vector<CouplingFriction> frictions;  ///< of the couplings that have any
+  std::vector<CouplingFriction> frictions;  ///< of the couplings that have friction
   std::vector<CableContact> contacts;       ///< of cables with pulleys
   std::vector<LossyMesh> lossy_meshes;
-  LossModel loss_model = LossModel::carrier;  ///< whose efficiency counts
+  LossModel loss_model = LossModel::carrier;  ///< the model whose efficiency is preferred
   CouplingGraph graph;
   OrderChoice kinematic_order = OrderChoice::minimal;
   OrderChoice static_order = OrderChoice::minimal;
   IndeterminateChoice indeterminate = IndeterminateChoice::report;
-  double closure_error = 0.0;       ///< of moved positions, as share of the size; 0: as drawn
-  std::vector<bool> is_unplaced;    ///< of each coupling: nothing says where it is; its moments are
-                                    ///< about the origin
-  std::vector<double> compliances;  ///< of each action [m/N or rad/(N·m)]; 0: rigid
-  std::vector<int> planet_counts;   ///< of each action: how many equal planets share it
-  std::vector<double> load_sharing;  ///< likewise: what the most loaded bears over the mean
-  std::vector<BodyMass> masses;      ///< of each body; empty if none has any
-  std::vector<DrawnCoupling> drawn_couplings;  ///< of each coupling, where a case has inertia: what
-                                               ///< accelerations follow from
+  double closure_error = 0.0;        ///< of a moved position over the size; 0 as drawn
+  std::vector<bool> is_unplaced;     ///< of each coupling: it has no place, so that its moments are
+                                     ///< about the origin
+  std::vector<double> compliances;   ///< of each action [m/N or rad/(N·m)]; 0: rigid
+  std::vector<int> planet_counts;    ///< of each action: how many equal planets share it
+  std::vector<double> load_sharing;  ///< of each action: greatest load of a planet over the mean
+  std::vector<BodyMass> masses;      ///< of each body; empty if no body has mass or inertia
+  std::vector<DrawnCoupling> drawn_couplings;  ///< of each coupling, if a case has inertia: needed
+                                               ///< for accelerations
   std::vector<Spring> springs;
   std::vector<Curve> curves;
   std::vector<Case> cases;
 };
 
-/// Whether actions are shared by several equal planets.
+/// Whether several equal planets share some actions.
 inline bool has_planets(const Mechanism& mechanism) {
   return std::ranges::any_of(mechanism.planet_counts, [](int count) { return count > 1; });
 }

@@ -1,4 +1,4 @@
-// What the columns of a motion are called that belong to no part of the mechanism.
+// The names of those columns of a motion that belong to no part of the mechanism.
 #pragma once
 
 #include <array>
@@ -6,22 +6,22 @@
 
 namespace kinestat {
 
-/// The quantity of the column that says how well a position closes.
+/// The quantity of the column with the closure error of a position.
 inline constexpr std::string_view kClosureErrorColumn = "closure_error";
 
-/// The quantity of the column of a motion in time that says when.
+/// The quantity of the column with the time, in a motion in time.
 inline constexpr std::string_view kTimeColumn = "time";
 
-/// The quantity of the columns that say where the drives stand.
+/// The quantity of the columns with the positions of the drives.
 inline constexpr std::string_view kDriveColumn = "drive";
 
-/// Quantities and elements of the columns that `dynamics` stands for and that are of the whole.
+/// Quantities and elements of the columns of `dynamics` that belong to the whole mechanism.
 inline constexpr std::string_view kKineticEnergyColumn = "kinetic_energy";
 inline constexpr std::string_view kKineticEnergyRateColumn = "kinetic_energy_rate";
 inline constexpr std::string_view kGroundElement = "ground";
 inline constexpr std::string_view kShakingElement = "shaking";
 
-/// Those of `dynamics`.
+/// All of the columns of `dynamics` that belong to the whole mechanism.
 inline constexpr std::array kColumnsOfDynamics = {
     kKineticEnergyColumn, kKineticEnergyRateColumn, kGroundElement, kShakingElement};
 

@@ -1,4 +1,4 @@
-// What a sweep reports of a whole motion: a figure of one of its columns.
+// Figures of motions: one number for a whole column of a motion, which a sweep reports.
 #pragma once
 
 #include <optional>
@@ -13,28 +13,30 @@ namespace kinestat {
 enum class MotionFigure {
   least,
   greatest,
-  range,       ///< the greatest less the least: a stroke
-  mean,        ///< over the way of the drives, or in time
-  rms,         ///< root of the mean square in time
-  peak,        ///< the largest size, whatever the sign
-  dead_points  ///< how often a freedom turns back
+  range,       ///< the greatest minus the least value: a stroke
+  mean,        ///< over time, or over the way of the drives
+  rms,         ///< root of the mean square over time
+  peak,        ///< the largest absolute value
+  dead_points  ///< how often a freedom reverses
 };
 
-/// "s.vx.position.range": the column of the motion with dots between its parts, and what of it.
+/// The name of a figure, such as "s.vx.position.range": a column of the motion, with dots between
+/// its parts, and the figure.
 struct MotionFigureName {
-  std::string column;  ///< empty of the dead points of all freedoms
+  std::string column;  ///< empty for the dead points of all freedoms
   MotionFigure figure = MotionFigure::range;
 };
 
 std::string_view word_of(MotionFigure figure);
 
-/// In the order of their enumerators.
+/// The words of all figures, in the order of their enumerators.
 std::span<const std::string> motion_figure_words();
 
-/// Empty where a name does not end in a figure. Whether the motion has the column shows later.
+/// Splits a name; empty if it does not end in a figure. Whether the motion has the column is
+/// checked later.
 std::optional<MotionFigureName> motion_figure_of(std::string_view name);
 
-/// Whether all that the sweep reports is of the motion, and nothing of a single position.
+/// Whether the sweep reports figures of the motion only, and nothing of a single position.
 bool sweeps_motion_alone(const MechanismDescription& description);
 
 }  // namespace kinestat

@@ -1,4 +1,4 @@
-// The section `motion` bound to numbers: which drives run how far, and what is followed.
+// The section `motion` bound to numbers: the drives and their ranges, and what is reported.
 #pragma once
 
 #include <optional>
@@ -19,7 +19,7 @@ struct PlannedDrive {
   int freedom = 0;   ///< index into Topology::freedoms
   double from = 0.0;
   double to = 0.0;
-  bool until_limit = false;  ///< it runs until it turns back; `to` is how far that is looked for
+  bool until_limit = false;  ///< it runs until it reverses; the limit is looked for up to `to`
   SourceRange where;
 };
 
@@ -27,16 +27,16 @@ struct PlannedDrive {
 struct TracedPoint {
   std::string name;  ///< by `name_of_trace`
   BodyId body;
-  Vec3 at = Vec3::Zero();  ///< in the drawn position, from the geometry's origin [m]
+  Vec3 at = Vec3::Zero();  ///< in the drawn position, from the origin of the geometry [m]
 };
 
 /// The columns of a motion by their names, "motor/action".
 struct ChosenColumns {
-  std::vector<std::string> usual;  ///< that the report has without a name of theirs
-  std::vector<std::string> named;  ///< that the report names
+  std::vector<std::string> usual;  ///< in the report without being named there
+  std::vector<std::string> named;  ///< named by the report
 };
 
-/// Which quantities are reported beside the positions of the drives and the traced points.
+/// The quantities that are reported in addition to the positions of the drives and traced points.
 struct MotionReport {
   bool position = false;
   bool velocity = false;
@@ -46,37 +46,37 @@ struct MotionReport {
   bool ratio = false;
   bool transmission_angle = false;
   bool mechanical_advantage = false;
-  bool dynamics = false;       ///< energy, shaking and ground, equivalent inertia
-  std::vector<int> positions;  ///< of these freedoms the position alone
-  std::vector<int> freedoms;   ///< named one by one: their position, velocity and acceleration
-  std::vector<int> actions;    ///< likewise
-  std::vector<int> actuators;  ///< with all that is known of them
-  std::vector<Name> columns;   ///< other names: of columns, which show once they are made
-  std::optional<ChosenColumns> chosen;  ///< of all columns these alone; empty: all
+  bool dynamics = false;       ///< energy, shaking force, wrench on the ground, equivalent inertia
+  std::vector<int> positions;  ///< freedoms of which only the position is reported
+  std::vector<int> freedoms;   ///< freedoms named one by one: position, velocity and acceleration
+  std::vector<int> actions;    ///< actions named one by one
+  std::vector<int> actuators;  ///< actuators of which everything is reported
+  std::vector<Name> columns;   ///< names of columns, which are checked once the columns exist
+  std::optional<ChosenColumns> chosen;  ///< the only columns that are reported; empty: all
   bool is_default = false;              ///< the file does not say what to report
 };
 
-/// Why a motion that is told in time has none.
+/// Why a motion in time has no schedule.
 enum class TimeProblem {
   none,
-  no_speed,      ///< the case does not give a drive a speed, nor a law
-  two_speeds,    ///< both do
-  two_courses,   ///< the case, and a profile or a curve of the drive
-  too_long,      ///< its profile takes longer than the motion
-  beyond_curve,  ///< its curve does not reach over the whole time
-  no_duration,   ///< a curve that repeats does not tell how long
-  at_rest,       ///< a drive does not move, and nothing says how long
-  never,         ///< a drive turns back before it comes to where it should end
-  other_end,     ///< a drive ends elsewhere than the time says
-  other_time,    ///< drives come to their ends at unlike times
-  to_limit       ///< nobody knows before when a limit is met
+  no_speed,      ///< neither the case nor a law gives a drive a speed
+  two_speeds,    ///< both the case and a law give a drive a speed
+  two_courses,   ///< both the case and a profile or curve give a drive a course
+  too_long,      ///< the profile of a drive takes longer than the motion
+  beyond_curve,  ///< the curve of a drive does not cover the whole time
+  no_duration,   ///< the curve of a drive repeats, and nothing gives a duration
+  at_rest,       ///< a drive does not move, and nothing gives a duration
+  never,         ///< a drive reverses before it reaches its end
+  other_end,     ///< the given duration does not lead a drive to its end
+  other_time,    ///< the drives reach their ends at different times
+  to_limit       ///< the time at which a drive meets its limit is not known in advance
 };
 
 struct MotionPlan {
   std::vector<PlannedDrive> drives;
   std::optional<DriveSchedule> schedule;  ///< of a motion in time
   TimeProblem time_problem = TimeProblem::none;
-  std::size_t problem_drive = 0;  ///< whose
+  std::size_t problem_drive = 0;  ///< the drive with this problem
   int steps = 0;
   int which = -1;  ///< the case whose speeds and loads apply, index into Mechanism::cases; -1: none
   std::vector<TracedPoint> trace;
@@ -84,17 +84,17 @@ struct MotionPlan {
   SourceRange where;
 };
 
-/// What a word stands for that reports many quantities at once; null for any other.
+/// The member for which a word stands that reports many quantities at once; null for other words.
 bool* find_report_word(std::string_view word, MotionReport& report);
 
-/// These words.
+/// The words that report many quantities at once.
 std::span<const std::string> motion_report_words();
 
-/// As the file says, or BODY.N, the N-th of all.
+/// The name of a traced point: that of the file, otherwise BODY.N for the N-th point of the list.
 std::string name_of_trace(const std::vector<TracePoint>& trace, std::size_t i);
 
-/// Of a description that has been bound to this mechanism without an error; empty if it has no
-/// section `motion`.
+/// Binds the section `motion` of a description that was bound to this mechanism without an error.
+/// Empty if there is no such section.
 std::optional<MotionPlan> bind_motion(const MechanismDescription& description,
                                       const Mechanism& mechanism);
 

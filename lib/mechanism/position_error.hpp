@@ -1,4 +1,4 @@
-// How far off the bodies of a moved mechanism may be.
+// The error of the positions of bodies in a moved mechanism.
 #pragma once
 
 #include <algorithm>
@@ -8,8 +8,8 @@
 
 namespace kinestat {
 
-/// As share of the size, 0 as drawn. What a closure by least squares misses beyond rounding belongs
-/// to the drawing and is no error of the position.
+/// The position error over the size of the mechanism; 0 as drawn. A closure error above rounding is
+/// one of the drawing, which least squares cannot close, and no error of the position.
 inline double position_error(const Mechanism& mechanism) {
   return std::min(mechanism.closure_error, kLeastCorrection);
 }

@@ -1,4 +1,4 @@
-// The section `shift` bound to numbers: what drives, what is driven, and what shifts.
+// The section `shift` bound to numbers: inputs, outputs and shift elements.
 #pragma once
 
 #include <optional>
@@ -12,13 +12,13 @@
 
 namespace kinestat {
 
-/// What engages or opens.
+/// A clutch, brake or freewheel, which is engaged or open.
 struct ShiftElement {
   int actuator = 0;  ///< index into Topology::actuators
-  int one_way = 0;   ///< of a freewheel the sign of the torque that it holds; 0: a clutch or brake
+  int one_way = 0;   ///< sign of the torque that a freewheel holds; 0: a clutch or brake
 };
 
-/// An actuator that drives. The action is empty where it is not given: equilibrium finds it.
+/// An actuator that drives. An action that is not given is empty, and follows from equilibrium.
 struct ShiftInput {
   int actuator = 0;
   double speed = 1.0;            ///< [rad/s or m/s]; 1 where the file gives none
@@ -32,11 +32,11 @@ struct ShiftLabel {
   SourceRange where;
 };
 
-/// What a limit bounds: the torque or slip of elements, the speed of bodies seen from the ground,
-/// or that of planets seen from their carriers.
+/// The quantity that a limit bounds: torque or slip of elements, speed of bodies relative to the
+/// ground, or speed of planets relative to their carriers.
 enum class LimitKind { torque, slip, speed, planet_speed };
 
-/// As the file has them.
+/// The word of the file.
 constexpr std::string_view word_of(LimitKind kind) {
   switch (kind) {
     case LimitKind::torque:
@@ -57,22 +57,23 @@ constexpr QuantityKind quantity_of(LimitKind kind) {
 
 struct ShiftLimit {
   LimitKind kind = LimitKind::torque;
-  int index = -1;     ///< into ShiftPlan::elements or Topology::bodies; -1: it holds for all
-  double most = 0.0;  ///< size [N·m or rad/s]
+  int index = -1;     ///< into ShiftPlan::elements or Topology::bodies; -1: the limit holds for all
+  double most = 0.0;  ///< largest absolute value [N·m or rad/s]
   SourceRange where;
 };
 
-/// A change in which one element slips. Gears are named: which there are, only their states tell.
+/// A gear change in which one element slips. Gears are given by name, because which gears exist is
+/// only known once their states are found.
 struct SlipPlan {
   Name name;
   std::optional<Name> from;
   Name to;
   double input_speed = 0.0;                 ///< [rad/s]
-  std::optional<double> output_speed = {};  ///< [rad/s]; without `from`
+  std::optional<double> output_speed = {};  ///< [rad/s], if there is no `from`
   double input_action = 0.0;                ///< [N·m]
   double output_action = 0.0;               ///< [N·m]
-  std::optional<int> element = {};          ///< of ShiftPlan::elements: the one that is named
-  double capacity = 0.0;                    ///< [N·m], a size
+  std::optional<int> element = {};          ///< the slipping one, index into ShiftPlan::elements
+  double capacity = 0.0;                    ///< torque capacity [N·m], not negative
   SourceRange where_capacity = {};
 };
 
@@ -80,55 +81,54 @@ struct ShiftPlan {
   std::vector<ShiftInput> inputs;
   std::vector<int> outputs;  ///< actuators
   std::vector<ShiftElement> elements;
-  std::vector<int> others;    ///< actuators without a part in it: they bear nothing
-  std::vector<int> reacting;  ///< of `others` those that bear what equilibrium asks of them
+  std::vector<int> others;    ///< actuators that take no part in shifting: they bear nothing
+  std::vector<int> reacting;  ///< of `others` those that bear what equilibrium requires
   std::vector<ShiftLabel> labels;
   std::vector<ShiftLimit> limits;
   std::vector<SlipPlan> slips = {};
   ShiftCombinations combinations = ShiftCombinations::all;
-  std::optional<double> forward;  ///< the sign of the ratios of forward gears, where it is given
-  bool asks_actions = false;      ///< an action of an input is given
+  std::optional<double> forward;  ///< sign of the ratios of forward gears, if it is given
+  bool asks_actions = false;      ///< whether the action of an input is given
   SourceRange where;
 
-  /// Whether gears of fewer freedoms than inputs stand in the table too.
+  /// Whether the table also contains gears with fewer freedoms than inputs.
   bool is_hybrid() const { return !reacting.empty(); }
 
-  /// Whether the speed of an output is told by shares of those of the inputs that move, given here,
-  /// and not as a ratio: there are several, or where a machine reacts the first one does not.
+  /// Whether the speed of an output is given as shares of the speeds of the moving inputs instead
+  /// of a ratio. So it is if several inputs move or, in a hybrid, if the first input does not move.
   bool has_shares(const std::vector<int>& moving) const {
     return moving.size() > 1 || (is_hybrid() && moving.front() > 0);
   }
 };
 
-/// Of a description that has been bound to this topology without an error; empty if it has no
-/// section `shift`.
+/// Binds the section `shift` of a description that was bound to this topology without an error.
+/// Empty if there is no such section.
 std::optional<ShiftPlan> bind_shift(const MechanismDescription& description,
                                     const Topology& topology);
 
-/// What acts on the bodies all along in every slip: the loads of the top level and the weights, as
-/// a case has them.
+/// The loads during every slip, as a case: the loads of the top level and the weights.
 Case bind_slip_loads(const MechanismDescription& description, const Mechanism& mechanism);
 
-/// A case for a gear: names and values as the file would give them in a case written by hand.
+/// A gear to be described as a case, as it would be written by hand in the file.
 struct GearCase {
   std::string label;
   SourceRange where;
   std::vector<int> moving;   ///< inputs whose speed is known, indices into ShiftPlan::inputs
-  std::vector<int> engaged;  ///< elements without motion of which none follows from the others
-  std::vector<int> open;     ///< elements whose action is given as none
-  std::vector<int> others;   ///< indices into ShiftPlan::others, likewise: all but what reacts
+  std::vector<int> engaged;  ///< elements whose rate is given as zero; all independent
+  std::vector<int> open;     ///< elements whose action is given as zero
+  std::vector<int> others;   ///< indices into ShiftPlan::others whose action is given as zero
 
   friend bool operator==(const GearCase&, const GearCase&) = default;
 };
 
-/// The gears as cases of the description: so they depend on its parameters as it does itself.
+/// Describes gears as cases of the description, so that they depend on its parameters too.
 std::vector<CaseDescription> describe_gears(const MechanismDescription& description,
                                             const Topology& topology,
                                             const ShiftPlan& plan,
                                             const std::vector<GearCase>& gears);
 
-/// The cases of a description, which has been bound to the mechanism, in numbers and with their
-/// loads: of a copy that has but cases of describe_gears.
+/// Binds the cases of a description, with their loads. The description must be a copy of the one
+/// that was bound to the mechanism, with the cases of describe_gears in place of its own.
 std::vector<Case> bind_described_cases(const MechanismDescription& description,
                                        const Mechanism& mechanism);
 

@@ -1,4 +1,4 @@
-// What a mechanism is made of, without its dimensions: names, kinds and places, bound once.
+// The structure of a mechanism without its dimensions: bodies, couplings, freedoms and actions.
 #pragma once
 
 #include <string>
@@ -29,7 +29,7 @@ struct CouplingTopology {
   int action_count = 0;
   SourceRange where;
 
-  /// Whether it is a segment of a cable, whose first action is its tension.
+  /// Whether it is a segment of a cable with a tension, which is then its first action.
   bool bears_tension() const { return type == CouplingType::cable && action_count > 0; }
 };
 
@@ -56,7 +56,7 @@ struct ActuatorTopology {
   SourceRange where;
 };
 
-/// Bodies, the ground first; couplings in file order.
+/// The lists of a structure. The first body is the ground; couplings are in file order.
 struct Topology {
   std::vector<BodyTopology> bodies;
   std::vector<CouplingTopology> couplings;
@@ -90,7 +90,7 @@ struct Topology {
     return label.actuator >= 0 ? label.name : coupling(label.coupling).name + "." + label.name;
   }
 
-  /// The freedoms that actuators drive, in their order.
+  /// The freedoms that actuators drive, in the order of the actuators.
   std::vector<int> driven_freedoms() const {
     std::vector<int> driven;
     for (const ActuatorTopology& actuator : actuators) {
@@ -99,7 +99,7 @@ struct Topology {
     return driven;
   }
 
-  /// The actions of the actuators, in their order.
+  /// The actions of the actuators, in the order of the actuators.
   std::vector<int> driving_actions() const {
     std::vector<int> driving;
     for (const ActuatorTopology& actuator : actuators) {

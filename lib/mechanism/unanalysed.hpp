@@ -1,4 +1,4 @@
-// What a description asks for that this version does not analyse.
+// Parts of a description that this version does not analyse.
 #pragma once
 
 #include <string>
@@ -8,14 +8,14 @@
 
 namespace kinestat {
 
-/// A section or a key of the format whose analysis is not there.
+/// A section or key of the format that is not analysed.
 struct Unanalysed {
   SourceRange where;
   std::string what;               ///< "section 'shift'"
   std::string hint = {};          ///< what would be analysed instead; may be empty
-  bool decides = false;           ///< other answers would be wrong without it, so there are none
-  bool can_be_counted = false;    ///< a place that is missing: counts do without
-  bool is_closure_error = false;  ///< a finite motion begins by closing it
+  bool decides = false;           ///< answers without it would be wrong, so there are none
+  bool can_be_counted = false;    ///< a missing place, which mobility counts do not need
+  bool is_closure_error = false;  ///< a gap, which a finite motion closes before it starts
 
   std::string message() const {
     return what + (is_closure_error ? "; only 'kinestat motion' closes the gap between them"
@@ -23,7 +23,7 @@ struct Unanalysed {
   }
 };
 
-/// In the order of the format. Empty for most files.
+/// Finds these parts, in the order of the format. There are none in most files.
 std::vector<Unanalysed> find_unanalysed(const MechanismDescription& description);
 
 }  // namespace kinestat

@@ -8,18 +8,18 @@
 
 namespace kinestat {
 
-/// For the unit motions, by the order asked for (Cazangi 2008, 3.8.1, p. 36, the order of the
-/// screw system λ). Minimal is the least that holds them all: 2 for the Ravigneaux train.
+/// The basis of the unit motions, of the requested order (Cazangi 2008, 3.8.1, p. 36, the order λ
+/// of the screw system). `minimal` is the smallest that holds them all: 2 for the Ravigneaux train.
 CoordinateBasis motion_basis(const Geometry& geometry, OrderChoice order);
 
-/// For the unit actions and the loads. Minimal is the least that holds the actions, unless a load
-/// leaves it by more than kRankZero of its size: then the planar or the spatial one, so that what
-/// nothing resists cannot be overlooked.
+/// The basis of the unit actions and the loads, of the requested order. `minimal` is the smallest
+/// that holds the actions. If this does not hold a load, within kRankZero of the size of the load,
+/// it is the planar or the spatial basis, so that a load that nothing resists is not overlooked.
 CoordinateBasis action_basis(const Geometry& geometry,
                              OrderChoice order,
                              std::span<const BodyWrench> loads = {});
 
-/// The same from the basis of the actions alone.
+/// The same, given the basis of the actions without loads.
 CoordinateBasis action_basis(CoordinateBasis of_actions,
                              const Geometry& geometry,
                              std::span<const BodyWrench> loads);

@@ -1,4 +1,4 @@
-// What reports say of why an answer is believed.
+// What reports say about the evidence for an answer: rank, residual and error bound.
 #pragma once
 
 #include "core/accuracy.hpp"
@@ -9,12 +9,12 @@ namespace kinestat {
 
 const Record<RankEvidence>& rank_evidence_record();
 
-/// Of a system that was solved; `is_answered` is false where it has no answer.
+/// The evidence for the solution of a system.
 struct EvidenceView {
   const RankEvidence& rank;
   const AnswerEvidence& answer;
-  double residual = 0.0;  ///< relative
-  bool is_answered = false;
+  double residual = 0.0;     ///< relative
+  bool is_answered = false;  ///< whether the system has a solution
 };
 
 const Record<EvidenceView>& evidence_record();

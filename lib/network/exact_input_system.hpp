@@ -1,4 +1,4 @@
-// The node systems of the numbers as typed.
+// The node systems written with the numbers as typed, without rounding.
 #pragma once
 
 #include <span>
@@ -10,24 +10,24 @@
 
 namespace kinestat {
 
-/// velocity_system without rounding, in a basis made of coordinates: unknowns and units are the
-/// same.
+/// velocity_system without rounding, with the same unknowns and units. `basis` must consist of
+/// coordinates.
 ExactInputMatrix exact_input_velocity_system(const Topology& topology,
                                              const std::vector<ExactInputScrew>& motions,
                                              const CoordinateBasis& basis);
 
-/// action_system likewise.
+/// action_system without rounding.
 ExactInputMatrix exact_input_action_system(const Topology& topology,
                                            const std::vector<ExactInputScrew>& actions,
                                            const CoordinateBasis& basis);
 
-/// load_vector likewise: one a load of the case, as typed.
+/// load_vector without rounding. `wrenches` are those of the loads as typed, one per load.
 std::vector<ExactInput> exact_input_load_vector(int body_count,
                                                 const CoordinateBasis& basis,
                                                 std::span<const Load> loads,
                                                 const std::vector<ExactInputScrew>& wrenches);
 
-/// As many as any matrix with entries at these places can have.
+/// The largest rank that a matrix with entries in these places can have, whatever their values.
 int largest_rank(const ExactInputMatrix& matrix);
 int largest_rank(const SparseMatrix& matrix);
 

@@ -6,7 +6,8 @@
 
 namespace kinestat {
 
-/// On the side of motions, for `order` = λ and l circuits (Cazangi 2008, section 3.8.1, p. 36).
+/// Counts of motions, for l circuits and screws of order λ (Cazangi 2008, section 3.8.1, p.
+/// 36).
 struct MotionCounts {
   int order = 0;           ///< λ
   int gross_freedom = 0;   ///< F, the columns of M_N
@@ -15,7 +16,8 @@ struct MotionCounts {
   int net_constraint = 0;  ///< C_N = λ l - m: how many circuit equations are redundant
 };
 
-/// On the side of actions, for `order` = λ and k cut-sets (Cazangi 2008, section 3.8.2, p. 37).
+/// Counts of actions, for k cut-sets and screws of order λ (Cazangi 2008, section 3.8.2, p.
+/// 37).
 struct ActionCounts {
   int order = 0;             ///< λ
   int gross_constraint = 0;  ///< C, passive constraints and internalised actions: columns of A_N
@@ -24,10 +26,10 @@ struct ActionCounts {
   int net_freedom = 0;       ///< F_N = λ k - a: how many freedoms nothing resists
 };
 
-/// From the rank of the velocity system in coordinates of the given order.
+/// Computes the counts of motions from the rank of the velocity system of the given order.
 MotionCounts motion_counts(const Mechanism& mechanism, int order, int system_rank);
 
-/// From the rank of the equilibrium system in coordinates of the given order.
+/// Computes the counts of actions from the rank of the equilibrium system of the given order.
 ActionCounts action_counts(const Mechanism& mechanism, int order, int system_rank);
 
 }  // namespace kinestat

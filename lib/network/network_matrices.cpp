@@ -32,6 +32,27 @@ struct Expansion {
   std::vector<std::string> coordinates;
 };
 
+// The screws of the couplings, one coupling behind the other in the order of the graph's columns.
+template <class Screw>
+std::vector<Column> screw_columns(const Topology& topology,
+                                  const CouplingGraph& graph,
+                                  const std::vector<Screw>& screws,
+                                  int CouplingTopology::*first,
+                                  int CouplingTopology::*count,
+                                  std::string (Topology::*name)(int) const) {
+  std::vector<Column> columns;
+  for (std::size_t c = 0; c < graph.columns.size(); ++c) {
+    const CouplingTopology& coupling =
+        topology.couplings[static_cast<std::size_t>(graph.columns[c])];
+    for (int i = coupling.*first; i < coupling.*first + coupling.*count; ++i) {
+      columns.push_back({.edge_column = static_cast<int>(c),
+                         .screw = screws[static_cast<std::size_t>(i)].coordinates(),
+                         .name = (topology.*name)(i)});
+    }
+  }
+  return columns;
+}
+
 std::vector<std::string> names_of(const Expansion& side) {
   std::vector<std::string> names;
   for (const Column& column : side.columns) {
@@ -126,19 +147,15 @@ std::vector<LabelledMatrix> motion_matrices(const Topology& topology,
                                             const Geometry& geometry,
                                             const CouplingGraph& graph,
                                             const CoordinateBasis& basis) {
-  Expansion side{.columns = {},
-                 .edges = circuit_matrix(cutset_matrix(graph)),
-                 .edge_rows = edge_names(topology, graph.tree.chords),
-                 .coordinates = row_names(basis, ScrewKind::twist)};
-  for (std::size_t c = 0; c < graph.columns.size(); ++c) {
-    const CouplingTopology& coupling =
-        topology.couplings[static_cast<std::size_t>(graph.columns[c])];
-    for (int f = coupling.first_freedom; f < coupling.first_freedom + coupling.freedom_count; ++f) {
-      side.columns.push_back({.edge_column = static_cast<int>(c),
-                              .screw = geometry.motions[static_cast<std::size_t>(f)].coordinates(),
-                              .name = topology.freedom_name(f)});
-    }
-  }
+  const Expansion side{.columns = screw_columns(topology,
+                                                graph,
+                                                geometry.motions,
+                                                &CouplingTopology::first_freedom,
+                                                &CouplingTopology::freedom_count,
+                                                &Topology::freedom_name),
+                       .edges = circuit_matrix(cutset_matrix(graph)),
+                       .edge_rows = edge_names(topology, graph.tree.chords),
+                       .coordinates = row_names(basis, ScrewKind::twist)};
   LabelledMatrix B_M = expanded(side, "B_M", "circuits of the motion graph");
   LabelledMatrix M_D = unit_screws(side, basis, "M_D", "unit motions");
   LabelledMatrix M_N = stacked(M_D, B_M, "M_N", "unit motions in the network");
@@ -149,19 +166,15 @@ std::vector<LabelledMatrix> action_matrices(const Topology& topology,
                                             const Geometry& geometry,
                                             const CouplingGraph& graph,
                                             const CoordinateBasis& basis) {
-  Expansion side{.columns = {},
-                 .edges = cutset_matrix(graph),
-                 .edge_rows = edge_names(topology, graph.tree.branches),
-                 .coordinates = row_names(basis, ScrewKind::wrench)};
-  for (std::size_t c = 0; c < graph.columns.size(); ++c) {
-    const CouplingTopology& coupling =
-        topology.couplings[static_cast<std::size_t>(graph.columns[c])];
-    for (int a = coupling.first_action; a < coupling.first_action + coupling.action_count; ++a) {
-      side.columns.push_back({.edge_column = static_cast<int>(c),
-                              .screw = geometry.actions[static_cast<std::size_t>(a)].coordinates(),
-                              .name = topology.action_name(a)});
-    }
-  }
+  const Expansion side{.columns = screw_columns(topology,
+                                                graph,
+                                                geometry.actions,
+                                                &CouplingTopology::first_action,
+                                                &CouplingTopology::action_count,
+                                                &Topology::action_name),
+                       .edges = cutset_matrix(graph),
+                       .edge_rows = edge_names(topology, graph.tree.branches),
+                       .coordinates = row_names(basis, ScrewKind::wrench)};
   LabelledMatrix Q_A = expanded(side, "Q_A", "cut-sets of the action graph");
   LabelledMatrix A_D = unit_screws(side, basis, "A_D", "unit actions");
   LabelledMatrix A_N = stacked(A_D, Q_A, "A_N", "unit actions in the network");

@@ -1,4 +1,4 @@
-// Which screws stand in which rows and columns of the node systems, whatever their numbers are.
+// The places of the screws in the rows and columns of the node systems, whatever their numbers are.
 #pragma once
 
 #include "mechanism/topology.hpp"
@@ -21,9 +21,9 @@ inline SystemSize action_system_size(const Topology& topology, const CoordinateB
   return {.rows = basis.order() * (topology.body_count() - 1), .columns = topology.action_count()};
 }
 
-/// The entries of velocity_system: add_one(row, column, value) for each coordinate of the twist of
-/// a body, and add_screw(freedom, first row, column, factor) for the column of a freedom in the
-/// rows of its coupling.
+/// Lists the entries of velocity_system: calls add_one(row, column, value) for each coordinate of
+/// the twist of a body, and add_screw(freedom, first row, column, factor) for the column of a
+/// freedom in the rows of its coupling.
 template <class AddOne, class AddScrew>
 void lay_velocity_system(const Topology& topology,
                          const CoordinateBasis& basis,
@@ -47,8 +47,8 @@ void lay_velocity_system(const Topology& topology,
   }
 }
 
-/// The entries of action_system: add_screw(action, first row, column, factor) for each of the two
-/// bodies on which an action works, but the ground.
+/// Lists the entries of action_system: calls add_screw(action, first row, column, factor) for each
+/// of the two bodies on which an action acts, except the ground.
 template <class AddScrew>
 void lay_action_system(const Topology& topology,
                        const CoordinateBasis& basis,

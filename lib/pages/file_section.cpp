@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/text.hpp"
 #include "core/utf8.hpp"
 #include "draw/linkage/linkage_drawing.hpp"
 #include "draw/train/gear_scheme.hpp"
@@ -96,11 +97,12 @@ class FileSection {
     }
     section_.open_part("structure", "Structure");
     std::vector<Picture> pictures = pictures_at(PicturePlace::structure, section_.source());
-    if (has_drawn_motion(page_) || has_drawn_simulation(page_)) {
+    const bool moves = has_drawn_motion(page_) || has_drawn_simulation(page_);
+    if (moves && main_picture()) {
       pictures.insert(pictures.begin(), *main_picture());
     }
     section_.add_pictures(pictures);
-    if (scheme_) {
+    if (scheme_ && linkage_) {
       section_.add_folded("Drawing in space", {*linkage_});
     }
     section_.add_folded("Graphs of motions and actions, circuits and cut-sets",
@@ -149,9 +151,8 @@ class FileSection {
     section_.add_pictures(pictures_at(PicturePlace::shift, section_.source()));
     const ShiftBlocks shift = shift_parts(*page_.analysis, ShownOthers::all);
     add_blocks(shift.gears, "Shift table", html_);
-    add_folded_blocks(fmt::format("{} combination{} of elements {} no gear",
-                                  shift.other_count,
-                                  shift.other_count == 1 ? "" : "s",
+    add_folded_blocks(fmt::format("{} of elements {} no gear",
+                                  counted(shift.other_count, "combination"),
                                   shift.other_count == 1 ? "gives" : "give"),
                       "No gear",
                       shift.others);

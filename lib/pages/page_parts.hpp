@@ -57,12 +57,6 @@ std::vector<std::string> count_sentences(const FilePage& page);
 /// those of the first.
 std::vector<std::string> synthesis_sentences(const SynthesisAnalysis& synthesis);
 
-/// "1 body", "2 bodies".
-std::string counted(int number, std::string_view one, std::string_view many);
-
-/// "1 coupling", "2 couplings".
-std::string counted(int number, std::string_view noun);
-
 /// Adds the section of a file and gives its headings. Ids begin with `id`; the figures are
 /// numbered on from `figures`.
 std::vector<PageHeading> add_file_section(

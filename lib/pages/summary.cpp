@@ -147,7 +147,7 @@ void add_shift(const ShiftAnalysis& shift, Sentences& sentences) {
                                  solution.needed,
                                  elements,
                                  gears,
-                                 counted(static_cast<int>(solution.states.size()), "combination"),
+                                 counted(solution.states.size(), "combination"),
                                  gears == 1 ? "gives a gear" : "give a gear");
   if (solution.table.span) {
     text += fmt::format("; the ratio spread of the forward gears is {}",
@@ -193,7 +193,7 @@ void add_motion(const MotionTable& motion, Sentences& sentences) {
     return static_cast<int>(std::ranges::count(motion.events, kind, &MotionEvent::kind));
   };
   std::vector<std::string> passed;
-  const auto add = [&](int number, std::string_view noun) {
+  const auto add = [&](int number, const char* noun) {
     if (number > 0) {
       passed.push_back(counted(number, noun));
     }
@@ -255,14 +255,6 @@ std::vector<std::string> count_sentences(const FilePage& page) {
     add_mobility(page.analysis->mobility, sentences);
   }
   return sentences;
-}
-
-std::string counted(int number, std::string_view one, std::string_view many) {
-  return fmt::format("{} {}", number, number == 1 ? one : many);
-}
-
-std::string counted(int number, std::string_view noun) {
-  return counted(number, noun, fmt::format("{}s", noun));
 }
 
 }  // namespace kinestat

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "core/text.hpp"
 #include "pages/page_parts.hpp"
 #include "report/number_format.hpp"
 #include "studies/synthesis/report/linkage_text.hpp"

@@ -1,4 +1,4 @@
-// The efficiency of a transmission by the powers that the ground sees.
+// The efficiency of a transmission by the powers as seen from the ground.
 #pragma once
 
 #include <optional>
@@ -8,11 +8,11 @@
 
 namespace kinestat {
 
-/// Every body shares the power that it effectively receives among its arcs and outlets as it would
-/// without losses of meshes, and a lossy mesh keeps 1 - share of what enters it (Cazangi 2008,
-/// section 4.4.4; solved as one linear system, so that power that circulates is counted to
-/// the end). What then leaves by the outputs over what the inputs give: find_efficiency must have a
-/// value for this flow. Empty where the powers of a body are open.
+/// Finds the power that leaves at the outputs over the power that the inputs give (Cazangi 2008,
+/// section 4.4.4). Every body divides the power that it receives among its arcs and outlets in the
+/// same proportions as without mesh losses; a lossy mesh passes on 1 - share of the power that
+/// enters it. This is solved as one linear system, so that circulating power is counted to the end.
+/// find_efficiency must have a value for this flow. Empty if the powers of a body are open.
 std::optional<double> find_absolute_efficiency(const Mechanism& mechanism,
                                                const Case& which,
                                                const PowerFlow& flow,

@@ -13,21 +13,22 @@ namespace kinestat {
 struct MeshPower;
 struct PowerArc;
 
-/// Bodies each of which sends power, by way of others, to all the others.
+/// A group of bodies in which power circulates: each of them sends power to all the others,
+/// directly or through other bodies.
 struct CirculatingPower {
-  std::vector<BodyId> bodies;     ///< in the sense of the flow where that is a single circle
-  std::vector<std::size_t> arcs;  ///< indices into PowerGraph::net, likewise
-  double largest = 0.0;           ///< power of its arcs [W]
-  bool rolls = false;             ///< whether a mesh among them rolls, and so loses power
+  std::vector<BodyId> bodies;     ///< in the sense of the flow if this is a single circle
+  std::vector<std::size_t> arcs;  ///< indices into PowerGraph::net, in the same order
+  double largest = 0.0;           ///< the largest power of its arcs [W]
+  bool rolls = false;             ///< whether a mesh among the arcs rolls, and so may lose power
 };
 
-/// The strong components of the graph that the `net` powers from shaft to shaft make.
+/// Finds the strong components of the graph of the `net` powers from shaft to shaft.
 std::vector<CirculatingPower> find_circulating_power(int body_count,
                                                      const std::vector<PowerArc>& net,
                                                      const std::vector<MeshPower>& meshes);
 
-/// γ, the recirculation factor: the largest of the `net` powers over the power of the inputs [W].
-/// Above one only where power circulates; empty without input.
+/// The recirculation factor γ: the largest of the `net` powers over `input`, the power of the
+/// inputs [W]. It exceeds one only if power circulates. Empty without input.
 std::optional<double> find_recirculation(const std::vector<PowerArc>& net, double input);
 
 }  // namespace kinestat

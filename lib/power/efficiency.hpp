@@ -1,4 +1,4 @@
-// What losses leave of the power from the inputs of a case to its outputs.
+// The efficiency of a case, from its inputs to its outputs.
 #pragma once
 
 #include <optional>
@@ -10,28 +10,30 @@
 
 namespace kinestat {
 
-/// Power of the outputs over that of the inputs, actuators and loads, each summed. Empty where the
-/// case does not name both, where an input takes power or none gives any, where an output gives
-/// some (self-locking if all of them together do), and where other loads or actuators exchange
-/// power, but for what a clutch or brake takes, which slips: that is lost. The reason says so, but
-/// for a case that does not name both. Never below 0; where it is 0 there is a reason too.
+/// The efficiency is the power of all outputs over the power of all inputs, which are actuators and
+/// loads. It has no value, and `reason` says why,
+/// - if an input takes power, or no input gives any;
+/// - if an output gives power (the case is self-locking if all outputs together do);
+/// - if other actuators or loads exchange power; the power of a slipping clutch or brake is a loss.
+/// It has no value, and no reason, if the case does not name inputs and outputs. It is never below
+/// 0; if it is 0, there is a reason too.
 struct Efficiency {
   std::optional<double> value;
   std::string reason;
-  bool is_self_locking = false;  ///< losses take more than the inputs give: the outputs drive too
-  std::optional<double> other = {};  ///< of another answer of large losses; the reason names it
+  bool is_self_locking = false;      ///< losses exceed the power of the inputs: outputs drive too
+  std::optional<double> other = {};  ///< of a second answer of large losses; `reason` mentions it
 };
 
 /// The powers of a case [W].
 struct CasePowers {
   const std::vector<double>& actuators;
   const std::vector<double>& loads;
-  double largest = 0.0;                      ///< of the whole network
-  const std::vector<bool>* slips = nullptr;  ///< of each actuator, whether what it takes is lost: a
-                                             ///< clutch or brake; null: none
+  double largest = 0.0;                      ///< the largest power in the whole network
+  const std::vector<bool>* slips = nullptr;  ///< of each actuator: whether it is a clutch or brake,
+                                             ///< so that the power it takes is lost; null: none is
 };
 
-/// The clutches and brakes among the actuators.
+/// Whether each actuator is a clutch or brake.
 std::vector<bool> find_slipping(const Topology& topology);
 
 Efficiency find_efficiency(const Case& which, const CasePowers& powers);

@@ -1,4 +1,4 @@
-// The power of teeth in the frame of their carrier, which losses are a share of.
+// The power of meshes relative to their carriers; mesh losses are a share of it.
 #pragma once
 
 #include <span>
@@ -12,15 +12,15 @@
 
 namespace kinestat {
 
-/// Teeth seen from their carrier, where only what rolls transmits power.
+/// The power of a mesh relative to its carrier, where it transmits power only if it rolls.
 struct MeshPower {
   CouplingId coupling;
   BodyId carrier;
-  double rolling = 0.0;  ///< into the head in the carrier's frame [W]; |rolling| is what losses of
-                         ///< the mesh are a share of (rolling, latent or potential power)
+  double rolling = 0.0;  ///< power into the head in the frame of the carrier [W] (rolling, latent
+                         ///< or potential power); losses of the mesh are a share of |rolling|
 };
 
-/// Of those of `meshes` whose carrier is known and whose wrench is not open.
+/// Finds the powers of those meshes whose carrier is known and whose wrench is not open.
 std::vector<MeshPower> find_mesh_powers(const Mechanism& mechanism,
                                         const KinematicSolution& motion,
                                         const StaticSolution& action,

@@ -1,4 +1,4 @@
-// Which bodies count as one shaft when power is followed from shaft to shaft.
+// Bodies that count as one shaft when power is followed from shaft to shaft.
 #pragma once
 
 #include <optional>
@@ -10,27 +10,28 @@
 
 namespace kinestat {
 
-/// Planets that mesh with each other on one carrier are one shaft, for which the first of them
-/// stands; every other body is one of its own. `meshes` are those of the mechanism; the topology
-/// must outlive it.
+/// The shafts of a mechanism. Planets that mesh with each other on one carrier are one shaft, which
+/// the first of them represents; every other body is a shaft of its own. `meshes` are those of the
+/// mechanism. The topology must outlive it.
 class NetShafts {
  public:
   NetShafts(const Topology& topology, std::span<const Mesh> meshes);
 
   BodyId shaft_of(BodyId body) const { return shaft_of_[index(body)]; }
 
-  /// On which a planet turns: a gear that nothing holds but its carrier and teeth. Empty of others.
+  /// The carrier of a planet, which is a gear that only its carrier and its meshes hold. Empty for
+  /// other bodies.
   const std::optional<BodyId>& carrier_of(BodyId body) const { return carrier_of_[index(body)]; }
 
-  /// Whether it joins a planet and its carrier. What the carrier gives is then its wrench on the
-  /// motion of the carrier.
+  /// Whether a coupling joins a planet and its carrier. The power that the carrier gives is then
+  /// the power of the wrench on the motion of the carrier.
   bool bears_planet(CouplingId id) const { return planet_on(id).has_value(); }
 
-  /// The planet of such a coupling, which is its head or its tail; empty of others.
+  /// The planet of such a coupling, which is its head or its tail. Empty for other couplings.
   std::optional<BodyId> planet_on(CouplingId id) const;
 
-  /// Whether a coupling counts together with others between the same two, as the strands of a belt
-  /// and the bearings of planets do: what is summed is what one side gives more than the other.
+  /// Whether the powers of a coupling and of others between the same two shafts are summed, with
+  /// their signs, as for the strands of a belt and the bearings of planets.
   bool is_summed(CouplingId id) const;
 
  private:

@@ -1,4 +1,4 @@
-// Which way the power goes from body to body in one case, and whether it circulates.
+// The flow of power from body to body in one case, and whether power circulates.
 #pragma once
 
 #include <optional>
@@ -18,35 +18,35 @@ struct PowerArc {
   CouplingId coupling;
   BodyId from;
   BodyId to;
-  double power =
-      0.0;  ///< [W], positive: what leaves `from` and what reaches `to`, whichever is less
-  double bound = 0.0;  ///< by how much it may be off [W]
+  double power = 0.0;  ///< [W], positive: the smaller of what leaves `from` and what reaches `to`
+  double bound = 0.0;  ///< error bound of the power [W]
 };
 
-/// What a body gets and gives through its couplings and loads [W]; in balance they are equal.
+/// The power that a body receives and gives through its couplings and loads [W]. The two are equal
+/// if the powers balance.
 struct BodyPower {
   double received = 0.0;
   double given = 0.0;
 };
 
-/// Seen from the ground, so that a train that turns as a block carries power too. Couplings whose
-/// wrench is open are left out, and with them the balance of their bodies.
+/// The flow of power as seen from the ground, so that a train that turns as a block transmits power
+/// too. Couplings whose wrench is open are left out, and so are the balances of their bodies.
 struct PowerGraph {
   std::vector<PowerArc> arcs;  ///< in the order of the couplings
-  /// What goes from shaft to shaft: planets that mesh with each other on one carrier are one, which
-  /// the first of them stands for, the strands of a belt are one, and of several couplings between
-  /// the same two the strongest stands for their sum. A gear on a fixed axis gives torque times
-  /// speed, and the bearings of the planets together the carrier's; so nothing here depends on
-  /// pressure angles, nor on where the planets are drawn.
+  /// The powers from shaft to shaft. Planets that mesh with each other on one carrier are one
+  /// shaft, which the first of them represents. The strands of a belt count as one arc. Several
+  /// couplings between two shafts count as one, under the name of the strongest. A gear on a fixed
+  /// axis gives its torque times its speed, and so do the bearings of all planets for their
+  /// carrier: nothing here depends on pressure angles or on where the planets are drawn.
   std::vector<PowerArc> net;
-  std::vector<std::optional<BodyPower>> bodies;  ///< of all bodies; the ground, at rest, has zeros
-  std::vector<MeshPower> meshes;                 ///< those whose carrier is known
+  std::vector<std::optional<BodyPower>> bodies;  ///< of each body; zeros for the ground, at rest
+  std::vector<MeshPower> meshes;                 ///< of the meshes whose carrier is known
   std::vector<CirculatingPower> circulating;
-  /// γ: what find_recirculation says of `net`, if there is an input.
+  /// The recirculation factor γ by find_recirculation; empty without input.
   std::optional<double> recirculation;
 };
 
-/// The flow must be that of the motion and the actions.
+/// Finds the flow of power. `flow` must have the powers of this motion and these actions.
 PowerGraph find_power_graph(const Mechanism& mechanism,
                             const Case& which,
                             const KinematicSolution& motion,

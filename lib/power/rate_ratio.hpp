@@ -6,10 +6,10 @@
 
 namespace kinestat {
 
-/// The rate of all inputs, of which there is one at least; empty if they differ.
+/// The rate that all inputs have in common; empty if the rates differ. There must be at least one.
 std::optional<double> common_rate(std::span<const double> rates);
 
-/// Empty where `below` is zero, or either has no value.
+/// The quotient `above` / `below`; empty if `below` is zero or if either has no value.
 std::optional<double> share_of(std::optional<double> above, std::optional<double> below);
 
 }  // namespace kinestat

@@ -1,4 +1,4 @@
-// Ratios that numbers of teeth make fractions.
+// Ratios as fractions of numbers of teeth.
 #pragma once
 
 #include <optional>
@@ -9,11 +9,11 @@
 
 namespace kinestat {
 
-/// The ratio of a case with one output without rounding: every mesh is that of the section `gears`,
-/// z_1 (w_1 - w_c) + z_2 (w_2 - w_c) = 0 in its carrier c with z negative of a ring (Willis 1870),
-/// every other coupling a hinge or rigid, and what the case knows of motions is zero or one speed.
-/// Empty where the mechanism has other parts, and where the fraction is not what `ratio` is, the
-/// one that was solved for.
+/// The ratio of a case with one output, without rounding. A mesh of the section `gears` with the
+/// carrier c obeys z_1 (w_1 - w_c) + z_2 (w_2 - w_c) = 0, z being negative for a ring (Willis
+/// 1870). All other couplings must be hinges or rigid, and the known motions of the case must be
+/// zero or have one common speed. Empty if the mechanism has other parts, or if the fraction
+/// differs from `ratio`, the solved one.
 std::optional<Rational> tooth_ratio(const MechanismDescription& description,
                                     const Mechanism& mechanism,
                                     const Case& which,

@@ -7,19 +7,19 @@
 
 namespace kinestat {
 
-/// The angle μ of the output's driving force to the normal of the path on which it works [rad], 0
-/// to π/2: 90° is best, at 0° the force does not drive at all. Alt 1932 (Werkstattstechnik 26, 61)
-/// measures it in a four-bar between coupler and rocker; Balli and Chand 2002 (Mechanism and
-/// Machine Theory 37, 175-195) collect what was made of it. Here it follows from the actions, so
-/// that it means the same in sliders, cams and space:
-///   sin μ = |F · v| / (|F| |v|),
-/// F the force that reaches the body of the output through its one other coupling while nothing but
-/// input and output bear a load, v the velocity which the output's freedom gives that body on the
-/// line of F, at its point next to the coupling. Where the chain is stretched so that neither can
-/// load it, F is that with which it may stress itself, the limit of what stands beside.
+/// The transmission angle μ [rad], from 0 to π/2, between the driving force of the output and the
+/// normal of the path of its point of application. At 90° the force drives best, at 0° not at all.
+/// Alt 1932 (Werkstattstechnik 26, 61) measures it in a four-bar between coupler and rocker; Balli
+/// and Chand 2002 (Mechanism and Machine Theory 37, 175-195) review later definitions. Here it
+/// follows from the actions, so that it means the same in sliders, cams and spatial mechanisms:
+///   sin μ = |F · v| / (|F| |v|).
+/// F is the force on the body of the output through its one other coupling, while only input and
+/// output bear a load. v is the velocity that the freedom of the output gives this body on the line
+/// of F, at its point next to the coupling. If the chain is stretched so that neither can load it,
+/// F is the force of its self-stress, which is the limit of F in positions nearby.
 ///
-/// Empty where the body of the output has more than one other coupling that is not with the same
-/// body, where F is not determined by equilibrium or is a couple, and where v is zero.
+/// Empty if the body of the output has no coupling, or several, to bodies other than the one in
+/// which it is guided, if F is not determined by equilibrium or is a couple, or if v is zero.
 /// `input` and `output` are indices of actuators.
 std::optional<double> find_transmission_angle(const Mechanism& mechanism, int input, int output);
 
@@ -28,11 +28,11 @@ enum class TransmissionObstacle {
   same_actuator,    ///< input and output are one
   no_one_coupling,  ///< the body of the output has no other coupling, or several
   open_force,       ///< equilibrium does not determine the force
-  couple,           ///< what drives the body is a couple
-  rest              ///< the body rests on the line of the force
+  couple,           ///< a couple drives the body, not a force
+  rest              ///< the body has no velocity on the line of the force
 };
 
-/// Empty iff there is one.
+/// The reason why there is no transmission angle; empty if there is one.
 std::optional<TransmissionObstacle> find_transmission_obstacle(const Mechanism& mechanism,
                                                                int input,
                                                                int output);

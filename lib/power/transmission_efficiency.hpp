@@ -1,4 +1,4 @@
-// What a transmission with lossy meshes passes on, forwards and backwards.
+// The efficiency of a transmission with lossy meshes, forwards and backwards.
 #pragma once
 
 #include <optional>
@@ -13,45 +13,46 @@
 
 namespace kinestat {
 
-/// What a mesh loses in the carrier model.
+/// The loss of a mesh in the carrier model.
 struct MeshLossPower {
   CouplingId mesh;
-  bool rolls = true;             ///< in its carrier; else it loses nothing
-  std::optional<BodyId> driven;  ///< the gear that is held back; none where nothing is lost
-  double couple = 0.0;           ///< that does so [N·m]
-  double power = 0.0;            ///< its power [W], never positive
+  bool rolls = true;             ///< whether it rolls in its carrier; else it loses nothing
+  std::optional<BodyId> driven;  ///< the gear that the loss holds back; empty if nothing is lost
+  double couple = 0.0;           ///< the couple that holds it back [N·m]
+  double power = 0.0;            ///< the power of this couple [W], never positive
 };
 
-/// What loses power in the carrier model, and what acts then.
+/// The losses in the carrier model, and the actions with these losses.
 struct LossyState {
   std::vector<MeshLossPower> meshes;           ///< in the order of mechanism.lossy_meshes
   std::vector<double> friction;                ///< powers of the friction of couplings [W], in the
                                                ///< order of the friction of the case
-  std::vector<std::optional<double>> actions;  ///< of each action
-  std::vector<double> actuators;               ///< powers [W], as those of a PowerFlow
-  double input = 0.0;                          ///< [W], likewise
+  std::vector<std::optional<double>> actions;  ///< of each action [N·m or N]
+  std::vector<double> actuators;               ///< of each actuator: its power [W]
+  double input = 0.0;                          ///< as in a PowerFlow [W]
   double balance_residual = 0.0;  ///< |sum of the powers of actuators, loads and losses| relative
                                   ///< to the largest of them
 };
 
-/// One case with losses. Both models are found, whichever the file prefers; all three contain the
-/// friction of couplings too.
+/// The efficiencies of one case with losses, by both models, whichever the file prefers. All of
+/// them include the friction of couplings.
 struct TransmissionEfficiency {
-  /// Losses by the power that rolls in the carrier of each mesh (Macmillan 1961; Pennestrì and
-  /// Freudenstein 1993): the power that is latent in a train that turns as a block is not lost.
-  /// Self-locking where no sense of the losses agrees with power that leaves by the outputs.
+  /// With losses by the power that rolls relative to the carrier of each mesh (Macmillan 1961;
+  /// Pennestrì and Freudenstein 1993): a train that turns as a block loses nothing. Self-locking if
+  /// no senses of the losses agree with power that leaves at the outputs.
   Efficiency carrier;
-  /// The same motion with all known actions and loads reversed: the outputs drive.
+  /// With the same motion and all known actions and loads reversed, so that the outputs drive.
   Efficiency carrier_backward;
-  /// Losses by the power through each mesh as seen from the ground (Cazangi 2008, 4.4.4, p. 88).
+  /// With losses by the power through each mesh, seen from the ground (Cazangi 2008, 4.4.4, p.
+  /// 88).
   Efficiency absolute;
-  std::optional<LossyState> state;          ///< forwards; empty where the losses lock, or are open
+  std::optional<LossyState> state;  ///< forwards; empty if the case locks or losses are open
   std::vector<CouplingId> without_carrier;  ///< lossy meshes whose carrier is not known: the
                                             ///< carrier model has no answer
 };
 
-/// A case that is solved without the losses of its meshes, but with the friction of its couplings.
-/// The motion must be solved, and `power` and `graph` be the flow of motion and action.
+/// A case that was solved without the losses of its meshes, but with the friction of its couplings.
+/// The motion must be solved; `power` and `graph` must be those of its motion and actions.
 struct SolvedCase {
   const Case& which;
   const KinematicSolution& motion;
@@ -59,7 +60,7 @@ struct SolvedCase {
   const PowerGraph& graph;
 };
 
-/// Of a mechanism with lossy meshes. `common` are the coordinates of its actions without loads.
+/// For a mechanism with lossy meshes. `common` is the basis of its actions without loads.
 TransmissionEfficiency find_transmission_efficiency(const Mechanism& mechanism,
                                                     const CoordinateBasis& common,
                                                     const SolvedCase& solved);

@@ -8,7 +8,6 @@
 #include "mechanism/position_error.hpp"
 #include "statics/coupling_wrenches.hpp"
 #include "statics/equilibrium.hpp"
-#include "statics/internal/slipping_cable_tension.hpp"
 
 namespace kinestat {
 
@@ -61,16 +60,8 @@ StaticSolution solve_action(const Mechanism& mechanism,
                             const CoordinateBasis& basis,
                             std::span<const Primary> primaries,
                             std::span<const BodyWrench> loads,
-                            const AccuracyRequest& request) {
-  return solve_tied_tensions(mechanism, basis, primaries, loads, request, {});
-}
-
-StaticSolution solve_tied_tensions(const Mechanism& mechanism,
-                                   const CoordinateBasis& basis,
-                                   std::span<const Primary> primaries,
-                                   std::span<const BodyWrench> loads,
-                                   const AccuracyRequest& request,
-                                   const std::vector<SlippingCableTension>& ties) {
+                            const AccuracyRequest& request,
+                            const std::vector<TiedTension>& ties) {
   std::vector<int> indices;
   std::vector<double> known;
   indices.reserve(primaries.size());

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "mechanism/mechanism.hpp"
 #include "screw/coordinate_basis.hpp"
+#include "statics/equilibrium.hpp"
 #include "statics/static_solution.hpp"
 
 namespace kinestat {
@@ -14,10 +16,12 @@ namespace kinestat {
 /// `basis` must hold all unit actions and the loads. The status is `inconsistent` if the primaries
 /// or the loads act on a freedom that nothing resists, `dependent` if the primaries follow from
 /// each other and the loads, `underdetermined` (and then partly filled) if there are too few.
+/// `ties` replace the equations of the tensions that they tie.
 [[nodiscard]] StaticSolution solve_action(const Mechanism& mechanism,
                                           const CoordinateBasis& basis,
                                           std::span<const Primary> primaries,
                                           std::span<const BodyWrench> loads = {},
-                                          const AccuracyRequest& request = {});
+                                          const AccuracyRequest& request = {},
+                                          const std::vector<TiedTension>& ties = {});
 
 }  // namespace kinestat

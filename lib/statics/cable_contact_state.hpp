@@ -39,13 +39,13 @@ struct CableContactState {
   std::optional<double> after;       ///< tension T_2 of the segment that leaves [N]
   std::optional<double> ratio;       ///< of the larger tension to the smaller, if both pull
   std::optional<double> limit;       ///< exp(μ θ), the largest ratio that friction holds
-  std::optional<double> slip_speed;  ///< of the cable over the pulley in its order [m/s]
+  std::optional<double> slip_speed;  ///< of the cable over the pulley, in the cable's order [m/s]
   std::optional<double> slip_power;  ///< (T_1 - T_2) times the slip speed [W]
   BeltState belt_state = BeltState::unknown;
 };
 
-/// In the order of mechanism.contacts; empty if the case has no actions. Without `motion` it is not
-/// known whether cables slip.
+/// Finds the state of each contact, in the order of mechanism.contacts; none if the case has no
+/// actions. `motion` may be null: then it is not known whether cables slip.
 std::vector<CableContactState> find_cable_contact_states(const Mechanism& mechanism,
                                                          const StaticSolution& solution,
                                                          const KinematicSolution* motion);

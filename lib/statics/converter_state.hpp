@@ -9,8 +9,8 @@
 
 namespace kinestat {
 
-/// SI units; couples about the axis of the coupling, in the sense in which speeds count. What the
-/// pump takes and the stator gives, the turbine gives.
+/// The state of one torque converter. Torques act about the axis of the coupling, in the sense in
+/// which speeds count [N·m]. The turbine torque is the sum of the pump and stator torques.
 struct ConverterState {
   CouplingId coupling = {};                ///< of pump and turbine
   double pump_speed = 0.0;                 ///< seen from the stator [rad/s]
@@ -22,13 +22,13 @@ struct ConverterState {
   double stator_torque = 0.0;  ///< of the stator on the turbine
   double lost = 0.0;           ///< power that heats the fluid [W]
 
-  /// What it gives by what it takes, by speed and torque ratio while the pump drives; zero at
-  /// stall and where both shafts drive it, empty where nothing flows.
+  /// The power it gives over the power it takes: speed ratio times torque ratio while the pump
+  /// drives. Zero at stall and where both shafts drive it; empty if the pump takes no power.
   std::optional<double> efficiency() const;
 };
 
-/// In the order of mechanism.frictions; without those whose characteristic has no value there.
-/// `motion` must be solved.
+/// Finds the state of each converter, in the order of mechanism.frictions. A converter is left out
+/// if its characteristic has no value at its speeds. `motion` must be solved.
 std::vector<ConverterState> find_converter_states(const Mechanism& mechanism,
                                                   const KinematicSolution& motion);
 

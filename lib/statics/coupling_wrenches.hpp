@@ -7,15 +7,16 @@
 
 namespace kinestat {
 
-/// An action that is known with its bound: that of the solution, where there is one.
+/// The magnitude of an action with its error bound; the action must have a value. If the solution
+/// has no bounds, the bound is the rounding of the magnitude itself.
 BoundedNumber bounded_action(const StaticSolution& solution, int action);
 
-/// What a coupling bears, with its bounds; empty where it is open.
+/// The wrench that a coupling bears, with its error bounds; empty if it is not determined.
 std::optional<BoundedWrench> bounded_wrench(const StaticSolution& solution, CouplingId coupling);
 
-/// Makes the wrench of each coupling, tail on head, about the origin of the Geometry: the sum of
-/// its unit screws, each times its magnitude, and of its friction; empty if one of its actions has
-/// no value. A component that its bound does not tell from zero is zero.
+/// Computes the wrench of each coupling, of tail on head, about the origin of the Geometry: the sum
+/// of its unit screws times their magnitudes, and of its friction. It is empty if one of the
+/// actions has no value. A component that is not larger than its error bound becomes zero.
 void make_wrenches(const Mechanism& mechanism, StaticSolution& solution);
 
 }  // namespace kinestat

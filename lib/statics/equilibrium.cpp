@@ -62,7 +62,7 @@ void hand_on(const Topology& topology, std::vector<double>& largest) {
 // The largest tension that pulls on each body, that to which the others are tied being 1; on one
 // that no cable touches, what its neighbours may hand on. Zero if there is none, and of the ground.
 std::vector<double> largest_tensions(const Topology& topology,
-                                     const std::vector<SlippingCableTension>& ties) {
+                                     const std::vector<TiedTension>& ties) {
   std::vector<double> largest(topology.bodies.size(), 0.0);
   const auto include = [&](int action, double share) {
     const CouplingTopology& segment =
@@ -72,7 +72,7 @@ std::vector<double> largest_tensions(const Topology& topology,
       of_body = body.value == 0 ? 0.0 : std::max(of_body, share);
     }
   };
-  for (const SlippingCableTension& tie : ties) {
+  for (const TiedTension& tie : ties) {
     include(tie.action, tie.share);
     include(tie.to, 1.0);
   }
@@ -83,8 +83,7 @@ std::vector<double> largest_tensions(const Topology& topology,
 // Where tensions are very large multiples of each other, the largest entries of rows and columns do
 // not tell in which sizes actions must be counted for a rank decision: those on a body are as large
 // as the largest tension on it. Powers of two, which round nothing.
-std::vector<double> action_sizes(const Topology& topology,
-                                 const std::vector<SlippingCableTension>& ties) {
+std::vector<double> action_sizes(const Topology& topology, const std::vector<TiedTension>& ties) {
   std::vector<double> sizes(topology.actions.size(), 1.0);
   if (ties.empty()) {
     return sizes;
@@ -96,7 +95,7 @@ std::vector<double> action_sizes(const Topology& topology,
                                     tensions[static_cast<std::size_t>(coupling.head.value)]);
     sizes[a] = tension > 0.0 ? rough_size(tension) : 1.0;
   }
-  for (const SlippingCableTension& tie : ties) {
+  for (const TiedTension& tie : ties) {
     sizes[static_cast<std::size_t>(tie.to)] = 1.0;
     sizes[static_cast<std::size_t>(tie.action)] =
         tie.friction_share > 0.0 ? rough_size(tie.friction_share) : 1.0;
@@ -107,10 +106,10 @@ std::vector<double> action_sizes(const Topology& topology,
 std::vector<double> sized_units(const Topology& topology,
                                 const CoordinateBasis& basis,
                                 const std::vector<double>& sizes,
-                                const std::vector<SlippingCableTension>& ties) {
+                                const std::vector<TiedTension>& ties) {
   std::vector<double> units = action_units(topology, basis);
   std::ranges::transform(units, sizes, units.begin(), std::multiplies());
-  for (const SlippingCableTension& tie : ties) {
+  for (const TiedTension& tie : ties) {
     units[static_cast<std::size_t>(tie.action)] = 1.0;  // the tension, in newtons as all of them
   }
   return units;
@@ -118,17 +117,16 @@ std::vector<double> sized_units(const Topology& topology,
 
 // The tension to which others are tied counts in the unit of forces, 1 N.
 SparseMatrix tied_system(SparseMatrix system,
-                         const std::vector<SlippingCableTension>& ties,
+                         const std::vector<TiedTension>& ties,
                          const std::vector<double>& sizes,
                          int body_count,
                          const CoordinateBasis& basis) {
-  std::vector<const SlippingCableTension*> tie_of(static_cast<std::size_t>(system.columns),
-                                                  nullptr);
-  for (const SlippingCableTension& tie : ties) {
+  std::vector<const TiedTension*> tie_of(static_cast<std::size_t>(system.columns), nullptr);
+  for (const TiedTension& tie : ties) {
     tie_of[static_cast<std::size_t>(tie.action)] = &tie;
   }
   for (SparseEntry& entry : system.entries) {
-    if (const SlippingCableTension* tie = tie_of[static_cast<std::size_t>(entry.column)]) {
+    if (const TiedTension* tie = tie_of[static_cast<std::size_t>(entry.column)]) {
       entry.column = tie->to;
       entry.value *= tie->share;
     } else {
@@ -136,7 +134,7 @@ SparseMatrix tied_system(SparseMatrix system,
     }
   }
   std::erase_if(system.entries, [](const SparseEntry& entry) { return entry.value == 0.0; });
-  for (const SlippingCableTension& tie : ties) {
+  for (const TiedTension& tie : ties) {
     const std::vector<double> column = load_vector(body_count, basis, tie.pulls);
     for (std::size_t row = 0; row < column.size(); ++row) {
       const double size = sizes[static_cast<std::size_t>(tie.action)];
@@ -151,7 +149,7 @@ SparseMatrix tied_system(SparseMatrix system,
 Equilibrium::Equilibrium(const Mechanism& mechanism,
                          CoordinateBasis basis,
                          std::vector<int> primaries,
-                         std::vector<SlippingCableTension> ties)
+                         std::vector<TiedTension> ties)
     : basis_(std::move(basis)),
       primaries_(std::move(primaries)),
       ties_(std::move(ties)),
@@ -197,7 +195,7 @@ void Equilibrium::find_stresses(double closure_error) {
 
 // From the friction that was unknown to the tension, or how far it may be off.
 void Equilibrium::tie(VecX& per_action) const {
-  for (const SlippingCableTension& one : ties_) {
+  for (const TiedTension& one : ties_) {
     per_action[one.action] = one.share * per_action[one.to];
   }
 }
@@ -256,7 +254,7 @@ void Equilibrium::settle(const Mechanism& mechanism,
                          VecX& magnitudes) const {
   const Eigen::Map<const VecX> units(units_.data(), static_cast<Eigen::Index>(units_.size()));
   VecX x = magnitudes.cwiseQuotient(units);
-  for (const SlippingCableTension& one : ties_) {
+  for (const TiedTension& one : ties_) {
     const double size = sizes_[static_cast<std::size_t>(one.action)];
     x[one.action] = one.friction_share * x[one.to] / size;
   }

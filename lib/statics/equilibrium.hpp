@@ -1,4 +1,4 @@
-// The equilibrium of the bodies, factored.
+// The equilibrium equations of the bodies, factored once to be solved for many loads.
 #pragma once
 
 #include <span>
@@ -13,36 +13,37 @@
 
 namespace kinestat {
 
-/// Actions that are in equilibrium with known ones and with loads.
+/// Actions that are in equilibrium with the primary actions and the loads.
 struct EquilibriumActions {
-  VecX magnitudes;         ///< of each action [N·m or N]; where undetermined, one choice of many
+  VecX magnitudes;         ///< of each action [N·m or N]; one of many if it is undetermined
   double residual = 0.0;   ///< relative
-  bool consistent = true;  ///< the equations that are surplus hold within kConsistency
-  AnswerEvidence answer;   ///< of those magnitudes that were asked for
+  bool consistent = true;  ///< the redundant equations hold within kConsistency
+  AnswerEvidence answer;   ///< of the magnitudes that were asked for
 };
 
-/// A tension that is a fixed share of another one, because a cable slips between them. The friction
-/// that holds the pulley back is unknown in its place.
-struct SlippingCableTension {
-  int action = 0;
-  int to = 0;                     ///< is no tied action itself
-  double share = 0.0;             ///< of that tension: this one
-  double friction_share = 0.0;    ///< of that tension: the friction as a force at the rim
-  std::vector<BodyWrench> pulls;  ///< on both bodies of the pulley, of 1 N at the rim
+/// A tension that is a fixed share of another one, because a cable slips on a pulley between the
+/// two segments. The friction that holds back the pulley takes its place as the unknown.
+struct TiedTension {
+  int action = 0;                 ///< index of the tied tension in Topology::actions
+  int to = 0;                     ///< index of the tension to which it is tied; not tied itself
+  double share = 0.0;             ///< the tied tension over the other
+  double friction_share = 0.0;    ///< the friction force at the rim over the other tension
+  std::vector<BodyWrench> pulls;  ///< of 1 N of friction at the rim, on both bodies of the pulley
 };
 
-/// A_N ψ + loads = 0 as the equilibrium of the bodies, factored once for a choice of primary
-/// actions (Cazangi 2008, sections 3.8.2 and 3.9.2). It answers for any magnitudes of them and any
-/// loads, those that depend on the answer among them. In a moved position an action is determined
-/// if self-stresses move it by no more than that misses closure, and magnitudes are the least ones.
+/// The equations A_N ψ + loads = 0, as the equilibrium of the bodies, factored once for a choice of
+/// primary actions (Cazangi 2008, sections 3.8.2 and 3.9.2). They can then be solved for any
+/// magnitudes of the primaries and any loads. A moved position has a closure error: an action
+/// counts as determined if self-stresses change it by no more than this error, and of all
+/// magnitudes in equilibrium the least ones are taken.
 class Equilibrium {
  public:
-  /// `basis` must hold all unit actions and the loads to come; `primaries` are actions, each once,
-  /// and not tied.
+  /// `basis` must hold all unit actions and all loads that will be given. `primaries` are indices
+  /// of actions, each once; none of them may be tied.
   Equilibrium(const Mechanism& mechanism,
               CoordinateBasis basis,
               std::vector<int> primaries,
-              std::vector<SlippingCableTension> ties = {});
+              std::vector<TiedTension> ties = {});
 
   const CoordinateBasis& basis() const { return basis_; }
 
@@ -50,30 +51,30 @@ class Equilibrium {
 
   const RankEvidence& evidence() const { return elimination_.evidence(); }
 
-  /// Whether the primaries are right; loads add constants to the relations between them.
+  /// Checks the choice of primaries. Loads add constants to the relations between them.
   PrimaryCheck check(std::span<const BodyWrench> loads) const;
 
-  /// The actions for magnitudes of the primaries [N·m or N], in the order of their choice.
+  /// The actions for these magnitudes of the primaries [N·m or N], in the order of the constructor.
   EquilibriumActions solve(std::span<const double> known, std::span<const BodyWrench> loads) const;
 
-  /// The same with as many digits as asked for of the actions that `counts`.
+  /// The same with the digits that `request` asks for; `counts` marks the actions that need them.
   EquilibriumActions solve_to(const AccuracyRequest& request,
                               const std::vector<bool>& counts,
                               std::span<const double> known,
                               std::span<const BodyWrench> loads) const;
 
-  /// Makes those of its solution zero that a moved position does not tell from zero, for all that
-  /// it misses closure. `mechanism` is the one that it was made of.
+  /// Sets to zero the magnitudes of a solution that the closure error of a moved position does not
+  /// distinguish from zero. `mechanism` must be that of the constructor.
   void settle(const Mechanism& mechanism,
               std::span<const BodyWrench> loads,
               VecX& magnitudes) const;
 
-  /// How well the actions [N·m or N] are in equilibrium with the loads: the largest sum on a body
-  /// relative to the largest sum of sizes.
+  /// The residual of equilibrium for these actions [N·m or N]: the largest sum on a body, relative
+  /// to the largest sum of the sizes of its terms.
   double residual(const VecX& magnitudes, std::span<const BodyWrench> loads) const;
 
-  /// A basis of the actions that are in equilibrium with each other alone, the primaries being
-  /// zero: one vector of magnitudes [N·m or N] a missing primary.
+  /// A basis of the self-stresses, the actions that are in equilibrium without loads while the
+  /// primaries are zero: one vector of magnitudes [N·m or N] per missing primary.
   std::vector<VecX> self_stresses() const;
 
  private:
@@ -82,7 +83,7 @@ class Equilibrium {
 
   CoordinateBasis basis_;
   std::vector<int> primaries_;
-  std::vector<SlippingCableTension> ties_;
+  std::vector<TiedTension> ties_;
   std::vector<int> driving_;   ///< actions of actuators
   std::vector<double> sizes_;  ///< of what each action may become, a tension being 1: see ties
   std::vector<double> units_;  ///< SI per unit of the unknown of each action

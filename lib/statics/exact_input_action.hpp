@@ -8,11 +8,12 @@
 
 namespace kinestat {
 
-/// solve_action without rounding and without friction: in fractions where all numbers are,
-/// otherwise in a hundred digits. Counts and evidence are those of `rounded`, the solution in
-/// doubles. Actions that it leaves open stay so, unless none is open as typed. Inconsistent where
-/// loads that balance but for rounding do not as typed. Empty where the primaries are not right as
-/// typed, as many actions are not open, or a number has no digits.
+/// Does what solve_action does, without rounding and without friction: in fractions if all numbers
+/// are fractions, otherwise with a hundred digits. Counts and evidence are copied from `rounded`,
+/// the solution in doubles. Actions that are open there stay open, unless the typed numbers leave
+/// none open. The status is `inconsistent` if loads balance only by rounding. The result is empty
+/// if the primaries are wrong for the typed numbers, if another number of actions is open, or if a
+/// number has no digits.
 [[nodiscard]] std::optional<StaticSolution> solve_action_of_exact_input(
     const Mechanism& mechanism,
     const std::vector<ExactInputScrew>& actions,

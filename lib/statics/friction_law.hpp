@@ -11,56 +11,58 @@
 
 namespace kinestat {
 
-/// A part of the reaction that presses: |part · wrench| times a weight. A scalar part may have
-/// another weight where it is negative. `Scalar` is double or Dual.
+/// A part of a reaction that presses the surfaces together: its share of the friction is a weight
+/// times |part · wrench|. A part with one component may have another weight if it is negative.
+/// `Scalar` is double or Dual.
 template <class Scalar>
 struct PressingPartOf {
-  std::optional<CouplingId> of;  ///< whose wrench presses; empty: that of the law's own coupling
+  std::optional<CouplingId> of;  ///< the coupling whose wrench presses; empty: the law's own
   Eigen::Matrix<Scalar, 3, 6> part = Eigen::Matrix<Scalar, 3, 6>::Zero();
   Scalar weight = 0.0;
   Scalar weight_if_negative = 0.0;  ///< of the first component, the others being zero
-  bool is_signed = false;           ///< only then does the second weight count
-  std::optional<CouplingId> slack;  ///< of a cable on a pulley: the segment of which the tension is
-                                    ///< `slack_share` of that which presses, while that pulls
+  bool is_signed = false;           ///< whether weight_if_negative counts
+  std::optional<CouplingId> slack;  ///< of a cable on a pulley: the segment with the lower tension,
+                                    ///< which is `slack_share` times the tension that presses
   double slack_share = 0.0;
 };
 
-/// Two bodies of a couple or force between them: that of tail on head, and its opposite.
+/// The two bodies between which a couple or force acts: the tail acts on the head, and the head
+/// with the opposite on the tail.
 struct BodyPair {
   BodyId tail;
   BodyId head;
 };
 
-/// A reaction that presses too, but for which the file gives no dimension.
+/// A reaction that presses too, but causes no friction because the file lacks a dimension for it.
 enum class Reaction {
   axial,    ///< force along the axis of a journal without thrust_radius
   tilting,  ///< couple across the axis of a journal or guide without length
   torsion,  ///< couple about the axis of a guide without radius
 };
 
-/// Its size is |part · wrench of the coupling|.
+/// A reaction that is ignored; its size is |part · wrench of the coupling|.
 template <class Scalar>
 struct IgnoredPartOf {
   Reaction reaction = Reaction::axial;
   Eigen::Matrix<Scalar, 3, 6> part = Eigen::Matrix<Scalar, 3, 6>::Zero();
 };
 
-/// The friction of one coupling in one case, or what a mesh loses: of tail on head `unit` times the
-/// magnitude constant + Σ weight |part · wrench of a coupling|, which is never negative. Screws are
-/// written about the origin of the Geometry.
+/// The friction of one coupling in one case, or the loss of a mesh. The tail acts on the head with
+/// `unit` times the magnitude constant + Σ weight |part · wrench of a coupling|, which is never
+/// negative. Screws are written about the origin of the Geometry.
 template <class Scalar>
 struct FrictionLawOf {
   CouplingId coupling;
-  std::optional<BodyPair> between;  ///< on which it acts; empty: on the bodies of the coupling
-  WrenchOf<Scalar> unit;            ///< against the relative motion, whose power on it is -speed
+  std::optional<BodyPair> between;  ///< the bodies on which it acts; empty: those of the coupling
+  WrenchOf<Scalar> unit;            ///< against the relative motion, on which its power is -speed
   Scalar speed = 0.0;               ///< [rad/s or m/s]; negative where a stator drives
   bool is_couple = true;
-  Scalar constant = 0.0;  ///< what does not depend on the load [N·m or N]
-  bool has_value = true;  ///< at this speed, for which the file may give no drag
+  Scalar constant = 0.0;  ///< the part of the magnitude that no load changes [N·m or N]
+  bool has_value = true;  ///< false if the file gives no drag for this speed
   std::vector<PressingPartOf<Scalar>> parts;
   std::vector<IgnoredPartOf<Scalar>> ignored;
-  std::optional<int> pushed_by;  ///< of surfaces that part rather than pull: the action, never
-                                 ///< negative, of which the magnitude is the first part's weight
+  std::optional<int> pushed_by;  ///< of surfaces that can only push: their normal force, never
+                                 ///< negative, times which the first weight is the friction
 };
 
 using PressingPart = PressingPartOf<double>;
@@ -74,7 +76,7 @@ struct ConverterTurnsOf {
   Scalar turbine = 0.0;
 };
 
-/// A coupling with friction and its motion; points and screws from the origin of the Geometry.
+/// A coupling with friction and its motion. Points and screws refer to the origin of the Geometry.
 template <class Scalar>
 struct SlidingOf {
   const Topology& topology;
@@ -86,26 +88,28 @@ struct SlidingOf {
   ConverterTurnsOf<Scalar> converter = {};                ///< of a torque converter
 };
 
-/// Of a coupling whose friction is analysed. The friction has the sense of the motion, however slow
-/// that is.
+/// Makes the law of a coupling whose friction is analysed. The friction opposes the motion, however
+/// slow that is.
 template <class Scalar>
 FrictionLawOf<Scalar> make_friction_law(const SlidingOf<Scalar>& sliding);
 
-/// What turns in a torque converter, zero where rounding does not tell it from that.
+/// The speeds of pump and turbine of a torque converter; zero if rounding does not distinguish them
+/// from zero.
 ConverterTurnsOf<double> converter_turns(const Mechanism& mechanism,
                                          const KinematicSolution& motion,
                                          const CouplingFriction& friction);
 
-/// Whether a coupling at rest has no friction in a case with these known motions; else it has one
-/// without direction.
+/// Whether a coupling at rest has no friction in a case with these known motions. Otherwise it has
+/// friction whose direction is not known.
 bool is_free_at_rest(const Topology& topology,
                      std::span<const Primary> motions,
                      const CouplingFriction& friction);
 
-/// The laws in a case with that motion, in the order of mechanism.frictions. Empty for a coupling
-/// that does not move relative to its tail, as its friction has no direction, and where the file
-/// has no drag at that speed. There is none at rest where it is viscous alone, in what engages, and
-/// in a case that engages clutches or brakes: these bear all that holds bodies together.
+/// Finds the friction laws in a case with this motion, in the order of mechanism.frictions. A law
+/// is empty if the coupling is at rest, because its friction then has no direction, and if the file
+/// gives no drag at its speed. The friction at rest is zero instead if is_free_at_rest holds: for
+/// viscous friction, for clutches and brakes, and in a case that engages clutches or brakes, since
+/// these then hold the bodies together.
 std::vector<std::optional<FrictionLaw>> find_friction_laws(const Mechanism& mechanism,
                                                            const Case& which,
                                                            const KinematicSolution& motion);

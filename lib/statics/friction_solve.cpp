@@ -11,7 +11,7 @@
 #include "statics/internal/friction_hold.hpp"
 #include "statics/internal/friction_loads.hpp"
 #include "statics/internal/friction_system.hpp"
-#include "statics/internal/slipping_cable_tension.hpp"
+#include "statics/internal/tied_tensions.hpp"
 #include "statics/one_sided_action.hpp"
 
 namespace kinestat {
@@ -26,7 +26,7 @@ bool has_answer(const StaticSolution& solution) {
 StaticSolution follow(const Mechanism& mechanism,
                       const CoordinateBasis& basis,
                       const FrictionLoads& given,
-                      const std::vector<SlippingCableTension>& ties,
+                      const std::vector<TiedTension>& ties,
                       StaticSolution frictionless) {
   FrictionSystem system(mechanism, basis, given.primaries, given.loads, given.laws, ties);
   system.find_open(frictionless.check.undetermined);
@@ -72,8 +72,7 @@ std::optional<StaticSolution> solve_tied(const Mechanism& mechanism,
                                          const CoordinateBasis& basis,
                                          const FrictionLoads& given,
                                          TiedTo to) {
-  const std::vector<SlippingCableTension> ties =
-      find_ties(mechanism, given.primaries, given.laws, to);
+  const std::vector<TiedTension> ties = find_ties(mechanism, given.primaries, given.laws, to);
   if (ties.empty()) {
     return std::nullopt;
   }
@@ -83,8 +82,7 @@ std::optional<StaticSolution> solve_tied(const Mechanism& mechanism,
       law.parts.clear();
     }
   }
-  StaticSolution solution =
-      solve_tied_tensions(mechanism, basis, given.primaries, given.loads, {}, ties);
+  StaticSolution solution = solve_action(mechanism, basis, given.primaries, given.loads, {}, ties);
   if (solution.status == SolveStatus::solved) {
     solution = follow(mechanism,
                       basis,

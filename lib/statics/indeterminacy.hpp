@@ -1,4 +1,4 @@
-// Values for actions that equilibrium leaves open, by what is asked for beside it.
+// Values of actions that equilibrium leaves open, by minimum norm or stiffness.
 #pragma once
 
 #include <span>
@@ -10,15 +10,15 @@
 namespace kinestat {
 
 /// Adds to an underdetermined solution its self-stresses and, if mechanism.indeterminate asks for
-/// it, values of the open actions; any other solution stays as it is. Friction that was found
-/// counts as known.
+/// them, values of the open actions. Any other solution stays as it is. The friction of the
+/// solution counts as known.
 ///
-/// Minimum norm: of all actions in equilibrium those with the least sum of squares, couples divided
-/// by the mechanism's length. It is a convention, so the status stays `underdetermined`.
-/// Stiffness: those with the least complementary energy ½ Σ ψ²/k, ψ being in equilibrium, which are
-/// compatible with elastic couplings that fit without load (Castigliano, Menabrea). Actions without
-/// a stiffness are rigid; what these leave open stays open. If nothing does, the status is
-/// `solved`.
+/// Minimum norm takes, of all actions in equilibrium, those with the least sum of squares; couples
+/// are divided by the length of the mechanism. This is a convention, so the status stays
+/// `underdetermined`. Stiffness takes those with the least complementary energy ½ Σ ψ²/k: they are
+/// compatible with elastic couplings that fit together without load (Castigliano, Menabrea).
+/// Actions without a stiffness are rigid, and may leave some actions open. If none is open, the
+/// status is `solved`.
 [[nodiscard]] StaticSolution resolve_indeterminacy(const Mechanism& mechanism,
                                                    const CoordinateBasis& basis,
                                                    std::span<const Primary> primaries,

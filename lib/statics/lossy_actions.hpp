@@ -10,31 +10,30 @@
 
 namespace kinestat {
 
-/// So many meshes at most have all senses of their losses tried, two for each: 4096.
+/// With up to this many meshes, all combinations of the senses of their losses are tried: 4096.
 inline constexpr int kMostSearchedMeshes = 12;
 
-/// Which gear of each mesh drives decides the sense of its loss, and follows from the actions that
-/// the losses change.
+/// The result of the search for the senses of the losses. The sense depends on which gear of a mesh
+/// drives; this depends on the actions, which the losses change.
 enum class LossSearch {
-  found,     ///< senses that agree with the actions they cause, which were accepted
-  rejected,  ///< all senses that agree with their actions were rejected; one of them is given
-  none,      ///< no senses agree with their actions, or friction locks
-  no_share,  ///< a loss that depends on speed or force has no value there, or none from 0 to 1
+  found,     ///< senses that agree with the actions they cause; the caller accepted these actions
+  rejected,  ///< the caller rejected the actions of all such senses; one of them is returned
+  none,      ///< no senses agree with the actions they cause, or friction locks
+  no_share,  ///< a loss that depends on speed or force has no value, or one outside 0 to 1
   undecided  ///< there are too many meshes to try all senses, and the likely ones failed
 };
 
-/// The couples of the losses are frictions of the solution `between` a carrier and a driven gear,
-/// after those of the couplings. Its status is `locked`, and it has no actions, where the search
-/// found none to give.
+/// The couples of the losses are listed in the friction of the solution, after that of the
+/// couplings; each acts `between` a carrier and a driven gear. If the search found no actions, the
+/// status is `locked`.
 struct LossyActions {
   LossSearch search = LossSearch::found;
   StaticSolution solution;
-  std::optional<StaticSolution> other;  ///< of other senses that agree with their actions and were
-                                        ///< accepted too, and whose actions differ: large losses
-                                        ///< may have several answers
+  std::optional<StaticSolution> other;  ///< a second solution, with other senses and actions, that
+                                        ///< was accepted too: large losses may have several
 };
 
-/// What acts in a case: known actions, loads, and the laws of what is lost.
+/// The known actions, the loads, and the laws of friction and losses of a case.
 struct LossyStatics {
   std::span<const Primary> primaries;
   std::span<const BodyWrench> loads;
@@ -42,16 +41,16 @@ struct LossyStatics {
   std::span<const MeshLossLaw> meshes;
 };
 
-/// The coordinates that hold the actions of a mechanism, the loads and all laws.
+/// A basis that holds the actions of the mechanism, the loads, and the wrenches of all laws.
 CoordinateBasis lossy_action_basis(const Mechanism& mechanism, const LossyStatics& given);
 
-/// The senses begin as without losses and are turned where a power contradicts them, until none
-/// does; where that goes in circles, or what it finds is not accepted, all are tried, those that
-/// turn the fewest meshes first (at most kMostSearchedMeshes meshes). With the senses the losses
-/// are linear and solved at once; friction of couplings is followed as in solve_with_friction.
-/// Losses so large that they may have several answers are searched for another.
-/// `is_accepted` is given the magnitudes of all actions. `basis` must hold the wrenches of all
-/// laws.
+/// Solves for the actions with the losses of meshes. The senses of the losses begin as without
+/// losses, and are reversed as long as a power contradicts them. If this does not end, or its
+/// result is not accepted, all combinations are tried, those that reverse the fewest meshes first
+/// (with at most kMostSearchedMeshes meshes). With given senses the losses are linear and are
+/// solved at once; the friction of couplings is followed as in solve_with_friction. If the losses
+/// are so large that there may be several answers, a second one is looked for. `is_accepted`
+/// receives the magnitudes of all actions [N·m or N]. `basis` must hold the wrenches of all laws.
 [[nodiscard]] LossyActions solve_with_losses(const Mechanism& mechanism,
                                              const CoordinateBasis& basis,
                                              const LossyStatics& given,

@@ -1,4 +1,4 @@
-// A mechanism whose meshes and couplings lose power, for many magnitudes of what acts.
+// A mechanism whose meshes and couplings lose power, solved for many loads and speeds.
 #pragma once
 
 #include <functional>
@@ -16,15 +16,15 @@ class FrictionSystem;
 /// The actions of one state.
 struct LossyMagnitudes {
   LossSearch search = LossSearch::found;
-  VecX actions;                      ///< of each action
+  VecX actions;                      ///< of each action [N·m or N]
   std::vector<double> frictions;     ///< of each friction of couplings [N·m or N]
   std::vector<double> losses;        ///< of each mesh: the couple on its driven gear [N·m]
   std::vector<bool> head_is_driven;  ///< of each mesh
 };
 
-/// Equilibrium is factored once. What acts may have other magnitudes then, and what moves other
-/// speeds, as long as everything moves in the sense that the laws were made for. The mechanism and
-/// what `given` lists but for the laws must outlive it.
+/// The equilibrium with losses, factored once. Primaries may then be given other magnitudes, and
+/// couplings and gears other speeds, as long as all motions keep the sense for which the laws were
+/// made. The mechanism and the lists of `given`, except the laws, must outlive it.
 class LossySystem {
  public:
   /// `frictionless` is the solution without any loss, which must have actions.
@@ -36,27 +36,28 @@ class LossySystem {
   LossySystem& operator=(LossySystem&&) noexcept;
   ~LossySystem();
 
-  /// The magnitudes of the known actions, in the order of the primaries.
+  /// Sets the magnitudes of the known actions, in the order of the primaries [N·m or N].
   void set_primaries(std::span<const double> values);
 
-  /// Of a friction of couplings: its speed [rad/s or m/s], and what it has without load.
+  /// Sets the speed [rad/s or m/s] of the friction of a coupling, and its magnitude without load
+  /// [N·m or N].
   void set_friction(std::size_t friction, double speed, double constant);
 
-  /// The speeds of the gears of a mesh in its carrier [rad/s].
+  /// Sets the speeds of the gears of a mesh relative to its carrier [rad/s].
   void set_mesh_speeds(std::size_t mesh, double head, double tail);
 
   /// Whether all frictions and losses depend on actions that equilibrium determines.
   bool is_determined() const;
 
-  /// See solve_with_losses; losses that depend on the force of their teeth are followed until that
-  /// stands still. Empty where the search finds no senses that agree with their actions.
+  /// Solves as solve_with_losses does. Losses that depend on the tooth force are iterated until
+  /// this force no longer changes. Empty if no senses agree with the actions they cause.
   std::optional<LossyMagnitudes> solve(const std::function<bool(const VecX&)>& is_accepted);
 
-  /// Likewise, with all that a report says.
+  /// The same with everything that a report says.
   LossyActions solve_whole(const std::function<bool(const VecX&)>& is_accepted);
 
  private:
-  /// What tells the share of a mesh.
+  /// The numbers on which the loss of a mesh depends.
   struct MeshShare {
     const LossyMesh* lossy = nullptr;
     double radius = 0.0;

@@ -9,14 +9,14 @@
 
 namespace kinestat {
 
-/// The segments whose force is negative, beyond rounding.
+/// The segments of cables that would have to push: their tension is negative beyond rounding.
 std::vector<CouplingId> find_pushed_segments(const Mechanism& mechanism,
                                              const StaticSolution& solution);
 
-/// The actions of contacts that are negative, beyond rounding.
+/// The normal forces of contacts that would have to pull: they are negative beyond rounding.
 std::vector<int> find_pulling_contacts(const Mechanism& mechanism, const StaticSolution& solution);
 
-/// Whether of all actions [N·m or N] surfaces push and cables pull, but for rounding.
+/// Whether, among these actions [N·m or N], all contacts push and all cables pull within rounding.
 bool is_one_sided(const VecX& actions, const Topology& topology);
 
 }  // namespace kinestat

@@ -1,4 +1,4 @@
-// What would keep cables in tension that a case pushes.
+// A pretension that keeps cables in tension which a case would push.
 #pragma once
 
 #include <optional>
@@ -9,10 +9,10 @@
 
 namespace kinestat {
 
-/// The actions [N·m or N], one an action, that keep every segment from being pushed when they are
-/// added: the self-stress without an actuator that pulls or leaves alone every segment and whose
-/// sum of tensions is least. A segment is then just slack. Empty where no self-stress does, or if a
-/// force is not known.
+/// Finds the self-stress [N·m or N], one magnitude per action, that leaves no segment pushed when
+/// it is added to the solution. It does not need an actuator, pushes no segment itself, and has the
+/// least sum of tensions, so that one segment is just slack. Empty if there is no such self-stress,
+/// or if a tension is not known.
 std::optional<VecX> find_pretension(const Mechanism& mechanism,
                                     const CoordinateBasis& basis,
                                     const StaticSolution& solution);

@@ -1,4 +1,4 @@
-// Actions in equilibrium with each other alone, which equilibrium leaves open.
+// Self-stresses: actions in equilibrium with each other alone, whose size equilibrium leaves open.
 #pragma once
 
 #include <span>
@@ -15,10 +15,10 @@ struct SelfStress {
   std::vector<DependenceTerm> terms;
 };
 
-/// The readable basis of the states that the vectors span, one magnitude an action [N·m or N]: the
-/// reduced echelon form, in which each first action stands in no other state. Coefficients are
-/// weighed in `scales` (SI, one an action) where they count as zero. Empty if there are so many
-/// that nobody would read them.
+/// Finds a readable basis of the self-stresses that the vectors span; a vector has one magnitude
+/// per action [N·m or N]. It is the reduced echelon form, in which the first action of a
+/// self-stress occurs in no other. `scales`, one per action in SI, are the units in which
+/// coefficients are compared with zero. Empty if there are too many self-stresses to be read.
 std::vector<SelfStress> list_self_stresses(std::span<const VecX> vectors, const VecX& scales);
 
 }  // namespace kinestat

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "core/tolerance.hpp"
@@ -51,12 +52,12 @@ std::vector<int> working_loads(const VecX& motion,
   std::vector<std::pair<double, int>> works;
   for (int i = 0; i < std::ssize(loads); ++i) {
     const BodyWrench& load = loads[static_cast<std::size_t>(i)];
-    works.emplace_back(-std::abs(power(load.wrench, motion_of(load.body, motion, basis))), i);
+    works.emplace_back(std::abs(power(load.wrench, motion_of(load.body, motion, basis))), i);
   }
-  std::ranges::sort(works);
+  std::ranges::stable_sort(works, std::greater(), &std::pair<double, int>::first);
   std::vector<int> working;
   for (const auto& [work, i] : works) {
-    if (-work > kConsistency * -works.front().first) {
+    if (work > kConsistency * works.front().first) {
       working.push_back(i);
     }
   }

@@ -1,4 +1,4 @@
-// A motion of the bodies that no action can hold against the loads.
+// The motion that shows why a case has no equilibrium.
 #pragma once
 
 #include <optional>
@@ -10,15 +10,16 @@
 
 namespace kinestat {
 
-/// A motion of the bodies that the actions cannot hold against what is known.
+/// A motion of the bodies that the secondary actions cannot hold against the primaries and loads.
 struct UnconstrainedMotion {
   BodyId body;             ///< the one that moves most
   Twist twist;             ///< its motion; only the axis and the pitch mean something
-  std::vector<int> loads;  ///< which loads do work on the motion, the largest work first
+  std::vector<int> loads;  ///< the loads that do work on the motion, the largest work first
 };
 
-/// The virtual motion, reciprocal to every secondary action, on which the primary actions and the
-/// loads do the most work: a solution of the transposed system. Empty if rounding hides it.
+/// Finds, among the virtual motions on which no secondary action does work, the one on which the
+/// primary actions and the loads do the most: a solution of the transposed system. Empty if
+/// rounding hides it.
 std::optional<UnconstrainedMotion> find_unconstrained_motion(const Mechanism& mechanism,
                                                              const CoordinateBasis& basis,
                                                              std::span<const Primary> primaries,

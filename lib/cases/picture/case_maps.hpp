@@ -1,4 +1,4 @@
-// What all bodies and couplings have in each case, for bar maps.
+// Bar maps of the speeds of bodies and the actions of couplings in each case.
 #pragma once
 
 #include "cases/analysis.hpp"
@@ -6,15 +6,16 @@
 
 namespace kinestat {
 
-/// Angular velocities of the bodies and velocities of their reference points, by components in the
-/// world frame, in the units of the file. Components that are zero throughout are named below.
+/// The angular velocities of the bodies and the velocities of their reference points, by components
+/// in the world frame, in the units of the file. A remark names components that are zero
+/// throughout.
 BarMap speed_map(const Analysis& analysis);
 
-/// Moments that the couplings bear about their own points (Cazangi 2008, figures 5.13a to 5.25a);
-/// `torque` and `force` hold the actions of tail on head.
+/// The moments that the couplings bear, of tail on head, about their own points (Cazangi 2008,
+/// figures 5.13a to 5.25a).
 BarMap torque_map(const Analysis& analysis);
 
-/// Forces that the couplings bear (figures 5.13b and c to 5.25b and c).
+/// The forces that the couplings bear, of tail on head (figures 5.13b and c to 5.25b and c).
 BarMap force_map(const Analysis& analysis);
 
 }  // namespace kinestat

@@ -196,9 +196,10 @@ class LeverDrawing {
                   const std::vector<PixelPoint>& points,
                   double zero,
                   std::size_t first_line) {
+    std::vector<std::vector<NodeTag>> tags;
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const std::vector<NodeTag> tags = tags_of(one, lever.nodes[i].body);
-      const bool is_held = std::ranges::any_of(tags, &NodeTag::is_brake);
+      tags.push_back(tags_of(one, lever.nodes[i].body));
+      const bool is_held = std::ranges::any_of(tags.back(), &NodeTag::is_brake);
       svg_.circle(
           points[i], kNodeRadius, {.stroke = Ink::ink, .fill = is_held ? Ink::ink : Ink::paper});
       if (is_held) {
@@ -213,7 +214,7 @@ class LeverDrawing {
     placer.keep_free(text_box(zero_place(points.front().x, zero), "0", kZeroStyle));
     for (std::size_t i = 0; i < points.size(); ++i) {
       std::string label = label_number(speed(one, lever, lever.nodes[i].body));
-      for (const NodeTag& tag : tags_of(one, lever.nodes[i].body)) {
+      for (const NodeTag& tag : tags[i]) {
         label += " " + tag.text;
       }
       constexpr TextStyle kNode = {.size = kNameSize, .has_halo = true};

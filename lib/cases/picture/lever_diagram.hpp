@@ -9,10 +9,10 @@
 
 namespace kinestat {
 
-/// One row a case that has velocities, one column a lever: nodes stand at their places on the
-/// lever, their angular velocity about the axis of the lever is the distance from the ground line,
-/// on one scale for all. Marked are inputs, outputs and engaged elements. There must be a lever and
-/// a case with velocities.
+/// Draws one row per case with velocities and one column per lever. A node is drawn at its place
+/// along the lever; its distance from the zero line is its angular velocity about the axis of the
+/// lever, on one scale for all. Inputs, outputs and engaged elements are marked. There must be at
+/// least one lever and one case with velocities.
 Picture draw_lever_diagram(const Analysis& analysis, const std::vector<Lever>& levers);
 
 }  // namespace kinestat

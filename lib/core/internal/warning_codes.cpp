@@ -112,12 +112,9 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      done,
      "friction counts forces of planets that cancel",
      "Equal planets press a central bearing from all sides, so that it bears no radial force, and "
-     "its "
-     "friction counts none. Here loads or other meshes press the bearing too. The mechanism has "
-     "one "
-     "planet in the place of all, and its radial force is not taken out of what presses: friction "
-     "is "
-     "too large. Give 'tau' in place of 'mu'."},
+     "its friction counts none. Here loads or other meshes press the bearing too. The mechanism "
+     "has one planet in the place of all, and its radial force is not taken out of what presses: "
+     "friction is too large. Give 'tau' in place of 'mu'."},
     {"W0501",
      done,
      "rounding decides on a rank",
@@ -228,11 +225,9 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      done,
      "the energy of a simulation is not explained",
      "Energy that is stored, supplied and lost should add up; here a share of it is missing that "
-     "is "
-     "no rounding, so positions and speeds are wrong by as much. Give a smaller 'tolerance', or "
-     "more "
-     "'steps' if something acts for a moment only: what happens between steps is looked for in "
-     "each of them."},
+     "is no rounding, so positions and speeds are wrong by as much. Give a smaller 'tolerance', or "
+     "more 'steps' if something acts for a moment only: what happens between steps is looked for "
+     "in each of them."},
     {"W0601",
      done,
      "actions are statically indeterminate",
@@ -300,6 +295,16 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "values for the two directions of motion, and the report has the one without loss, which lies "
      "between them. To start from rest takes the larger of the two. Give the drive a very small "
      "speed in the direction of the coming motion to get it."},
+<<<<<<< HEAD
+=======
+    {"W0610",
+     done,
+     "a motion leaves out losses of meshes",
+     "Actions and powers of a motion are those without the losses of meshes that the file gives, "
+     "as are those of a case; but a case has those with losses beside them, in power/losses, and a "
+     "motion has not. 'kinestat analyze' gives them for a position, 'kinestat simulate' for a "
+     "motion in time. Friction of couplings counts in motions as well."},
+>>>>>>> h_clean
     {"W0701",
      done,
      "loss of a mesh is not known",

@@ -4,22 +4,22 @@
 
 #include <fmt/format.h>
 
+#include "core/utf8.hpp"
 #include "draw/graph/graph_drawing.hpp"
 
 namespace kinestat {
 
 namespace {
 
-// In double quotes a backslash and a quote have a meaning; what is no printable character is left
-// out, for a line end would.
+// In double quotes a backslash and a quote have a meaning, and so has a line end: a control
+// character becomes a space.
 std::string in_dot_quotes(std::string_view text) {
   std::string result = "\"";
   for (const char character : text) {
-    const auto byte = static_cast<unsigned char>(character);
     if (character == '"' || character == '\\') {
       result += '\\';
     }
-    result += byte < 0x20 || byte == 0x7F ? ' ' : character;
+    result += is_ascii_control(character) ? ' ' : character;
   }
   return result + "\"";
 }

@@ -43,8 +43,7 @@ class Intersection {
       return result;
     }
     const MacaulayMatrix multiples(a_, b_);
-    result.gap = multiples.gap();
-    if (result.gap < kSharedComponent) {
+    if (multiples.gap() < kSharedComponent) {
       result.shared = SharedPart::line;
       take_out_line(result);
       return result;
@@ -192,7 +191,7 @@ class Intersection {
 
 ConicIntersection intersect_conics(const Mat3& a, const Mat3& b) {
   if (!(a.norm() > 0.0 && b.norm() > 0.0)) {
-    return {.points = {}, .shared = SharedPart::conic, .shared_line = Vec3::Zero(), .gap = 0.0};
+    return {.points = {}, .shared = SharedPart::conic, .shared_line = Vec3::Zero()};
   }
   return Intersection(a, b).run();
 }

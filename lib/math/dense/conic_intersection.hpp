@@ -24,7 +24,6 @@ struct ConicIntersection {
   std::vector<ConicPoint> points;  ///< those outside the shared part; four if there is none
   SharedPart shared = SharedPart::none;
   Vec3 shared_line = Vec3::Zero();  ///< of length 1: points y with line . y = 0
-  double gap = 0.0;                 ///< about 1: no line is shared; rounding: one is
 };
 
 /// The conics are yᵀ a y = 0 and yᵀ b y = 0 with symmetric matrices. By Bézout four points,

@@ -15,7 +15,9 @@ namespace {
 
 constexpr int kPointCount = 12;
 
-// Finer than there may be pieces, so many halvings that leave both halves as rough are no jumps.
+// After so many successive halvings that leave both halves as rough as the whole, roughness is
+// noise: at a jump only one half stays rough. Counted once pieces are too narrow for the range to
+// be filled.
 constexpr int kRoughHalves = 4;
 
 // P_0 to P_(count - 1) at a place of [-1, 1].
@@ -143,7 +145,8 @@ class PieceFinder {
     return piece;
   }
 
-  // Of the functions as they have been seen so far.
+  // The last two terms of a piece as a share of the size that its function has had so far, for the
+  // function where this is largest.
   double tail_of(const LegendrePieces::Piece& piece) const {
     const auto tail = piece.coefficients.bottomRows(2).cwiseAbs().colwise().sum();
     double largest = 0.0;

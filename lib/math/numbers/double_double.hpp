@@ -50,10 +50,8 @@ inline DoubleDouble two_product(double a, double b) {
   return {.high = product, .low = rest + x.low * y.low};
 }
 
-/// Relative error of the operations below, within the ranges of two_sum and two_product: the
-/// largest that Joldes, Muller and Popescu (ACM TOMS 44, 2017) prove for any of them is 15 ·
-/// 2^-106, that of the quotient; sums keep theirs also where they cancel.
-inline constexpr double kDoubleDoubleError = 0x1p-102;
+// The relative error of each operation below is at most 15 · 2^-106, within the ranges of two_sum
+// and two_product (Joldes, Muller and Popescu, ACM TOMS 44, 2017), also where a sum cancels.
 
 inline DoubleDouble operator-(DoubleDouble a) {
   return {.high = -a.high, .low = -a.low};

@@ -76,10 +76,6 @@ double derivative(const Dual& number, std::size_t variable) {
   return number.derivatives.empty() ? 0.0 : number.derivatives.at(variable);
 }
 
-bool is_differentiable(const Dual& number) {
-  return std::ranges::all_of(number.derivatives, [](double d) { return std::isfinite(d); });
-}
-
 Dual chain(double value, double by_a, const Dual& a) {
   Dual result{value, a.derivatives};
   for (double& d : result.derivatives) {

@@ -38,9 +38,6 @@ Dual make_variable(double value, std::size_t index, std::size_t count);
 /// The derivative with respect to a variable.
 double derivative(const Dual& number, std::size_t variable);
 
-/// Whether all derivatives exist and are finite.
-bool is_differentiable(const Dual& number);
-
 /// The value of a function with the slope `by_a` towards a.
 Dual chain(double value, double by_a, const Dual& a);
 

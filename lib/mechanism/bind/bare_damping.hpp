@@ -1,4 +1,4 @@
-// Dampings that are typed without a unit.
+// Damping numbers that are typed without a unit.
 #pragma once
 
 #include <string_view>
@@ -8,12 +8,12 @@
 
 namespace kinestat {
 
-/// What a bare number is times in SI: a couple per angular velocity, or a force per velocity, in
-/// the units of the file.
+/// The factor from a bare number to SI: the file's unit of moment over that of angular velocity if
+/// `turns`, otherwise its unit of force over that of velocity.
 double bare_damping_unit(const FileUnits& units, bool turns);
 
-/// W0313 where such a number is not zero and counts by another speed than rad/s or m/s. `title`
-/// says whose it is, "'damping' of spring 's'"; `value` must have a value.
+/// Adds W0313 if such a number is not zero and its unit of speed is not rad/s or m/s. `title` names
+/// the number, "'damping' of spring 's'". `value` must have a value.
 void warn_of_bare_damping(const Value& value,
                           std::string_view title,
                           bool turns,

@@ -1,4 +1,4 @@
-// Directions of a coupling: present, in the space, and at the angle to each other that they need.
+// The directions of a coupling, and whether they are given, in the plane and perpendicular.
 #pragma once
 
 #include <optional>
@@ -9,10 +9,11 @@
 
 namespace kinestat {
 
-/// What a direction is for: in the plane, an axis of turning is z, all others lie in the plane.
+/// The role of a direction. In a planar mechanism, an axis of rotation is z, and all other
+/// directions lie in the plane.
 enum class DirectionRole { turning, in_plane };
 
-/// Reads the directions of one coupling. Answers are empty iff an error was added.
+/// Binds the directions of one coupling. Results are empty iff an error was added.
 template <class Scalar>
 class DirectionBinder {
  public:
@@ -22,17 +23,17 @@ class DirectionBinder {
                   Diagnostics& found)
       : coupling_(coupling), space_(space), evaluator_(evaluator), found_(found) {}
 
-  /// The direction of a key. One that is absent is z for turning in the plane and for a coupling
-  /// that is only counted; otherwise an error with `hint`.
+  /// Binds the direction of a key. If it is absent, it is z for a rotation in the plane and for a
+  /// coupling that is only counted; otherwise an error with `hint` is added.
   std::optional<AxisOf<Scalar>> bind(const std::optional<AxisDescription>& direction,
                                      std::string_view key,
                                      DirectionRole role,
                                      std::string_view hint);
 
-  /// A direction that is there.
+  /// Binds a direction that is given.
   std::optional<AxisOf<Scalar>> bind(const AxisDescription& direction, DirectionRole role);
 
-  /// Whether the angle between two is a right one; else complains at `where`.
+  /// Whether two directions are perpendicular; otherwise an error is added at `where`.
   bool check_perpendicular(const AxisOf<Scalar>& a,
                            const AxisOf<Scalar>& b,
                            SourceRange where,

@@ -19,8 +19,9 @@ namespace kinestat {
 
 struct ExactInput;
 
-/// Holds the values of the parameters. Answers are empty iff an error was added, here or for the
-/// parameter that the number depends on. `Scalar` is double or Dual.
+/// Evaluates numbers with the values of the parameters, which it holds. Results are empty iff an
+/// error was added, for the number itself or for a parameter on which it depends. `Scalar` is
+/// double or Dual.
 template <class Scalar>
 class EvaluatorOf {
  public:
@@ -29,35 +30,35 @@ class EvaluatorOf {
               Diagnostics& found)
       : description_(description), found_(found), table_(std::move(table)) {}
 
-  /// The same numbers, with complaints elsewhere.
+  /// The same evaluator, with its messages in another list.
   EvaluatorOf complaining_to(Diagnostics& found) const;
 
-  /// From now on points are measured from there: differences of the numbers as typed, so that
-  /// rounding to double takes nothing from what lies between the points.
+  /// From now on points are measured from this origin. They are differences of the numbers as
+  /// typed, so that rounding to double does not change the distances between points.
   void measure_from(const LocalOrigin& origin);
 
   std::optional<Scalar> number(const Value& value, QuantityKind kind);
 
-  /// A number that may name these quantities beside the parameters: their values here are samples,
-  /// at which its dimension is checked.
+  /// A number that may depend on these variables besides the parameters. The values of the
+  /// variables are samples, at which its dimension is checked.
   std::optional<NumberLaw<Scalar>> law(const Value& value,
                                        QuantityKind kind,
                                        std::span<const LawVariable<Scalar>> variables);
 
-  /// In SI, whatever it measures.
+  /// A number of any dimension, in SI.
   std::optional<BasicQuantity<Scalar>> quantity(const Value& value);
 
-  /// Up to three components.
+  /// A vector of up to three components, in SI.
   std::optional<Vec3Of<Scalar>> vector(const std::vector<Value>& components, QuantityKind kind);
 
-  /// [m], from the origin; z is 0 in the plane.
+  /// A point, measured from the origin [m]; z is 0 in the plane.
   std::optional<Vec3Of<Scalar>> point(const PointDescription& point);
 
-  /// Of a point whose coordinates in the world are known [m].
+  /// A point that is given by its coordinates in the world, measured from the origin [m].
   Vec3Of<Scalar> from_origin(const Vec3Of<Scalar>& in_world) const;
 
-  /// From now on the numbers that it is asked for are noted there, until it is given null. Answers
-  /// where they were noted before.
+  /// From now on adds every number that it evaluates to `list`, until it is given null. Returns the
+  /// list used before.
   std::vector<const Value*>* note_numbers(std::vector<const Value*>* list) {
     return std::exchange(noted_, list);
   }
@@ -68,7 +69,8 @@ class EvaluatorOf {
   /// Warns of parameters that nothing refers to.
   void warn_of_unused() const;
 
-  /// E0316 for each number so far that has a value by rounding alone: only ExactInput sees any.
+  /// Adds E0316 for each number so far that has a value only by rounding. Only an evaluator of
+  /// ExactInput finds such numbers.
   void refuse_values_by_rounding() const;
 
  private:
@@ -83,14 +85,14 @@ class EvaluatorOf {
   BasicParameterTable<Scalar> table_;
   LocalOrigin origin_;
   std::vector<const Value*>* noted_ = nullptr;
-  std::vector<const Value*> by_rounding_;  ///< of which ExactInput knows no digits
+  std::vector<const Value*> by_rounding_;  ///< numbers of which ExactInput knows no digits
   std::shared_ptr<const BasicParameterTable<ExactInput>>
       exact_input_;  ///< where the origin is not the world's
 };
 
 using Evaluator = EvaluatorOf<double>;
 
-/// Evaluates the parameters; complains of those that have no value.
+/// Makes an evaluator: evaluates the parameters, and adds an error for each that has no value.
 Evaluator make_evaluator(const MechanismDescription& description, Diagnostics& found);
 
 }  // namespace kinestat

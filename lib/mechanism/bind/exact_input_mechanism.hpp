@@ -1,4 +1,4 @@
-// The numbers of a mechanism as typed.
+// The numbers of a mechanism as typed, without rounding.
 #pragma once
 
 #include <array>
@@ -12,28 +12,28 @@
 
 namespace kinestat {
 
-/// [ω; v_O] or [T_O; F]
+/// The coordinates of a twist [ω; v_O] or a wrench [T_O; F].
 using ExactInputScrew = std::array<ExactInput, 6>;
 
-/// Lists are parallel to those of a Case.
+/// The numbers of a case without rounding. Lists are parallel to those of the Case.
 struct ExactInputCase {
-  std::vector<ExactInput> motions;     ///< primary ones [rad/s or m/s]
-  std::vector<ExactInput> actions;     ///< primary ones [N·m or N]
+  std::vector<ExactInput> motions;     ///< the primary motions [rad/s or m/s]
+  std::vector<ExactInput> actions;     ///< the primary actions [N·m or N]
   std::vector<ExactInputScrew> loads;  ///< about the origin of the geometry
 };
 
-/// Beside a Mechanism, the same screws and cases without rounding; lists are parallel.
+/// The screws and cases of a Mechanism without rounding, in lists parallel to its own.
 struct ExactInputMechanism {
-  std::vector<ExactInputScrew> motions;       ///< of the unit motion of each freedom
-  std::vector<ExactInputScrew> actions;       ///< the unit action
-  std::vector<ExactInputScrew> other_flanks;  ///< of geometry.other_flanks
+  std::vector<ExactInputScrew> motions;       ///< the unit motion of each freedom
+  std::vector<ExactInputScrew> actions;       ///< the unit screw of each action
+  std::vector<ExactInputScrew> other_flanks;  ///< the screws of Geometry::other_flanks
   std::vector<ExactInputCase> cases;
 };
 
-/// Reads the description again; `mechanism` must be what bind made of it. Directions have length
-/// one, so that they are exact where their length is. Empty iff an error was added: the description
-/// no longer evaluates, as a root of what is zero but for rounding, or a number has a value by
-/// rounding alone (E0316).
+/// Binds the description again without rounding. `mechanism` must be what bind made of it.
+/// Directions are divided by their length, so that they are exact if the length is. Empty iff an
+/// error was added: a number can no longer be evaluated, such as the root of a number that is
+/// positive only by rounding, or it has a value only by rounding (E0316).
 std::optional<ExactInputMechanism> bind_exact_input(const MechanismDescription& description,
                                                     const Mechanism& mechanism,
                                                     Diagnostics& found);

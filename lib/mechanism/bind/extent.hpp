@@ -1,4 +1,4 @@
-// How large a mechanism is and where it stands.
+// The size of a mechanism, and an origin near it.
 #pragma once
 
 #include <cstddef>
@@ -9,10 +9,10 @@
 
 namespace kinestat {
 
-/// In metres.
+/// The size and the origin of a mechanism [m].
 struct Extent {
   double length = 1.0;         ///< the diagonal of the box around all points; 1 if that is zero
-  Vec3 origin = Vec3::Zero();  ///< the world origin; if it is far away, near the centre of the box
+  Vec3 origin = Vec3::Zero();  ///< that of the world or, if this is far away, near the box's centre
 };
 
 /// Adds the points that the file gives for a coupling. `Scalar` is double or Dual.
@@ -23,8 +23,8 @@ void add_points(const CouplingDescription& coupling,
 
 Extent find_extent(const std::vector<Vec3>& points);
 
-/// The length of the extent with its derivatives. They are NaN for a parameter at which it has a
-/// corner, as a point leaves others that bound the box with it, or a jump.
+/// The length of the extent with its derivatives. A derivative is NaN where the length has a corner
+/// or a jump, as when one of two points on the same side of the box moves.
 Dual find_length(const std::vector<Vec3Of<Dual>>& points, std::size_t parameter_count);
 
 }  // namespace kinestat

@@ -1,4 +1,4 @@
-// Where the gears of `gears` stand for other values of parameters.
+// The places of the gears of `gears` for other values of parameters.
 #pragma once
 
 #include <optional>
@@ -11,23 +11,25 @@
 
 namespace kinestat {
 
-/// Finds the layout anew from teeth and modules, with the bits that bind gives; the structure of
-/// the train stays.
+/// Finds the layout of a train again for other teeth and modules, with the same bits as bind. The
+/// structure of the train must not change.
 class GearPlaces {
  public:
-  /// `varies` is of each parameter of the table; the description must outlive it. Empty where more
-  /// moves than teeth and modules, or a clutch joins two axes, which might part.
+  /// `varies` says for each parameter of the table whether it varies. The description must outlive
+  /// the result. Empty if more varies than teeth and modules, or if a clutch joins two axes, which
+  /// might move apart.
   static std::optional<GearPlaces> make(const MechanismDescription& description,
                                         const ParameterTable& table,
                                         const std::vector<bool>& varies);
 
-  /// Whether anything moves.
+  /// Whether any number of teeth or module varies.
   bool moves() const { return !teeth_.empty() || !modules_.empty(); }
 
-  /// False where a number has no value, or teeth do not fit: then bind has an error.
+  /// Finds the layout for these parameters. False if a number has no value or teeth do not fit;
+  /// bind then has an error.
   bool find(const Slots& slots, std::vector<Quantity>& scratch);
 
-  /// What was found last; at first with the parameters of the table.
+  /// The layout that was found last; at first that of the parameters of the table.
   const GearFrame& frame() const { return frame_; }
 
  private:

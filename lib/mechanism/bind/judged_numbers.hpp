@@ -1,4 +1,4 @@
-// The numbers of a description by what decides whether they are right.
+// The numbers of a description, sorted by how they are checked.
 #pragma once
 
 #include <vector>
@@ -9,11 +9,11 @@
 namespace kinestat {
 
 struct JudgedNumbers {
-  std::vector<CheckedNumber> by_rule;  ///< each by what it may be, whatever the others are
-  std::vector<const Value*> by_more;   ///< of the description: by more than that, or with others
+  std::vector<CheckedNumber> by_rule;  ///< each checked by a rule of its own only
+  std::vector<const Value*> by_more;   ///< checked by more, such as together with other numbers
 };
 
-/// All that the check of a description evaluates, in whatever parameters it has.
+/// Finds all numbers that the check of a description evaluates.
 JudgedNumbers find_judged_numbers(const MechanismDescription& description);
 
 }  // namespace kinestat

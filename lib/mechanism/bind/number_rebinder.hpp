@@ -1,4 +1,4 @@
-// The numbers of a mechanism bound once more, for another type of number.
+// The numbers of a mechanism, bound again with another type of number.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace kinestat {
 
-/// What a case knows; lists are parallel to those of the Case.
+/// The known magnitudes and the loads of a case. Lists are parallel to those of the Case.
 template <class Scalar>
 struct CaseNumbersOf {
   std::vector<Scalar> motions;
@@ -18,9 +18,9 @@ struct CaseNumbersOf {
   std::vector<WrenchOf<Scalar>> loads;  ///< about the origin of the geometry
 };
 
-/// Reads a description again that bind made `mechanism` of; the origin and the size stay plain
-/// numbers, and the evaluator measures from that origin. All that is given must outlive it.
-/// `Scalar` is Dual or ExactInput.
+/// Binds again the description of which bind made `mechanism`. The origin and the size remain plain
+/// numbers, and the evaluator measures from this origin. All arguments must outlive it. `Scalar` is
+/// Dual or ExactInput.
 template <class Scalar>
 class NumberRebinder {
  public:
@@ -36,11 +36,11 @@ class NumberRebinder {
     evaluator.measure_from(mechanism.geometry.origin);
   }
 
-  /// A coupling as it was drawn.
+  /// The geometry of a coupling as drawn.
   CouplingGeometryOf<Scalar> drawn(const CouplingDescription& coupling);
 
-  /// Appends the point, the motions and the actions of the coupling of that index; gives back what
-  /// it frees and bears in the space of the file.
+  /// Appends the point, the motions and the actions of the coupling with index `e` to `result`.
+  /// Returns its freedoms and constraints in the space of the file.
   CouplingScrewsOf<Scalar> add_coupling(std::size_t e,
                                         CouplingGeometryOf<Scalar> geometry,
                                         GeometryOf<Scalar>& result) const;

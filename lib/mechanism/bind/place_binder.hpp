@@ -1,4 +1,4 @@
-// Where a coupling is: its point, or the ends of a cable.
+// The place of a coupling: its point, or the ends of a cable.
 #pragma once
 
 #include "mechanism/bind/evaluator.hpp"
@@ -6,10 +6,10 @@
 
 namespace kinestat {
 
-/// Fills `at`, `from` and `to` of the geometry, with errors where the file is wrong; the origin
-/// where it gives no point, which leaves it to counts. A mesh stands at its pitch point, a coupling
-/// on the axis of a gear there. `gears` is null if the file has none or if they are wrong; then
-/// there must be no meshes. `Scalar` is double or Dual.
+/// Fills `at`, `from` and `to` of the geometry [m], and adds errors if the file is wrong. A
+/// coupling without a point, which can only be counted, is put at the origin. A mesh is at its
+/// pitch point, a coupling on the axis of a gear on this axis. `gears` is null if the file has no
+/// gears or if they are wrong; there must then be no meshes. `Scalar` is double or Dual.
 template <class Scalar>
 void bind_place(const CouplingDescription& coupling,
                 const GearFrameOf<Scalar>* gears,

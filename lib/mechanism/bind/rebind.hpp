@@ -15,7 +15,7 @@
 
 namespace kinestat {
 
-/// Coordinates of a screw on a tape, in the order of Twist or Wrench.
+/// The coordinates of a screw on a tape, in the order of Twist or Wrench.
 using TapedScrew = std::array<TapeNumber, 6>;
 
 /// Unit screws on a tape, parallel to those of the Geometry.
@@ -24,57 +24,57 @@ struct TapedScrews {
   std::vector<TapedScrew> actions;
 };
 
-/// The values of a case's primaries on a tape, parallel to those of the Case; empty where a value
-/// is more than a tape can do.
+/// The values of the primaries of a case on a tape, parallel to the lists of the Case. A value that
+/// a tape cannot compute is empty.
 struct TapedPrimaries {
   std::vector<std::optional<TapeNumber>> motions;
   std::vector<std::optional<TapeNumber>> actions;
 };
 
-/// How a tape sees that the screws may stay about the world origin.
+/// How a tape checks that the world origin is near enough, in units of the mechanism, for screws.
 enum class NearOrigin {
-  by_fixed_points,  ///< those that do not move are far enough apart for all that do: cheap, but a
-                    ///< lane in which a point goes too far has no answer
-  by_all_points
+  by_fixed_points,  ///< with the size of the points that do not move: cheap, but a lane in which a
+                    ///< point moves too far has no answer
+  by_all_points     ///< with the size of all points
 };
 
-/// Evaluates again only what depends on the parameters that vary, with the same functions as bind
-/// and hence the same bits. It knows mechanisms of which they move the couplings and the primaries
-/// and nothing else, near the origin of the world; others are bound whole. One a thread.
+/// Binds a mechanism again for other values of its parameters. It evaluates only what depends on
+/// those that vary, with the same functions as bind and hence the same bits. It can do so if only
+/// couplings and primaries depend on them, near the origin of the world; other mechanisms must be
+/// bound anew. Each thread needs its own.
 class Rebinder {
  public:
-  /// `mechanism` must be what bind made of the description, which must outlive it; `varies` is of
-  /// each parameter, those that follow from others among them. Empty where more moves than it
-  /// knows: cables, angles and distances of gears, losses, friction, loads, and screws that are
-  /// given directly.
+  /// `mechanism` must be what bind made of the description, which must outlive the result. `varies`
+  /// is of each parameter, those that depend on others included. Empty if anything else varies:
+  /// cables, angles and distances of gears, losses, friction, loads, or screws given directly.
   static std::optional<Rebinder> make(const MechanismDescription& description,
                                       const Mechanism& mechanism,
                                       const std::vector<bool>& varies);
 
-  /// Of each coupling: whether its numbers may change.
+  /// For each coupling: whether its numbers may change.
   const std::vector<bool>& moves() const { return moves_; }
 
-  /// Of each coupling: whether the directions of its screws may change, too.
+  /// For each coupling: whether the directions of its screws may change, too.
   const std::vector<bool>& turns() const { return turns_; }
 
-  /// Unit motions and unit actions, other flanks too, for these parameters. The points, the size
-  /// and the references stay those of the mechanism. False where the mechanism must be bound whole:
-  /// a number has no value, or it stands too far from the origin of the world.
+  /// Sets the unit motions, the unit actions and the other flanks to these parameters. The points,
+  /// the size and the references remain those of the mechanism. False if a number has no value, or
+  /// if the mechanism is too far from the origin of the world.
   bool rebind_geometry(const Slots& slots, Geometry& geometry);
 
-  /// The primaries of the cases, which must be in the order of the description.
+  /// Sets the primaries of the cases, which must be in the order of the description.
   bool rebind_cases(const Slots& slots, std::span<Case> cases);
 
-  /// What rebind_geometry does, on a tape, for quantities at the slots of parameters: the same
-  /// bits, and no answer for a lane where it has none. Empty where more moves than points of lines,
-  /// by formulas that a tape can do, or the fixed points do not suffice. `geometry` is that of the
-  /// mechanism.
+  /// Records on a tape what rebind_geometry does; `slots` are the parameters on the tape. The bits
+  /// are the same, and a lane for which rebind_geometry is false has no answer. Empty if more
+  /// varies than the points of lines, a tape cannot do a formula, or the fixed points do not
+  /// suffice. `geometry` is the mechanism's.
   std::optional<TapedScrews> record_screws(NearOrigin near,
                                            const Geometry& geometry,
                                            std::span<const std::optional<TapeQuantity>> slots,
                                            LaneRecorder& recorder) const;
 
-  /// What rebind_cases does, for the case of that index.
+  /// Records on a tape what rebind_cases does for the case of this index.
   TapedPrimaries record_primaries(std::size_t index,
                                   const Case& which,
                                   std::span<const std::optional<TapeQuantity>> slots,

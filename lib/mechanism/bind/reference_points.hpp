@@ -1,4 +1,4 @@
-// Where the velocities of bodies are reported.
+// The reference points of bodies, at which their velocities are reported.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,9 @@
 
 namespace kinestat {
 
-/// Of each body of the topology [m]: the point that its description gives, else that of its first
-/// coupling that has one, as drawn on the body, else the origin of the geometry. `has_point` says
-/// which couplings of the topology have a point of their own. `Scalar` is double or Dual.
+/// Finds the reference point of each body of the topology [m]: the point that its description
+/// gives, else that of its first coupling with a point, as drawn on the body, else the origin of
+/// the geometry. `has_point` says which couplings have a point. `Scalar` is double or Dual.
 template <class Scalar>
 std::vector<Vec3Of<Scalar>> bind_reference_points(const MechanismDescription& description,
                                                   const std::vector<bool>& has_point,

@@ -1,4 +1,4 @@
-// Derivatives of the geometry that are rounding of others.
+// Removal of derivatives of the geometry that are only rounding.
 #pragma once
 
 #include <cstddef>
@@ -8,9 +8,9 @@
 
 namespace kinestat {
 
-/// Sets every derivative of a coordinate of a screw to zero that is below kCancellation of the
-/// steepest one by the same parameter, lengths counted in those of the geometry. A coordinate that
-/// should stand still would otherwise move redundant couplings apart.
+/// Sets to zero every derivative of a coordinate of a screw that is below kCancellation times the
+/// largest one with respect to the same parameter; the unit of length is that of the geometry.
+/// Otherwise coordinates that should not change would move redundant couplings apart.
 void drop_rounding(GeometryOf<Dual>& geometry, std::size_t parameter_count);
 
 }  // namespace kinestat

@@ -1,4 +1,4 @@
-// A number of a mechanism file from the places of its parameters.
+// The value of a number of a mechanism file for given parameters.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace kinestat {
 
-/// [SI], with the bits of an Evaluator; empty where that has an error. `scratch` is kept by the
-/// caller, so that evaluating allocates nothing.
+/// Evaluates a number [SI] with the same bits as an Evaluator; empty if that adds an error. The
+/// caller keeps `scratch`, so that evaluation allocates nothing.
 std::optional<double> slot_number(const SlotExpression& value,
                                   QuantityKind kind,
                                   const FileUnits& units,

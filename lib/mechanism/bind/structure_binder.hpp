@@ -1,4 +1,4 @@
-// Bodies, couplings and actuators of a description as topology, geometry and graph.
+// Bodies, couplings and actuators of a description, bound to topology, geometry and graph.
 #pragma once
 
 #include <optional>
@@ -13,15 +13,16 @@
 
 namespace kinestat {
 
-/// Fills the topology and the geometry, the graph excepted.
+/// Fills topology and geometry of `result`, but not the graph.
 void bind_bodies_and_couplings(const MechanismDescription& description,
                                ScrewSpaces spaces,
                                Evaluator& evaluator,
                                Diagnostics& found,
                                Mechanism& result);
 
-/// The graph with the tree of the file or, where it gives none, of the first couplings that close
-/// no circuit. Empty iff an error was added: parts that nothing joins, or a tree that is none.
+/// Makes the graph with the tree that the file gives or, without one, with the tree of the first
+/// couplings that close no circuit. Empty iff an error was added, because parts are not connected
+/// or the given tree is not a tree.
 std::optional<CouplingGraph> bind_coupling_graph(const MechanismDescription& description,
                                                  const Topology& topology,
                                                  Diagnostics& found);

@@ -1,4 +1,4 @@
-// Where in a description parameters stand that vary.
+// The numbers of a description that depend on varying parameters.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,8 @@
 
 namespace kinestat {
 
-/// Of a table of parameters those that vary. Both lists must outlive it.
+/// The varying parameters of a table: tells whether they occur in parts of a description. Table and
+/// list must outlive it.
 class VaryingParameters {
  public:
   VaryingParameters(const ParameterTable& table, const std::vector<bool>& varies)
@@ -46,7 +47,7 @@ class VaryingParameters {
     return stand_in(screw.direction) || stand_in(screw.at) || stand_in(screw.pitch);
   }
 
-  /// Of whatever shapes the coupling, its point excepted.
+  /// Whether they occur in a number that shapes the coupling, its point excepted.
   bool stand_in_shape_of(const CouplingDescription& coupling) const {
     return stand_in(coupling.axis) || stand_in(coupling.normal) || stand_in(coupling.line) ||
            stand_in(coupling.slot) || stand_in(coupling.pitch) || stand_in(coupling.lead) ||
@@ -64,7 +65,7 @@ class VaryingParameters {
            std::ranges::any_of(losses.meshes, of_loss, &MeshLoss::loss);
   }
 
-  /// Of any number of the coupling that is drawn.
+  /// Whether they occur in any geometric number of the coupling.
   bool stand_in_any_of(const CouplingDescription& coupling) const {
     const auto of_screw = [&](const ScrewDescription& screw) { return stand_in(screw); };
     return stand_in_shape_of(coupling) || stand_in(coupling.at) || stand_in(coupling.from) ||

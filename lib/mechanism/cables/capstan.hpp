@@ -5,8 +5,8 @@
 
 namespace kinestat {
 
-/// The ratio of the tension ahead of a pulley to that behind it at which the cable slips: e^(μ θ),
-/// for a coefficient of friction μ and an angle of wrap θ [rad]. 1 without friction.
+/// The ratio of the larger to the smaller tension at which a cable slips on a pulley: e^(μ θ), for
+/// a coefficient of friction μ and an angle of wrap θ [rad]. 1 without friction.
 inline double capstan_ratio(double friction, double wrap) {
   return std::exp(friction * wrap);
 }

@@ -1,4 +1,4 @@
-// Actuators of a description as internalised actions of the topology.
+// The actuators of a description, bound as internalised actions of the topology.
 #pragma once
 
 #include <map>
@@ -12,14 +12,14 @@
 
 namespace kinestat {
 
-/// Adds the actuators of each coupling: those that the file declares, and a clutch or brake itself.
+/// Adds the actuators of each coupling: those that the file declares, and clutches and brakes.
 class ActuatorBinder {
  public:
-  /// Complains of actuators on couplings that are not declared.
+  /// Adds an error for each actuator on a coupling that is not declared.
   ActuatorBinder(const MechanismDescription& description, Mechanism& result, Diagnostics& found);
 
-  /// The actuators of the coupling that was added last to the topology, with its screws about the
-  /// origin of the geometry.
+  /// Adds the actuators of the coupling that was added last to the topology. Its screws are about
+  /// the origin of the geometry.
   void add(CouplingId id,
            const CouplingDescription& coupling,
            const CouplingScrews& screws,

@@ -1,4 +1,4 @@
-// A case bound to numbers: what is known of the motions and actions, and what acts from outside.
+// A case bound to numbers: known motions and actions, loads, inputs and outputs.
 #pragma once
 
 #include <algorithm>
@@ -17,36 +17,36 @@ namespace kinestat {
 struct Primary {
   int index = 0;  ///< into Topology::freedoms or Topology::actions
   double value = 0.0;
-  std::string given;  ///< how the file names it: an actuator, or coupling.freedom
+  std::string given;  ///< its name in the file: an actuator, or coupling.freedom
   SourceRange where;
-  bool is_assumed = false;  ///< not of the file: the rate of a freedom that no other body feels
+  bool is_assumed = false;  ///< a rate of an idle freedom that is assumed to be zero
   std::shared_ptr<const NumberLaw<double>> law =
-      nullptr;  ///< of an action that follows curves: its value is known once the case is solved
-  double relative_bound = 0.0;  ///< by what share of itself the value may be off: one searched for
+      nullptr;  ///< of an action that follows curves: its value is known once the motion is solved
+  double relative_bound = 0.0;  ///< bound of the relative error, of a value that was searched for
 
   bool moves() const { return law != nullptr; }
 };
 
-/// Inputs and outputs are actuators and loads, by their indices; empty where the file does not say.
+/// A case. Inputs and outputs are indices of actuators and loads; empty if the file names none.
 struct Case {
   std::string label;
-  bool asks_motions = false;  ///< velocities are to be solved, even if none is known
-  bool asks_actions = false;  ///< actions are to be solved: the key is there, or loads act
+  bool asks_motions = false;  ///< whether to solve for velocities, even if none is known
+  bool asks_actions = false;  ///< whether to solve for actions: the file has the key, or loads act
   std::vector<Primary> motions;
   std::vector<Primary> actions;
   std::optional<std::vector<Primary>> accelerations =
-      {};  ///< [rad/s² or m/s²] of some of `motions`, the others being steady: the forces of
-           ///< inertia act; empty: they do not
-  std::vector<Load> loads;   ///< on moving bodies: those of the file, then the weights, and once it
-                             ///< is solved those that follow curves, springs and inertia
-  std::vector<int> inputs;   ///< actuators
-  std::vector<int> outputs;  ///< likewise
-  std::vector<std::size_t> input_loads = {};  ///< of `loads`, `moving_loads` behind them: what
-                                              ///< drives as a weight that sinks
+      {};  ///< of some of `motions` [rad/s² or m/s²], those of the others being zero; empty if
+           ///< no inertia forces act
+  std::vector<Load> loads;  ///< on moving bodies: those of the file, then weights; once the case is
+                            ///< solved also those of curves, springs and inertia
+  std::vector<int> inputs;  ///< indices of actuators
+  std::vector<int> outputs;                   ///< indices of actuators
+  std::vector<std::size_t> input_loads = {};  ///< loads that drive, such as a sinking weight:
+                                              ///< indices into `loads` followed by `moving_loads`
   std::vector<std::size_t> output_loads = {};
   std::vector<MovingLoad> moving_loads = {};  ///< of the file, on moving bodies
   SourceRange where;
-  bool is_gear = false;  ///< of `shift`: it may leave open what neither inputs nor outputs feel
+  bool is_gear = false;  ///< of `shift`; it may leave open what moves beside the power path
 
   bool has_inertia() const { return accelerations.has_value(); }
 
@@ -54,13 +54,13 @@ struct Case {
     return !moving_loads.empty() || std::ranges::any_of(actions, &Primary::moves);
   }
 
-  /// Whether the file says where power goes in and where it comes out.
+  /// Whether the file names both inputs and outputs.
   bool names_both_ends() const {
     return !(inputs.empty() && input_loads.empty()) && !(outputs.empty() && output_loads.empty());
   }
 };
 
-/// How fast a known motion of the case speeds up [rad/s² or m/s²]: steady where nothing says so.
+/// The acceleration of a known motion of the case [rad/s² or m/s²]; zero if none is given.
 inline double acceleration_of(const Case& which, int freedom) {
   if (which.accelerations) {
     for (const Primary& one : *which.accelerations) {

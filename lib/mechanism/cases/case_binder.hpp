@@ -9,7 +9,7 @@
 
 namespace kinestat {
 
-/// Resolves what the cases refer to and evaluates what they give, which may follow the curves.
+/// Binds the cases: resolves their references and evaluates their numbers, which may follow curves.
 std::vector<Case> bind_cases(const MechanismDescription& description,
                              const Topology& topology,
                              std::span<const Curve> curves,

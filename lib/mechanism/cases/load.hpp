@@ -1,4 +1,4 @@
-// Loads bound to numbers: what acts on bodies from outside.
+// Loads, which act on bodies from outside, bound to numbers.
 #pragma once
 
 #include <optional>
@@ -11,24 +11,23 @@
 
 namespace kinestat {
 
-/// An action on a body that equilibrium takes as known. The wrench [N·m; N] is written about the
-/// origin of the Geometry.
+/// A known wrench on a body [N·m; N], written about the origin of the Geometry.
 struct BodyWrench {
   BodyId body;
   Wrench wrench;
 };
 
-/// Before the body, in the name of its weight.
+/// Prefix of the name of the weight of a body.
 inline constexpr std::string_view kWeightPrefix = "gravity.";
 
-/// Likewise, of its force of inertia.
+/// Prefix of the name of the inertia force of a body.
 inline constexpr std::string_view kInertiaPrefix = "inertia.";
 
-/// Likewise, of the force of a spring, which may be followed by a dot and the body.
+/// Prefix of the name of the force of a spring; a dot and the body may follow the spring.
 inline constexpr std::string_view kSpringPrefix = "spring.";
 
-/// A load of a case: one that the file names, the weight of a body, named
-/// gravity.BODY, or its force of inertia, named inertia.BODY.
+/// A load of a case: one that the file names, the weight of a body (gravity.BODY), its inertia
+/// force (inertia.BODY), or the force of a spring (spring.NAME).
 struct Load {
   std::string name;
   BodyWrench acts;
@@ -36,14 +35,14 @@ struct Load {
   SourceRange where;
 };
 
-/// The couple of a load beside its force, which acts at its point [N·m]; what is rounding of the
-/// moment of the force is zero.
+/// The couple of a load in addition to its force, which acts at the point of the load [N·m].
+/// Components within the rounding of the moment of the force are zero.
 inline Vec3 couple_of(const Load& load) {
   return load.point ? moment_at(written(load.acts.wrench), *load.point).zeroed()
                     : load.acts.wrench.moment;
 }
 
-/// What the loads do to the bodies, without their names.
+/// The wrenches of the loads, with their bodies but without their names.
 inline std::vector<BodyWrench> wrenches_of(std::span<const Load> loads) {
   std::vector<BodyWrench> wrenches;
   wrenches.reserve(loads.size());

@@ -8,8 +8,8 @@
 
 namespace kinestat {
 
-/// Of a force at a point, with a couple. Each product of a place and a force was rounded when the
-/// place was read and its unit applied: what is no more than this rounding is zero.
+/// The moment [N·m] of a force [N] at a point [m], and of a couple. A component within the rounding
+/// of its products of coordinates and forces is zero.
 inline Vec3 moment_of_load(const Vec3& point, const Vec3& force, const Vec3& couple) {
   const Vec3 p = point.cwiseAbs();
   const Vec3 f = force.cwiseAbs();

@@ -1,4 +1,4 @@
-// A load whose size follows curves.
+// A load whose components follow curves.
 #pragma once
 
 #include <array>
@@ -11,7 +11,8 @@
 
 namespace kinestat {
 
-/// In world directions; what it does is known once it is known how the mechanism stands and moves.
+/// A load in directions of the world. Its components are known once position and motion of the
+/// mechanism are known.
 struct MovingLoad {
   std::string name;
   BodyId body;

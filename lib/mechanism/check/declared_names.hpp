@@ -21,24 +21,24 @@ class NameTable {
   NameTable(std::string_view code, std::string_view one, std::string_view many)
       : code_(code), one_(one), many_(many) {}
 
-  /// Makes room for so many.
+  /// Reserves memory for this number of names.
   void reserve(std::size_t count) { names_.reserve(count); }
 
-  /// Answers where the name was declared before; it then stays as it was.
+  /// Adds a name. If it was declared before, nothing is added, and the earlier place is returned.
   std::optional<SourceRange> add(const Name& name);
 
   /// The index, or -1.
   int find(std::string_view name) const;
 
-  /// Where the name of an index was declared.
+  /// The place at which the name with this index was declared.
   SourceRange where(int index) const;
 
   bool contains(std::string_view name) const { return find(name) >= 0; }
 
   std::span<const std::string> names() const { return names_; }
 
-  /// Whether a reference names one; adds an error if not. `role` begins the message: "load 'wind'
-  /// acts on".
+  /// Whether the table has the name of a reference; adds an error if not. `role` begins the
+  /// message: "load 'wind' acts on".
   bool check(const Name& reference, std::string_view role, Diagnostics& found) const;
 
   /// "did you mean 'a'? declared bodies are a, b".
@@ -57,28 +57,29 @@ class NameTable {
   std::map<std::string, Entry, std::less<>> entries_;
 };
 
-/// What an actuator moves; unknown where its coupling is wrong or not clear.
+/// The kind of motion of an actuator; unknown if its coupling is wrong or not clear.
 enum class DriveKind { unknown, turning, sliding };
 
 struct DeclaredNames {
   NameTable bodies{"E0312", "body", "bodies"};            ///< the ground first
-  NameTable couplings{"E0313", "coupling", "couplings"};  ///< meshes and what cables make too
+  NameTable couplings{"E0313", "coupling", "couplings"};  ///< with those of gears and cables
   NameTable meshes{"E0313", "mesh", "meshes"};            ///< of `gears`, and couplings of gears
   NameTable members{"E0313", "gear member", "gear members"};
-  NameTable actuators{"E0313", "actuator", "actuators"};  ///< clutches and brakes too
+  NameTable actuators{"E0313", "actuator", "actuators"};  ///< with clutches and brakes
   NameTable cases{"E0313", "case", "cases"};
   NameTable states{"E0313", "case or gear", "cases and gears"};
   NameTable parameters{"E0313", "parameter", "parameters"};
-  std::vector<DriveKind> actuator_kinds;  ///< of each of `actuators`
+  std::vector<DriveKind> actuator_kinds;  ///< parallel to `actuators`
 
-  /// Whether a reference names an actuator; a coupling that is none gets its own hint.
+  /// Whether a reference names an actuator; adds an error if not, with a hint for couplings.
   bool check_actuator(const Name& reference, std::string_view role, Diagnostics& found) const;
 
   DriveKind kind_of_actuator(std::string_view name) const;
 };
 
-/// Complains of names that the file does not write itself and that clash: those which cables make,
-/// and meshes, which share the names of couplings.
+/// Collects the names of a description. Adds an error for each name that clashes with a name which
+/// the file does not write itself, one that a cable makes, or that of a mesh, which is named as a
+/// coupling.
 DeclaredNames declare_names(const MechanismDescription& description, Diagnostics& found);
 
 }  // namespace kinestat

@@ -1,4 +1,4 @@
-// An answer that a check made before has promised.
+// A value that an earlier check guarantees.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 
 namespace kinestat {
 
-/// What is in the answer; that it is empty is a fault of the program.
+/// The value of an optional, which must not be empty.
 template <class Item>
 Item expect(const std::optional<Item>& answer) {
   KINESTAT_EXPECTS(answer.has_value());

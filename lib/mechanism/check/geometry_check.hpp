@@ -1,4 +1,4 @@
-// What is wrong with where couplings are and what they are given, directions apart.
+// Checks of the places and numbers of couplings, except their directions.
 #pragma once
 
 #include "core/diagnostic.hpp"
@@ -8,28 +8,27 @@
 
 namespace kinestat {
 
-/// A coupling without a point whose type needs one, or a cable without ends: its file can only be
-/// counted.
+/// Whether a coupling lacks a point that its type needs, or is a cable without ends, so that its
+/// file can only be counted.
 bool is_counted_only(const CouplingDescription& coupling);
 
-/// Whether the coupling may stand in that space, has the ends, pitch or screws that its type needs,
-/// and the numbers of its stiffness are right. Adds errors if not. Points and
-/// directions are checked when they are bound.
+/// Whether the type of a coupling is allowed in this space, the coupling has the ends, pitch or
+/// screws that its type needs, and the numbers of its stiffness are right. Adds errors if not.
+/// Points and directions are checked when they are bound.
 bool check_geometry(const CouplingDescription& coupling,
                     Space space,
                     Evaluator& evaluator,
                     Diagnostics& found);
 
-/// Whether a coupling may stand where it does. Complains of a single number in a file without
-/// `gears`, in the plane, where an axis is a point, and of a coupling between two planets. `gears`
-/// is null if there are none or if they are wrong.
+/// Whether the place of a coupling is allowed. A place on an axis, given by a single number, is an
+/// error in a file without `gears`, in the plane, where an axis is a point, and for a coupling
+/// between two planets. `gears` is null if there are none or if they are wrong.
 bool check_axis_place(const CouplingDescription& coupling,
                       const MechanismDescription& description,
                       const GearFrame* gears,
                       Diagnostics& found);
 
-/// Warns of every moving body that two revolutes on one axis join to others, and nothing else:
-/// W0309.
+/// Adds W0309 for every moving body whose only couplings are two revolutes on one axis.
 void warn_of_links_without_length(const Mechanism& mechanism, Diagnostics& found);
 
 }  // namespace kinestat

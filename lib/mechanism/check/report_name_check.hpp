@@ -11,22 +11,22 @@
 
 namespace kinestat {
 
-/// The word of a sweep for what the input of a case feels of all inertia.
+/// The word of a sweep for the equivalent inertia of all bodies at the input of a case.
 inline constexpr std::string_view kEquivalentInertiaWord = "equivalent_inertia";
 
-/// Words that stand for more than one column, or for no coupling.
+/// The words that a sweep may report, besides names of actuators and quantities of couplings.
 std::span<const std::string> sweep_report_words();
 
-/// Each is a word, an actuator, or a quantity of a coupling: coupling.freedom, coupling.action; of
-/// a sweep also a figure of a motion. Whether the coupling has that freedom or action shows only in
-/// the topology.
+/// Checks that each name is one of `words`, an actuator, or a quantity of a coupling, written
+/// coupling.freedom or coupling.action; in a sweep it may also be a figure of a motion. Whether the
+/// coupling has this freedom or action is checked by check_report_quantities.
 void check_report_names(const std::vector<Name>& names,
                         std::span<const std::string> words,
                         std::string_view section,
                         const SectionContext& context);
 
-/// Complains of freedoms and actions that the couplings of a topology do not have. Names without a
-/// coupling are passed over.
+/// Adds an error for each freedom or action that its coupling does not have. Names without a
+/// coupling are ignored.
 void check_report_quantities(const std::vector<Name>& names,
                              const Topology& topology,
                              Diagnostics& found);

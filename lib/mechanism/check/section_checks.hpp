@@ -1,4 +1,5 @@
-// All sections beside bodies, couplings, actuators, cases and loads: their numbers and references.
+// Checks of the numbers and references of all sections except bodies, couplings, actuators, cases
+// and loads.
 #pragma once
 
 #include "mechanism/check/section_context.hpp"
@@ -7,46 +8,45 @@
 namespace kinestat {
 
 /// Evaluates every number of the outlines of bodies, of `losses`, `shift`, `duty`, `motion`,
-/// `dynamics`, `simulation`, `sweep` and `synthesis`, resolves every reference, and complains of
-/// what is wrong without any analysis. check_gears and check_cables do the same for `gears` and
+/// `dynamics`, `simulation`, `sweep` and `synthesis`, resolves every reference, and adds errors for
+/// whatever is wrong without an analysis. check_gears and check_cables do the same for `gears` and
 /// `cables`.
 void check_sections(const SectionContext& context);
 
-/// Complains of inputs and outputs of cases that are no actuators, of knowns whose coupling or
-/// actuator is not declared, and of couplings of the tree that are not: for a mechanism whose
-/// freedoms and actions have no names yet.
+/// Adds an error for each input or output of a case that is no actuator, and for each known
+/// magnitude or coupling of the tree that is not declared. For a mechanism whose freedoms and
+/// actions have no names yet.
 void check_case_names(const SectionContext& context);
 
-/// Complains of the freedoms and actions that `motion` and `sweep` report although their couplings
-/// do not have them. The topology must hold all couplings, those of gears and cables too.
+/// Adds an error for each freedom or action that `motion` or `sweep` report although its coupling
+/// does not have it. The topology must have all couplings, with those of gears and cables.
 void check_reported_quantities(const MechanismDescription& description,
                                const Topology& topology,
                                Diagnostics& found);
 
-/// The numbers and references of the section `motion`.
+/// Checks the numbers and references of the section `motion`.
 void check_motion(const SectionContext& context);
 
-/// Those of `dynamics`, and that there is a motion.
+/// Checks those of `dynamics`, and that the file has a motion.
 void check_dynamics(const SectionContext& context);
 
-/// Those of `simulation`; its known motions and actions are bound as those of a case.
+/// Checks those of `simulation`. Its known motions and actions are bound as those of a case.
 void check_simulation(const SectionContext& context);
 
-/// Those of `shift`. Complains of elements and labels that contradict each other, too.
+/// Checks those of `shift`, and that elements and labels do not contradict each other.
 void check_shift(const SectionContext& context);
 
-/// The numbers of `duty` and the actuators that it names; which cases know what is told where they
-/// are bound (duty_plan).
+/// Checks the numbers of `duty` and the actuators that it names. Whether the cases know these
+/// magnitudes is checked when the section is bound (duty_plan).
 void check_duty(const SectionContext& context);
 
-/// Those of `sweep`. Complains of ranges that never end and of sweeps that are too large, too.
+/// Checks the numbers and references of `sweep`, and that its ranges end and it is not too large.
 void check_sweep(const SectionContext& context);
 
-/// The numbers of `synthesis`. Complains of a task that no linkage can fulfil by its count of
-/// positions, too.
+/// Checks the numbers of `synthesis`, and that a dyad can meet its number of positions.
 void check_synthesis(const SectionContext& context);
 
-/// The numbers of `transmission` of `synthesis`.
+/// Checks the numbers of `transmission` in `synthesis`.
 void check_transmission(const SectionContext& context, const TransmissionDescription& task);
 
 }  // namespace kinestat

@@ -1,4 +1,4 @@
-// What the checks of the sections work with: names, numbers and their bounds.
+// The data that the checks of sections share: names, numbers and their ranges.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@
 
 namespace kinestat {
 
-/// What a number may be, and how that is said.
+/// The range that a number may have, and its words in messages.
 struct NumberRule {
   QuantityKind kind = QuantityKind::dimensionless;
   NumberRange range;
@@ -30,23 +30,23 @@ inline constexpr NumberRule kAnyAngle = {
 inline constexpr NumberRule kAboveZeroLength = {
     .kind = QuantityKind::length, .range = kAboveZero, .allowed = "a length above zero"};
 
-/// A number of a description, and what it may be.
+/// A number of a description with its rule.
 struct CheckedNumber {
   Value value;
   NumberRule rule;
 };
 
-/// One description on its way through the checks.
+/// A description during its checks.
 struct SectionContext {
   const MechanismDescription& description;
   const DeclaredNames& names;
   Evaluator& evaluator;
   Diagnostics& found;
-  std::vector<CheckedNumber>* checked = nullptr;  ///< where not null, what is looked at is noted:
-                                                  ///< nothing else decides on these numbers
+  std::vector<CheckedNumber>* checked = nullptr;  ///< if not null, receives the numbers that only
+                                                  ///< their own rule decides on
 
-  /// The value in SI; empty if it is absent or an error was added. `what` begins the message:
-  /// "'teeth' of gear member 'sun'".
+  /// Evaluates a number [SI] and checks its rule. Empty if it is absent or an error was added.
+  /// `what` begins the message: "'teeth' of gear member 'sun'".
   std::optional<double> number(const std::optional<Value>& value,
                                const NumberRule& rule,
                                std::string_view what) const;
@@ -54,7 +54,7 @@ struct SectionContext {
   /// The components of a vector in SI; z is 0 in the plane. Empty if an error was added.
   std::optional<Vec3> vector(const std::vector<Value>& components, QuantityKind kind) const;
 
-  /// Where a point is that decides nothing else, from the origin of the evaluator.
+  /// Evaluates a point on which no other check depends [m], from the origin of the evaluator.
   std::optional<Vec3> place(const PointDescription& point) const;
 
   /// Evaluates the components of a vector.
@@ -62,7 +62,7 @@ struct SectionContext {
 
   void point(const std::optional<PointDescription>& point) const;
 
-  /// Complains of a name that stands in a list twice; answers whether any does.
+  /// Whether a name occurs twice in a list; adds an error if so.
   bool repeats(const std::vector<Name>& list, std::string_view what) const;
 
  private:

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/text.hpp"
 #include "mechanism/check/section_checks.hpp"
 
 namespace kinestat {
@@ -150,10 +151,9 @@ class SynthesisCheck {
     }
     context_.found.error("E0305",
                          task_.where,
-                         fmt::format("the task {} has {} position{}; a dyad takes two to five",
+                         fmt::format("the task {} has {}; a dyad takes two to five",
                                      shown(form),
-                                     count,
-                                     count == 1 ? "" : "s"),
+                                     counted(count, "position")),
                          count < kLeast ? "add a position, or its pole"
                                         : "leave out a position, a pole, or an order of contact");
   }

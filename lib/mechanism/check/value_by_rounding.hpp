@@ -1,4 +1,4 @@
-// A number that is none without rounding.
+// Numbers that have a value only by rounding.
 #pragma once
 
 #include "core/diagnostic.hpp"
@@ -6,8 +6,8 @@
 
 namespace kinestat {
 
-/// E0316 for a value of which arithmetic with 16 digits made a number, and exact arithmetic none:
-/// 1/(0.1 + 0.2 - 0.3).
+/// Adds E0316 for a number that has a value in arithmetic with 16 digits but none in exact
+/// arithmetic, such as 1/(0.1 + 0.2 - 0.3).
 void refuse_value_by_rounding(const Value& value, Diagnostics& found);
 
 }  // namespace kinestat

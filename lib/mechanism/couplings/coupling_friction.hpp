@@ -1,4 +1,4 @@
-// Friction of a coupling, bound to numbers.
+// The friction of a coupling, bound to numbers.
 #pragma once
 
 #include <memory>
@@ -13,56 +13,55 @@
 
 namespace kinestat {
 
-/// A cable that runs over a pulley: the tension ahead, where it runs to, is `ratio` times that
-/// behind. A drum has the cable on one side alone.
+/// The friction of a cable on a pulley: the tension of the segment towards which the cable runs is
+/// `ratio` times that of the other. On a drum there is only one segment.
 struct CableFriction {
   std::optional<CouplingId> arrives;  ///< the segment before the pulley in the order of the cable
   std::optional<CouplingId> leaves;   ///< the segment after it
-  double radius = 0.0;  ///< [m] signed: the cable runs onwards at the rate of the coupling times it
+  double radius = 0.0;  ///< [m] signed: speed of the cable onwards over the rate of the coupling
   double ratio = 1.0;   ///< exp(μ θ) of a cable that slips, divided by the efficiency η
 };
 
-/// What `tau` of a friction calls the size of its relative angular velocity.
+/// The name, in an expression for `tau`, of the absolute value of the relative angular velocity.
 inline constexpr std::string_view kSpeedOfFriction = "speed";
 
-/// SI units. What each type uses:
-/// - revolute: couple μ r R, R the force across the axis, or μ r times the forces at the two ends
-///   of a journal of that length, which bear a couple across the axis too; μ r_t times the axial
-///   force; and tau + c |ω|;
+/// The friction of a coupling in SI units. The friction of each type is
+/// - revolute: couple μ r R, R being the force across the axis; with a length, μ r
+///   times the forces at the two ends of the journal, which also bear a couple across the axis; μ
+///   r_t times the axial force; and tau + c |ω|;
 /// - helical: couple |Ra| (r tan(λ ± φ) ∓ h) with tan λ = h / r, tan φ = μ; and tau + c |ω|;
-/// - prismatic: force μ R, R the force across the axis, or the two edge forces of a guide of that
-///   length; μ / r times the couple about the axis; and c |v|;
+/// - prismatic: force μ R, R being the force across the axis or, with a length, the two forces at
+///   the ends of the guide; μ / r times the couple about the axis; and c |v|;
 /// - a revolute under a pulley: couple |r| (1 - 1/k) T, T being the tension ahead and k the ratio
-/// of
-///   the cable (Eytelwein); of a drum that winds up, |r| (k - 1) T;
+///   of the cable (Eytelwein); for a drum that winds up, |r| (k - 1) T;
 /// - contacts of surfaces or teeth: force μ N against the sliding;
-/// - clutches and brakes that are open: couple tau + c |ω|;
-/// - torque converters: what `converter` says, against nobody's motion.
+/// - open clutches and brakes: couple tau + c |ω|;
+/// - torque converters: the couple by `converter`, which need not oppose the motion.
 /// `Scalar` is double or Dual.
 template <class Scalar>
 struct CouplingFrictionOf {
   CouplingId coupling;
   Scalar mu = 0.0;
-  std::optional<Scalar> mu_static = {};  ///< in its place at rest, no less; of simulations alone
-  Scalar radius = 0.0;         ///< of the journal, mean one of the thread, or at which the guide
-                               ///< is kept from turning; 0: no friction from its couple [m]
-  Scalar thrust_radius = 0.0;  ///< mean one of the collar; 0: no friction from the axial force [m]
-  std::optional<Scalar> length;                   ///< of the guide or journal [m]
-  Scalar tau = 0.0;                               ///< [N·m] at rest, where it depends on the speed
-  std::optional<NumberLaw<Scalar>> tau_of_speed;  ///< [N·m], where the file names kSpeedOfFriction
+  std::optional<Scalar> mu_static = {};  ///< at rest, not below mu; used by simulations only
+  Scalar radius = 0.0;           ///< of the journal, the mean thread, or the surface that keeps the
+                                 ///< guide from turning [m]; 0: that couple causes no friction
+  Scalar thrust_radius = 0.0;    ///< of the mean collar [m]; 0: the axial force causes no friction
+  std::optional<Scalar> length;  ///< of the guide or journal [m]
+  Scalar tau = 0.0;              ///< [N·m]; value at rest if it depends on the speed
+  std::optional<NumberLaw<Scalar>> tau_of_speed;  ///< [N·m], if `tau` depends on kSpeedOfFriction
   Scalar viscous = 0.0;                           ///< c [N·m·s/rad or N·s/m]
   std::shared_ptr<const ConverterLawOf<Scalar>> converter;  ///< of a torque converter; may be null
   std::vector<CableFriction> cables;  ///< over the pulley that turns on the coupling
-  int planets = 1;  ///< equal ones that stand for each other, tau and c being of one bearing
-  bool is_balanced = false;  ///< nothing but equal planets presses it across its axis, and these
-                             ///< from all sides
+  int planets = 1;  ///< number of equal planets that are drawn as one; tau and c are of one bearing
+  bool is_balanced = false;  ///< only equal planets press across the axis; their forces cancel
   SourceRange where;
 };
 
 using CouplingFriction = CouplingFrictionOf<double>;
 
-/// The couple that does not depend on the load, at a size of the relative angular velocity [rad/s].
-/// Empty where the file's expression has no value there, or a negative one.
+/// The couple tau [N·m], which does not depend on the load, at `speed`, the absolute value of the
+/// relative angular velocity [rad/s]. Empty if the expression of the file has no value there, or a
+/// negative one.
 template <class Scalar>
 std::optional<Scalar> tau_at(const CouplingFrictionOf<Scalar>& friction, const Scalar& speed);
 

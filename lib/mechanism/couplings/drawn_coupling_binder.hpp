@@ -1,4 +1,4 @@
-// The couplings of a mechanism as they were drawn, which its screws alone do not tell any more.
+// The couplings of a mechanism as they were drawn; screws alone do not have all of these data.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,8 @@
 
 namespace kinestat {
 
-/// One a coupling of the topology; `mechanism` must be what bind made of the description.
+/// Binds one per coupling. `mechanism` must be what bind made of the
+/// description.
 std::vector<DrawnCoupling> bind_drawn_couplings(const MechanismDescription& description,
                                                 const Mechanism& mechanism);
 

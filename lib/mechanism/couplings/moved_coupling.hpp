@@ -6,17 +6,17 @@
 
 namespace kinestat {
 
-/// Where the two bodies of a coupling stand, and the body in which teeth roll.
+/// The poses of the two bodies of a coupling and, for teeth, of their carrier.
 struct CouplingPoses {
   BodyPose tail;
   BodyPose head;
   BodyPose carrier;
 };
 
-/// The screws of the drawn position as they follow the bodies, in the same order. What a coupling
-/// frees and bears follows the body in which it is fixed, as FiniteLaw says; forces at a point (Rx,
-/// Ry, Rz), all couples of a slider and the freedoms of a ball keep their world directions; what
-/// touches and what pulls follows the moved contact and the moved cable.
+/// The screws of a coupling in a moved position, in the same order as drawn. They follow the body
+/// in which the coupling is fixed (FiniteLaw). Forces at a point (Rx, Ry, Rz), all couples of a
+/// slider and the freedoms of a ball joint keep their directions in the world. Screws of contacts
+/// and cables follow the moved contact and the moved cable.
 struct MovedCoupling {
   std::vector<Twist> motions;   ///< of the freedoms
   std::vector<Wrench> actions;  ///< of the passive constraints, then of the actuators
@@ -28,7 +28,7 @@ MovedCoupling moved_coupling(const Mechanism& mechanism,
                              const DrawnCoupling& drawn,
                              const CouplingPoses& poses);
 
-/// The stations of a segment of a cable where their bodies have taken them.
+/// A station of a cable segment, moved with its body.
 CableStationGeometry moved_station(CableStationGeometry station, const BodyPose& pose);
 
 }  // namespace kinestat

@@ -7,10 +7,12 @@
 
 namespace kinestat {
 
-/// The tensions of segments (couplings of type cable): negative, the cable would push.
+/// Indices of the tensions of segments (couplings of type cable). If one is negative, the cable
+/// would have to push.
 std::vector<int> find_tensions(const Topology& topology);
 
-/// The normal forces of contacts without an actuator: negative, the surfaces would pull.
+/// Indices of the normal forces of contacts without an actuator. If one is negative, the surfaces
+/// would have to pull.
 std::vector<int> find_contact_forces(const Topology& topology);
 
 }  // namespace kinestat

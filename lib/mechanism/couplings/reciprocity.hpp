@@ -1,4 +1,4 @@
-// Whether the actions of a coupling do no work on its freedoms.
+// Reciprocity: the constraints of a coupling do no work on its freedoms.
 #pragma once
 
 #include <vector>
@@ -7,12 +7,12 @@
 
 namespace kinestat {
 
-/// The largest power of a unit constraint on a unit freedom, lengths counted in `length` [m]; zero
-/// for a coupling that is reciprocal.
+/// The largest power of a unit constraint on a unit freedom, with `length` [m] as the unit of
+/// length. Zero for a reciprocal coupling.
 double reciprocity_error(const CouplingScrews& screws, double length);
 
-/// Sets `breaks` of each parameter that makes a constraint work on a freedom when it moves alone: a
-/// coupling of given screws that are reciprocal only together is no coupling beside these values.
+/// Sets `breaks` for each parameter which, if it changes alone, makes a constraint do work on a
+/// freedom. The coupling, whose screws are given, is then reciprocal only at the present values.
 void find_breaking_parameters(const CouplingScrewsOf<Dual>& screws, std::vector<bool>& breaks);
 
 }  // namespace kinestat

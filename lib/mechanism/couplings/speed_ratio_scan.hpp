@@ -1,4 +1,4 @@
-// The speed ratios of a torque converter at which a torque fits.
+// A search for the speed ratios of a torque converter at which a torque has a given value.
 #pragma once
 
 #include <cstddef>
@@ -10,28 +10,29 @@
 
 namespace kinestat {
 
-/// What was found between the ends of a characteristic.
+/// The result of the search over a whole characteristic.
 struct FittingRatios {
-  bool has_any = false;   ///< whether the torque has a value anywhere
-  double least = 0.0;     ///< what it misses at least
-  double greatest = 0.0;  ///< and at most
+  bool has_any = false;   ///< whether the torque has a value at any node
+  double least = 0.0;     ///< least difference from the given value [N·m]
+  double greatest = 0.0;  ///< greatest difference [N·m]
   std::vector<double> ratios = {};
 };
 
-/// What a torque is less what it should be; zero where that is rounding, so that ratios at which a
-/// characteristic ends are found, as that of stall is.
+/// The difference of a torque from the given value; zero if it is within rounding, so that
+/// solutions at the ends of the characteristic, such as stall, are found.
 double torque_miss(double torque, double asked);
 
-/// Looks at nodes all over the characteristic, and between neighbours of other sign more closely.
+/// Evaluates the difference at nodes all over the characteristic, and finds the root between
+/// neighbours with different signs.
 class SpeedRatioScan {
  public:
   explicit SpeedRatioScan(const ConverterLaw& law);
 
-  /// Rising, the same for all torques.
+  /// The speed ratios of the nodes, ascending; the same for all torques.
   const std::vector<double>& nodes() const { return nodes_; }
 
-  /// `at_node` and `at` say by how much the torque misses at a node and at any speed ratio; empty
-  /// where it has no value.
+  /// Runs the search. `at_node` and `at` give the difference at a node and at any speed ratio;
+  /// empty if the torque has no value there.
   FittingRatios run(const std::function<std::optional<double>(std::size_t)>& at_node,
                     const std::function<std::optional<double>(double)>& at) const;
 

@@ -10,20 +10,20 @@
 
 namespace kinestat {
 
-/// What the characteristic calls the angular velocity of the turbine over that of the pump, both
-/// seen from the stator.
+/// The name, in a characteristic, of the angular velocity of the turbine over that of the pump,
+/// both relative to the stator.
 inline constexpr std::string_view kSpeedRatio = "speed_ratio";
 
-/// A quantity over the speed ratio: an expression, or a curve through the points of a table.
-/// `Scalar` is double or Dual.
+/// A quantity as a function of the speed ratio: an expression, or a curve through the points of a
+/// table. `Scalar` is double or Dual.
 template <class Scalar>
 struct CharacteristicCurveOf {
-  std::vector<Scalar> at;      ///< rising; empty with an expression
-  std::vector<Scalar> values;  ///< at these
+  std::vector<Scalar> at;      ///< speed ratios of the points, ascending; empty with an expression
+  std::vector<Scalar> values;  ///< of the points
   std::optional<NumberLaw<Scalar>> law;
 
-  /// Cubic between neighbours, as monotone as the points are (`monotone_slope`). Empty beyond the
-  /// table, and where the expression has no value.
+  /// The value at a speed ratio: cubic between points, and monotone where the points are
+  /// (`monotone_slope`). Empty outside the table, and if the expression has no value.
   std::optional<Scalar> value(const Scalar& speed_ratio) const;
 
   template <class Change>
@@ -41,36 +41,38 @@ struct CharacteristicCurveOf {
   }
 };
 
-/// What flows in a converter at some speeds.
+/// The operating point of a converter.
 template <class Scalar>
 struct ConverterPointOf {
   Scalar speed_ratio = 0.0;
   Scalar torque_ratio = 1.0;  ///< of turbine to pump
-  Scalar pump_torque = 0.0;   ///< that the pump takes, in the sense in which it turns [N·m];
-                              ///< negative where the turbine drives it
+  Scalar pump_torque = 0.0;   ///< taken by the pump, in its sense of rotation [N·m]; negative if
+                              ///< the turbine drives the pump
 };
 
-/// Pump torque capacity · scale · ω², ω being the speed of the pump seen from the stator; turbine
-/// torque μ times that, of which the stator holds μ - 1 (VDI 2153). Without slip nothing flows.
+/// The law of a torque converter (VDI 2153). The pump torque is capacity · scale · ω², ω being the
+/// speed of the pump relative to the stator. The turbine torque is μ times the pump torque; the
+/// stator bears the difference, μ - 1 times the pump torque. Without slip all torques are zero.
 template <class Scalar>
 struct ConverterLawOf {
   BodyId pump;
   BodyId turbine;
   BodyId stator;
-  bool is_of_stator = false;  ///< the couple of stator on turbine; else that of pump on turbine
+  bool is_of_stator = false;  ///< whether this is the couple of the stator on the turbine;
+                              ///< otherwise it is that of the pump on the turbine
   std::optional<CharacteristicCurveOf<Scalar>> torque_ratio;  ///< μ; empty: 1
   CharacteristicCurveOf<Scalar> capacity;
   Scalar scale = 1.0;
 
-  /// Empty where the characteristic has no value at these speeds [rad/s], or where it would give
-  /// more power than it takes.
+  /// The operating point at these speeds [rad/s]. Empty if the characteristic has no value there,
+  /// or if the converter would give more power than it takes.
   std::optional<ConverterPointOf<Scalar>> point(const Scalar& pump_speed,
                                                 const Scalar& turbine_speed) const;
 
-  /// The couple of this law on the turbine, in the sense in which speeds count [N·m].
+  /// The couple of this law on the turbine [N·m], in the sense in which speeds count.
   std::optional<Scalar> couple(const Scalar& pump_speed, const Scalar& turbine_speed) const;
 
-  /// How fast the turbine turns against the other body of the law.
+  /// The speed of the turbine relative to the other body of the law.
   Scalar slip(const Scalar& pump_speed, const Scalar& turbine_speed) const {
     return is_of_stator ? turbine_speed : Scalar(turbine_speed - pump_speed);
   }

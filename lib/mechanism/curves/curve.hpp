@@ -1,4 +1,4 @@
-// A number that moves, through points.
+// A curve through points: a number that depends on time, or on the position or speed of a freedom.
 #pragma once
 
 #include <optional>
@@ -11,25 +11,25 @@
 
 namespace kinestat {
 
-/// In SI; values without a unit count in that of the file where the curve is used.
+/// A curve in SI. Values without a unit are in the unit of the number that uses the curve.
 struct Curve {
   enum class Over { time, position, speed };
 
   std::string name;
   Over over = Over::time;
-  int freedom = -1;            ///< whose position or speed, index into Topology::freedoms
-  std::string actuator;        ///< of that freedom, as the file names it
-  std::vector<double> at;      ///< rising [s, rad, m, rad/s or m/s]
-  std::vector<double> values;  ///< at these
-  std::vector<double> slopes;  ///< likewise; empty: straight lines between the points
+  int freedom = -1;            ///< the freedom whose position or speed counts; -1: time
+  std::string actuator;        ///< the actuator of this freedom that the file names
+  std::vector<double> at;      ///< arguments of the points, ascending [s, rad, m, rad/s or m/s]
+  std::vector<double> values;  ///< at the points
+  std::vector<double> slopes;  ///< at the points; empty: straight lines between them
   std::optional<double> period;
   Dimension dimension;  ///< of the values
   SourceRange where;
 
-  /// What its places measure.
+  /// The kind of its argument.
   QuantityKind place_kind = QuantityKind::time;
 
-  /// Empty beyond its ends, where it has no period.
+  /// The point at an argument; empty outside the ends of a curve without a period.
   std::optional<CurvePoint> point(double place) const;
 };
 

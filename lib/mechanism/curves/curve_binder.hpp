@@ -1,4 +1,4 @@
-// The curves of a description in numbers.
+// The curves of a description, bound to numbers.
 #pragma once
 
 #include <vector>
@@ -9,11 +9,11 @@
 
 namespace kinestat {
 
-/// Evaluates them and complains of what is wrong; one that is wrong has no points. `topology` is
-/// null where the structure is not bound, and then no freedom is found.
+/// Evaluates the curves and adds errors; a wrong curve has no points. `topology` is null if the
+/// structure is not bound; curves then have no freedom.
 std::vector<Curve> bind_curves(const SectionContext& context, const Topology* topology);
 
-/// W0301 for each that no load, action, spring or drive names.
+/// Adds W0301 for each curve that no load, action, spring or drive uses.
 void warn_of_unused_curves(const MechanismDescription& description, Diagnostics& found);
 
 }  // namespace kinestat

@@ -8,8 +8,8 @@
 namespace kinestat {
 
 struct MovingNumber {
-  double value = 0.0;                            ///< [SI] of one that does not move
-  std::shared_ptr<const NumberLaw<double>> law;  ///< of one that does: of curves
+  double value = 0.0;                            ///< [SI], if the number does not follow curves
+  std::shared_ptr<const NumberLaw<double>> law;  ///< as a function of curves, if it does; else null
 };
 
 }  // namespace kinestat

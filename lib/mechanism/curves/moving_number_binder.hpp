@@ -10,10 +10,10 @@
 
 namespace kinestat {
 
-/// Whether it names a curve of the file.
+/// Whether a number uses a curve of the file.
 bool names_curve(const Value& value, const MechanismDescription& description);
 
-/// Empty iff an error was added, here or for a curve that the number names.
+/// Binds a number. Empty iff an error was added, for the number or for a curve that it uses.
 std::optional<MovingNumber> bind_moving_number(const Value& value,
                                                QuantityKind kind,
                                                std::span<const Curve> curves,

@@ -1,4 +1,4 @@
-// The section `duty` bound to numbers: cases with magnitudes, each for a while.
+// The section `duty` bound to numbers: points of a duty cycle and the exponents of wear.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ struct DutyPlan {
   std::optional<double> bearing_exponent;
 };
 
-/// What the section says beside its points. Empty iff an error was added.
+/// Binds the section. Empty iff an error was added.
 std::optional<DutyPlan> bind_duty(const MechanismDescription& description,
                                   const Mechanism& mechanism,
                                   Diagnostics& found);

@@ -7,9 +7,10 @@
 
 namespace kinestat {
 
-/// Adds a point a line: columns `case`, `duration [s]` or `time [s]`, at which a line begins to
-/// hold until the next one does, and `ACTUATOR [unit]`, a speed or a load of an input by its unit.
-/// An empty cell leaves the magnitude that the case has. `name` is that of the table in messages.
+/// Adds one point for each line of a table. Its columns are `case`; `duration [s]`, or `time [s]`
+/// at which the line begins to hold until the next one does; and `ACTUATOR [unit]`, whose unit
+/// decides whether it is a speed or a load. An empty cell keeps the magnitude of the case. `name`
+/// is the name of the table in messages.
 void add_duty_table(const MechanismDescription& description,
                     const Mechanism& mechanism,
                     std::string_view name,

@@ -1,4 +1,4 @@
-// Which gears of `gears` turn on the main axis, which on others, and what places each of these.
+// The axes of the gears of `gears`: which gears turn on which axis, and how the axes are placed.
 #pragma once
 
 #include <string>
@@ -9,25 +9,25 @@
 
 namespace kinestat {
 
-/// An axis beside that about which its carrier turns: of a planet, if the carrier moves, or of a
-/// shaft, if it is the ground.
+/// An axis beside the one about which its carrier turns: that of a planet if the carrier moves, or
+/// of a shaft if the carrier is the ground.
 struct GearAxis {
   std::vector<std::string> bodies;  ///< that turn about it, those with gears first
-  std::vector<int> members;         ///< ascending
-  std::string carrier = {};         ///< the body that holds it
-  int about = -1;                   ///< the axis from which it stands off; -1: the main axis
-  std::vector<int> on_centre = {};  ///< its meshes with gears on that axis
-  int neighbour = -1;               ///< the axis beside which it stands; -1: it stands on +y
-  int neighbour_mesh = -1;          ///< the mesh of the two
+  std::vector<int> members;         ///< the gear members on it, ascending
+  std::string carrier = {};         ///< the body in which it is fixed
+  int about = -1;                   ///< the axis around which it is placed; -1: the main axis
+  std::vector<int> on_centre = {};  ///< its meshes with gears on the axis `about`
+  int neighbour = -1;               ///< the axis beside which it is placed; -1: it is on +y
+  int neighbour_mesh = -1;          ///< its mesh with the neighbour
   PlanetSide side = PlanetSide::left;
-  const Value* distance = nullptr;  ///< from `about`, where the file gives it
+  const Value* distance = nullptr;  ///< from `about`, if the file gives it
   std::string distance_giver = {};  ///< the body whose member gave the distance; empty: an axis did
-  bool is_in_line = false;          ///< beyond its neighbour, as nothing tells its distance
+  bool is_in_line = false;          ///< placed beyond its neighbour, as its distance is not known
 };
 
 /// The train without its numbers. Pointers lead into the description, which must outlive it.
 struct GearTrain {
-  std::vector<GearAxis> axes;  ///< each after its neighbour and what it stands off from
+  std::vector<GearAxis> axes;  ///< each after its neighbour and the axis `about`
   std::vector<int> axis_of;    ///< of each member: index of its axis, -1: the main axis
   std::vector<int> first;      ///< of each mesh: index of its first member
   std::vector<int> second;     ///< of each mesh: index of its second member
@@ -37,16 +37,18 @@ struct GearTrain {
   /// The index of the axis about which a body turns, or -1.
   int axis_on(std::string_view body) const;
 
-  /// The index of the axis of a bearing between two bodies, or -1: of a planet and its carrier that
-  /// of the planet.
+  /// The index of the axis of a bearing between two bodies, or -1. For a planet and its carrier it
+  /// is the axis of the planet.
   int axis_between(std::string_view tail, std::string_view head) const;
 };
 
-/// Shafts and planets: internal/shaft_groups. Of what is no planet, the first axis of `axes` is the
-/// main axis, the others stand beside it, as does what has a count, a centre distance or a side.
-/// Carriers stand on the main axis unless they mesh on the ground with one that does. Of the rest,
-/// what meshes with a gear there stands beside it, what meshes with such gears alone on it. Axes
-/// beside one another whose gears mesh form a chain, of which the first of the file stands on +y.
+/// Finds the axes of a train; internal/shaft_groups tells shafts from planets. For shafts:
+/// - the first of the file's `axes` is the main axis; the others are beside it, and so are shafts
+///   with a count, a centre distance or a side;
+/// - carriers are on the main axis, unless they mesh on the ground with a body that is on it;
+/// - of the rest, a shaft is beside the main axis if it meshes with a gear on it, and on the main
+///   axis if it meshes only with gears beside it.
+/// Axes beside one another whose gears mesh form a chain, of which the first in the file is on +y.
 /// Hands alternate along external meshes, beginning with the first gear of the first mesh. The
 /// meshes must join members.
 GearTrain find_gear_train(const MechanismDescription& description);

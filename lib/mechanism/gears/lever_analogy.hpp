@@ -11,21 +11,22 @@ namespace kinestat {
 /// A body on a lever.
 struct LeverNode {
   BodyId body;
-  double place = 0.0;  ///< its speed relative to the carrier, over that of the first gear found;
-                       ///< the carrier has 0
+  double place = 0.0;  ///< its speed relative to the carrier over that of the first gear found;
+                       ///< 0 for the carrier
 };
 
-/// The angular velocity of each node about `axis` is that of the carrier plus its place times a
-/// number that all nodes share: speeds over places lie on a line (Benford and Leising 1981).
+/// A lever: the angular velocity of a node about `axis` is that of the carrier plus the place of
+/// the node times a number that is the same for all nodes. So the speeds over the places lie on a
+/// line (Benford and Leising 1981).
 struct Lever {
   BodyId carrier;
   Vec3 axis = Vec3::UnitZ();     ///< unit vector about which the nodes turn
-  std::vector<LeverNode> nodes;  ///< by place, the carrier among them
+  std::vector<LeverNode> nodes;  ///< in order of their places, with the carrier
 };
 
-/// One for each set of gears that mesh in one carrier, if at least two of them turn about the line
-/// on which the carrier turns itself: a Ravigneaux set has one of four nodes. Gears in fixed axes
-/// have none. In the order of the couplings.
+/// Finds the levers, in the order of the couplings: one for each set of gears that mesh in one
+/// carrier, if at least two of them turn about the axis of the carrier. A Ravigneaux set has one
+/// lever with four nodes. Gears on fixed axes have none.
 std::vector<Lever> find_levers(const Topology& topology, const Geometry& geometry);
 
 }  // namespace kinestat

@@ -11,24 +11,24 @@
 
 namespace kinestat {
 
-/// What the loss of a mesh may depend on.
+/// The variables on which the loss of a mesh may depend.
 inline constexpr std::string_view kSpeedOfTeeth = "speed";  ///< of the pitch point in the carrier
-inline constexpr std::string_view kForceOfTeeth = "force";  ///< along it, of one planet
+inline constexpr std::string_view kForceOfTeeth = "force";  ///< in that direction, of one planet
 
-/// Its loss is that share of the power that the driving gear gives, seen from the carrier of the
-/// mesh or from the ground (LossModel).
+/// A mesh with losses. The loss is a share of the power that the driving gear gives, as seen from
+/// the carrier of the mesh or from the ground (LossModel).
 struct LossyMesh {
   CouplingId coupling;
   double share = 0.0;                         ///< 1 - η, not negative and below 1; 0 with a law
-  std::optional<NumberLaw<double>> law = {};  ///< of the number that the file gives, where it names
-                                              ///< one of these
-  LossForm form = LossForm::fraction;         ///< what that number is
+  std::optional<NumberLaw<double>> law = {};  ///< the number that the file gives, if it depends on
+                                              ///< one of these variables
+  LossForm form = LossForm::fraction;         ///< the meaning of that number
   double tooth_term = 0.0;                    ///< with LossForm::teeth
   SourceRange where;
 };
 
-/// The share of a mesh whose teeth roll at that speed [m/s] under that force [N]; empty where its
-/// law has no value there, or not one from 0 to below 1.
+/// The share that a mesh loses if its teeth roll at this speed [m/s] under this force [N]. Empty if
+/// its law has no value there, or one that is not in [0, 1).
 std::optional<double> share_at(const LossyMesh& mesh, double speed, double force);
 
 }  // namespace kinestat

@@ -1,4 +1,4 @@
-// Teeth in mesh and the body that keeps their centres apart.
+// Meshes of gears with their carriers.
 #pragma once
 
 #include <optional>
@@ -10,15 +10,15 @@
 
 namespace kinestat {
 
-/// A coupling of type gear or bevel_gear. Seen from its carrier both gears turn about fixed axes,
-/// so that only what turns there rolls; in a train with fixed axes the carrier is the ground.
+/// A coupling of type gear or bevel_gear. Both gears turn about axes that are fixed in its carrier.
+/// In a train with fixed axes, the carrier is the ground.
 struct Mesh {
   CouplingId coupling;
-  std::optional<BodyId> carrier;  ///< none where the axes of the two have no body, or several, in
-                                  ///< common
+  std::optional<BodyId> carrier;  ///< empty if the axes of both gears have no body, or several,
+                                  ///< in common
 };
 
-/// In the order of the couplings. The axes of a gear are the lines of its hinges.
+/// Finds the meshes, in the order of the couplings. The axes of a gear are the lines of its hinges.
 std::vector<Mesh> find_meshes(const Topology& topology, const Geometry& geometry);
 
 }  // namespace kinestat

@@ -1,4 +1,4 @@
-// How the planets of a train stand round their sun: what is right where no warning is.
+// The fit of equal planets around their sun: whether they can be assembled, and their clearance.
 #pragma once
 
 #include <string>
@@ -10,14 +10,14 @@ namespace kinestat {
 
 /// Several equal planets, or sets of planets that mesh with each other.
 struct PlanetFit {
-  std::string planet;  ///< the member that has their count
+  std::string planet;  ///< the member with the count
   int count = 0;
-  bool assembles = false;  ///< they can stand at equal angles (not W0306)
-  double clearance = 0.0;  ///< least distance of the tips of neighbours [m]; negative: they overlap
-                           ///< (W0307)
+  bool assembles = false;  ///< whether they can be placed at equal angles; W0306 if not
+  double clearance = 0.0;  ///< least distance of the tips of neighbours [m]; negative if they
+                           ///< overlap (W0307)
 };
 
-/// In the order of the file; none where a planet stands alone, or `gears` is wrong.
+/// Finds the fits in the order of the file; none for a single planet, or if `gears` is wrong.
 std::vector<PlanetFit> find_planet_fits(const MechanismDescription& description);
 
 }  // namespace kinestat

@@ -1,4 +1,4 @@
-// What several equal planets do to the couplings that bear them, where one is drawn.
+// The loads of couplings from several equal planets, of which one is drawn.
 #pragma once
 
 #include <optional>
@@ -9,27 +9,27 @@
 
 namespace kinestat {
 
-/// How many equal planets share what a coupling bears; 1 of all others.
+/// The number of equal planets that share the action of a coupling; 1 for any other coupling.
 int planets_of(const Mechanism& mechanism, const CouplingTopology& coupling);
 
-/// What the most loaded of these planets bears, as a share of what all do; 1 of all others.
+/// The share of the most loaded of these planets in the action of all; 1 for any other coupling.
 double most_loaded_share(const Mechanism& mechanism, const CouplingTopology& coupling);
 
-/// A hinge on the line about which carriers of several equal planets turn, or suns and rings that
-/// mesh with these. Across the axis it bears as drawn what one planet in the place of all would
-/// press it with, while equal planets at equal angles press from all sides; what acts along and
-/// about the axis adds up.
+/// A hinge on the axis of carriers of several equal planets, or of suns and rings that mesh with
+/// them. Equal planets at equal angles press it from all sides, so that their radial forces cancel;
+/// but as drawn, it bears the radial force of one planet in the place of all. Axial forces and
+/// moments about the axis add up.
 struct CentralHinge {
   Vec3 axis = Vec3::UnitZ();  ///< a unit vector, as drawn
-  bool bears_more = false;    ///< other couplings or loads than planets act on the bodies of its
-                              ///< line, which press it across the axis as well
+  bool bears_more = false;    ///< whether other couplings or loads also press the bodies of its
+                              ///< line across the axis
 };
 
-/// Of each coupling; empty for those that are none.
+/// Finds the central hinge of each coupling; empty for couplings that are none.
 std::vector<std::optional<CentralHinge>> find_central_hinges(const Mechanism& mechanism);
 
-/// Sets `planets` and `is_balanced` of the frictions, once cases have their loads. W0315 where a
-/// central hinge bears more than planets, so that what these press it with as drawn counts too.
+/// Sets `planets` and `is_balanced` of the frictions, once the cases have their loads. Adds W0315
+/// if a central hinge also bears other forces: its friction then includes that of the planets.
 void settle_planet_frictions(Mechanism& mechanism, Diagnostics& found);
 
 }  // namespace kinestat

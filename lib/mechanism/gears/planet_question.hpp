@@ -1,4 +1,4 @@
-// Whether planets fit, asked for many values of parameters: assembles(planet), clears(planet).
+// The conditions assembles(planet) and clears(planet), evaluated for many values of parameters.
 #pragma once
 
 #include <memory>
@@ -13,12 +13,12 @@
 
 namespace kinestat {
 
-/// Answered by teeth and count, and for `clears` by the layout, without binding a mechanism. What
-/// it says is what the warnings say: `assembles` that equal planets can stand at equal angles (not
-/// W0306), `clears` that neighbours do not touch (not W0307).
+/// A condition on equal planets. It depends on teeth and count, `clears` also on the layout, and
+/// needs no bound mechanism. It agrees with the warnings: `assembles` means that the planets can be
+/// placed at equal angles (no W0306), `clears` that neighbours do not touch (no W0307).
 class PlanetQuestion {
  public:
-  /// Why there is no answer, and what to type.
+  /// Why a question has no answer, and a hint what to type.
   struct Fault {
     std::string message;
     std::string hint;
@@ -30,7 +30,7 @@ class PlanetQuestion {
                                                   std::string_view of,
                                                   const MechanismDescription& description);
 
-  /// With the places of the names in its numbers.
+  /// The question as a function of the slots of the parameters that its numbers use.
   SlotAnswer with_slots(const SlotOf& slot_of) const;
 
  private:

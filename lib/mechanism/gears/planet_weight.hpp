@@ -1,4 +1,4 @@
-// Where the weights of gears act: on their axis, those of equal planets together.
+// The places at which the weights of gears act.
 #pragma once
 
 #include <string_view>
@@ -9,8 +9,8 @@
 
 namespace kinestat {
 
-/// The point at z = 0 of the axis about which a body of the train turns: from the origin of the
-/// evaluator, as all places here.
+/// The point at z = 0 of an axis of the train, measured from the origin of the evaluator [m].
+/// `axis` is its index, or -1 for the main axis.
 template <class Scalar>
 Vec3Of<Scalar> place_on_axis(const GearLayoutOf<Scalar>& layout,
                              int axis,
@@ -19,9 +19,9 @@ Vec3Of<Scalar> place_on_axis(const GearLayoutOf<Scalar>& layout,
                                         : layout.centres[at(axis)]);
 }
 
-/// Two or more equal planets at equal angles have their centre of mass on the axis about which
-/// their carrier turns, wherever they stand and however they are balanced: the point of that axis
-/// that is level with `centre`. `body` is a planet.
+/// The centre of mass of two or more equal planets at equal angles [m], from the origin of the
+/// evaluator. It is on the axis of their carrier, whatever their angles and their own balance, at
+/// the z of `centre`. `body` is one of the planets.
 template <class Scalar>
 Vec3Of<Scalar> place_of_planet_weights(const GearLayoutOf<Scalar>& layout,
                                        std::string_view body,

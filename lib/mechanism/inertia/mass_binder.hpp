@@ -1,4 +1,4 @@
-// Masses and inertias of a description in numbers.
+// The masses and inertias of a description, bound to numbers.
 #pragma once
 
 #include <cstddef>
@@ -12,27 +12,28 @@
 
 namespace kinestat {
 
-/// Mass and inertia of a body of the description, by its index.
+/// Mass and inertia of the body of the description with this index.
 struct DescribedMass {
   std::size_t body = 0;
   BodyMass mass;
 };
 
-/// Of the bodies that have any, places from the origin of the evaluator. Complains of moments that
-/// no body has (E0322), and of masses without a centre where a case has inertia, unless gears turn
-/// the body about a known axis.
+/// Binds the masses of all bodies that have any. Places are measured from the origin of the
+/// evaluator. Adds errors for moments of inertia that no body can have (E0322) and, if a case has
+/// inertia, for masses without a centre, unless gears turn the body about a known axis.
 std::vector<DescribedMass> bind_masses(const SectionContext& context);
 
-/// Whether gears turn a body about an axis of their train, on which its centre is by default.
+/// Whether gears turn a body about an axis of their train. Its centre of mass is then on this axis
+/// by default.
 bool is_on_axis(const MechanismDescription& description, const std::string& body);
 
-/// The same for each body of the topology: with the centres of gears on their axes and the planets
-/// counted. Warns of radii of gyration that do not suit the size of the mechanism (W0311).
+/// The masses of each body of the topology, with the centres of gears on their axes and with the
+/// counts of planets. Warns of radii of gyration that do not suit the mechanism (W0311).
 std::vector<BodyMass> masses_of_bodies(const SectionContext& context,
                                        const Mechanism& mechanism,
                                        const std::vector<DescribedMass>& masses);
 
-/// The coupling at whose point the centre of a gear is that has none of its own.
+/// The coupling at whose point a gear has its centre of mass if the file gives it no centre.
 std::optional<CouplingId> centre_bearing(const MechanismDescription& description,
                                          const Topology& topology,
                                          BodyId body);

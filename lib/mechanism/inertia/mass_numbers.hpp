@@ -1,4 +1,4 @@
-// Mass and inertia of a body for any type of number.
+// Mass and inertia of a body, for any type of number.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@ namespace kinestat {
 template <class Scalar>
 using Mat3Of = Eigen::Matrix<Scalar, 3, 3>;
 
-/// As BodyMass has them, of all planets together where a body stands for several.
+/// Mass and inertia as in BodyMass, but for all planets together if a body stands for several.
 template <class Scalar>
 struct MassNumbersOf {
   Scalar mass = Scalar(0.0);
@@ -19,8 +19,9 @@ struct MassNumbersOf {
   Mat3Of<Scalar> tensor = Mat3Of<Scalar>::Zero();  ///< about the centre
 };
 
-/// The tensor that numbers of `inertia` stand for: one about the unit vector `axis`, or about z
-/// without; three about the axes of the world; nine row by row.
+/// The tensor that the numbers of the key `inertia` give: one is the moment about the unit vector
+/// `axis`, or about z without an axis; three are the moments about the axes of the world; nine are
+/// the entries row by row.
 template <class Scalar>
 Mat3Of<Scalar> inertia_tensor(std::span<const Scalar> entries,
                               const std::optional<Vec3Of<Scalar>>& axis) {

@@ -1,4 +1,4 @@
-// The springs of a description in numbers.
+// The springs of a description, bound to numbers.
 #pragma once
 
 #include <span>
@@ -11,9 +11,8 @@
 
 namespace kinestat {
 
-/// Resolves what springs join and evaluates them, places from the origin of the evaluator.
-/// Complains of what is wrong; `topology` is null where the structure is not bound, and only names
-/// and numbers are looked at.
+/// Binds the springs and adds errors. Places are measured from the origin of the evaluator.
+/// `topology` is null if the structure is not bound; only names and numbers are then checked.
 std::vector<Spring> bind_springs(const SectionContext& context,
                                  const Topology* topology,
                                  std::span<const Curve> curves);

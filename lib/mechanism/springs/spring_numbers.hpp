@@ -1,4 +1,4 @@
-// The numbers of a spring for any type of number.
+// The numbers of a spring, for any type of number.
 #pragma once
 
 #include <cmath>
@@ -12,7 +12,7 @@
 
 namespace kinestat {
 
-/// As GasSpring has them.
+/// The numbers of a GasSpring.
 template <class Scalar>
 struct GasNumbersOf {
   Scalar force;
@@ -22,7 +22,7 @@ struct GasNumbersOf {
   Scalar exponent;
 };
 
-/// As Spring has them; `force` is what it is in a position.
+/// The numbers of a Spring; `force` is its value in one position.
 template <class Scalar>
 struct SpringNumbersOf {
   Vec3Of<Scalar> from = Vec3Of<Scalar>::Zero();
@@ -34,20 +34,20 @@ struct SpringNumbersOf {
   std::optional<GasNumbersOf<Scalar>> gas = {};
 };
 
-/// A damping as typed in SI: a bare number counts in the units of the file.
+/// A damping in SI; a bare number is in the units of the file.
 template <class Scalar>
 Scalar damping_in_si(const BasicQuantity<Scalar>& typed, bool turns, const FileUnits& units) {
   return is_bare(typed.dimension) ? typed.value * Scalar(bare_damping_unit(units, turns))
                                   : typed.value;
 }
 
-/// Where a spring has no force that has this one, pushing positive, at `drawn`.
+/// The free length or position of a spring that has this force, positive if it pushes, at `drawn`.
 template <class Scalar>
 Scalar free_by_force(const Scalar& drawn, const Scalar& force, const Scalar& stiffness) {
   return drawn + force / stiffness;
 }
 
-/// What the whole stroke takes of the volume of a gas spring.
+/// The share of the volume of a gas spring that its whole stroke takes.
 template <class Scalar>
 Scalar gas_hold(const Scalar& ratio, const Scalar& exponent) {
   using std::pow;

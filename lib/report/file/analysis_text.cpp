@@ -5,6 +5,7 @@
 
 #include "cases/report/case_text.hpp"
 #include "cases/report/planet_fit_record.hpp"
+#include "core/text.hpp"
 #include "report/file/file_report.hpp"
 #include "report/report_parts.hpp"
 #include "report/table.hpp"
@@ -17,9 +18,6 @@ namespace {
 
 // The spatial order leads: in the minimal one a planar linkage looks perfectly constrained.
 TextBlocks counts_blocks(const Mechanism& mechanism, const MobilityCounts& counts) {
-  const auto counted = [](auto number, std::string_view one, std::string_view several) {
-    return fmt::format("{} {}", number, number == 1 ? one : several);
-  };
   std::vector<const SideCounts*> orders = {&counts.spatial};
   std::vector<std::string> head = {"", "in space"};
   if (counts.planar) {
@@ -44,11 +42,10 @@ TextBlocks counts_blocks(const Mechanism& mechanism, const MobilityCounts& count
       return one.actions ? Count(one.actions->net_constraint) : std::nullopt;
     });
   }
-  TextBlocks blocks(
-      fmt::format("Counts of {}, {}, {}\n",
-                  counted(mechanism.topology.body_count(), "body", "bodies"),
-                  counted(mechanism.topology.coupling_count(), "coupling", "couplings"),
-                  counted(mechanism.graph.circuit_count(), "circuit", "circuits")));
+  TextBlocks blocks(fmt::format("Counts of {}, {}, {}\n",
+                                counted(mechanism.topology.body_count(), "body", "bodies"),
+                                counted(mechanism.topology.coupling_count(), "coupling"),
+                                counted(mechanism.graph.circuit_count(), "circuit")));
   blocks += TextBlocks(std::move(table), "  ");
   blocks += "  'kinestat mobility' names what moves and what is redundant\n\n";
   return blocks;

@@ -7,7 +7,7 @@
 
 #include "core/tolerance.hpp"
 #include "statics/coupling_wrenches.hpp"
-#include "statics/internal/slipping_cable_tension.hpp"
+#include "statics/internal/tied_tensions.hpp"
 
 namespace kinestat {
 
@@ -70,7 +70,7 @@ FrictionSystem::FrictionSystem(const Mechanism& mechanism,
                                std::span<const Primary> primaries,
                                std::span<const BodyWrench> loads,
                                std::span<const FrictionLaw> laws,
-                               const std::vector<SlippingCableTension>& ties,
+                               const std::vector<TiedTension>& ties,
                                std::span<const std::vector<BodyWrench>> along)
     : mechanism_(mechanism),
       primaries_(primaries),
@@ -251,7 +251,7 @@ StaticSolution FrictionSystem::solution_with(const ChosenFrictions& frictions) c
         std::back_inserter(all));
   }
   StaticSolution solution =
-      solve_tied_tensions(mechanism_, equilibrium_.basis(), primaries_, all, {}, ties_);
+      solve_action(mechanism_, equilibrium_.basis(), primaries_, all, {}, ties_);
   if (solution.unconstrained) {
     std::erase_if(solution.unconstrained->loads,
                   [&](int load) { return load >= std::ssize(loads_); });

@@ -28,7 +28,7 @@ class FrictionSystem {
                  std::span<const Primary> primaries,
                  std::span<const BodyWrench> loads,
                  std::span<const FrictionLaw> laws,
-                 const std::vector<SlippingCableTension>& ties = {},
+                 const std::vector<TiedTension>& ties = {},
                  std::span<const std::vector<BodyWrench>> along = {});
 
   /// Of the actions that equilibrium leaves open by itself, as `find_open` asks for them.
@@ -76,7 +76,7 @@ class FrictionSystem {
   std::span<const Primary> primaries_;
   std::span<const BodyWrench> loads_;
   std::span<const FrictionLaw> laws_;
-  std::vector<SlippingCableTension> ties_;
+  std::vector<TiedTension> ties_;
   std::span<const std::vector<BodyWrench>> along_;  ///< of each law, or none at all
   Equilibrium equilibrium_;
   VecX frictionless_;

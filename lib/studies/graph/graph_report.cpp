@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "core/text.hpp"
 #include "couplings/kinds.hpp"
 #include "graph/cutsets.hpp"
 #include "report/csv.hpp"
@@ -31,25 +32,27 @@ std::string matrix_csv(const std::vector<LabelledMatrix>& matrices) {
   return text;
 }
 
-std::string part_of(const CouplingGraph& graph, std::size_t edge) {
-  for (const int branch : graph.tree.branches) {
-    if (branch == static_cast<int>(edge)) {
-      return "branch";
-    }
+// Of each coupling: name, type, tail, head, part.
+std::vector<std::vector<std::string>> edge_rows(const Mechanism& mechanism) {
+  const Topology& topology = mechanism.topology;
+  std::vector<std::vector<std::string>> rows;
+  for (const CouplingTopology& coupling : topology.couplings) {
+    rows.push_back({coupling.name,
+                    std::string(word_of(coupling.type)),
+                    topology.body(coupling.tail).name,
+                    topology.body(coupling.head).name,
+                    "chord"});
   }
-  return "chord";
+  for (const int branch : mechanism.graph.tree.branches) {
+    rows[static_cast<std::size_t>(branch)].back() = "branch";
+  }
+  return rows;
 }
 
 std::string edge_csv(const Mechanism& mechanism) {
   std::string text = "coupling,type,tail,head,part\n";
-  const Topology& topology = mechanism.topology;
-  for (std::size_t e = 0; e < topology.couplings.size(); ++e) {
-    const CouplingTopology& coupling = topology.couplings[e];
-    text += csv_line(std::array{coupling.name,
-                                std::string(word_of(coupling.type)),
-                                topology.body(coupling.tail).name,
-                                topology.body(coupling.head).name,
-                                part_of(mechanism.graph, e)});
+  for (const std::vector<std::string>& row : edge_rows(mechanism)) {
+    text += csv_line(row);
   }
   return text;
 }
@@ -110,22 +113,15 @@ TextBlocks matrix_blocks(const LabelledMatrix& matrix) {
 
 TextBlocks graph_blocks(const MechanismDescription& description, const Mechanism& mechanism) {
   const Topology& topology = mechanism.topology;
-  const int chords = mechanism.graph.circuit_count();
-  TextBlocks blocks(fmt::format("{}\n  {} bodies, {} couplings: {} in the tree, {} chord{}\n\n",
+  TextBlocks blocks(fmt::format("{}\n  {} bodies, {} couplings: {} in the tree, {}\n\n",
                                 description.name,
                                 topology.body_count(),
                                 topology.coupling_count(),
                                 mechanism.graph.cutset_count(),
-                                chords,
-                                chords == 1 ? "" : "s"));
+                                counted(mechanism.graph.circuit_count(), "chord")));
   Table table({"Coupling", "type", "tail", "head", "part"});
-  for (std::size_t e = 0; e < topology.couplings.size(); ++e) {
-    const CouplingTopology& coupling = topology.couplings[e];
-    table.add({coupling.name,
-               std::string(word_of(coupling.type)),
-               topology.body(coupling.tail).name,
-               topology.body(coupling.head).name,
-               part_of(mechanism.graph, e)});
+  for (std::vector<std::string>& row : edge_rows(mechanism)) {
+    table.add(std::move(row));
   }
   blocks += TextBlocks(std::move(table));
   blocks += sums_text(mechanism);

@@ -121,6 +121,13 @@ bool is_primary(const std::vector<Primary>& primaries, int index) {
   return std::ranges::find(primaries, index, &Primary::index) != primaries.end();
 }
 
+// Those of the ratios that the case has.
+std::vector<std::string> ratio_names(const DualCase& values) {
+  std::vector<std::string> names = {"ratio", "torque_ratio"};
+  std::erase_if(names, [&](const auto& name) { return !find_reported_value(values, name); });
+  return names;
+}
+
 }  // namespace
 
 std::optional<ReportedValue> find_reported_value(const DualCase& values, std::string_view name) {
@@ -144,12 +151,7 @@ bool is_completed(const DualCase& values, const ReportedValue& value) {
 }
 
 std::vector<std::string> reported_value_names(const DualCase& values) {
-  std::vector<std::string> names;
-  for (const char* name : {"ratio", "torque_ratio"}) {
-    if (find_reported_value(values, name)) {
-      names.emplace_back(name);
-    }
-  }
+  std::vector<std::string> names = ratio_names(values);
   const Topology& topology = values.topology();
   for (int f = 0; values.motion() != nullptr && f < topology.freedom_count(); ++f) {
     names.push_back(topology.freedom_name(f));
@@ -166,12 +168,7 @@ std::vector<std::string> usual_value_names(const DualCase& values) {
   if (values.topology().actuators.empty()) {
     return reported_value_names(values);
   }
-  std::vector<std::string> names;
-  for (const char* name : {"ratio", "torque_ratio"}) {
-    if (find_reported_value(values, name)) {
-      names.emplace_back(name);
-    }
-  }
+  std::vector<std::string> names = ratio_names(values);
   const Topology& topology = values.topology();
   for (const ActuatorTopology& actuator : topology.actuators) {
     // Several actuators may drive one freedom.

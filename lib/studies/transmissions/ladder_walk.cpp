@@ -86,7 +86,7 @@ LadderWalk::Candidates LadderWalk::candidates(std::span<const ClosedRange> ratio
   return result;
 }
 
-// What is cheap to see.
+// Conditions that need no walk: enough gears, and every element engaged by some gear.
 bool LadderWalk::may_do(const Candidates& candidates) const {
   const LadderTask& task = bounds_.task();
   if (std::popcount(candidates.forward) < task.forward ||
@@ -102,7 +102,8 @@ bool LadderWalk::may_do(const Candidates& candidates) const {
   return engaged == (1U << elements_) - 1;
 }
 
-// One walk for ranges and, as ranges of one value, for ratios. `Visit` answers whether to go on.
+// Walks along ladders whose gears have ratios in given ranges; a known ratio is a range of one
+// value. `Visit` answers whether to go on.
 template <class Visit>
 class LadderWalk::Walker {
  public:
@@ -193,11 +194,11 @@ class LadderWalk::Walker {
   }
 
   bool finish_with(const Ladder& ladder) {
-    gears_.clear();
+    ladder_gears_.clear();
     for (const std::uint8_t gear : ladder) {
-      gears_.push_back(walk_.gears_[gear]);
+      ladder_gears_.push_back(walk_.gears_[gear]);
     }
-    return !all_have_use(walk_.train_, walk_.elements_, gears_) || visit_(ladder);
+    return !all_have_use(walk_.train_, walk_.elements_, ladder_gears_) || visit_(ladder);
   }
 
   const LadderWalk& walk_;
@@ -208,7 +209,7 @@ class LadderWalk::Walker {
   Ladder path_;
   GearMask used_ = 0;
   ClosedRange first_;
-  std::vector<LayoutGear> gears_;
+  std::vector<LayoutGear> ladder_gears_;  // kept for its memory
 };
 
 bool LadderWalk::may_have_ladder(std::span<const ClosedRange> ratios) const {

@@ -23,7 +23,6 @@ inline constexpr Shaft kOutput = 2;
 inline constexpr int kMostGearSets = 4;
 inline constexpr int kMostElements = 7;
 inline constexpr int kMostEngaged = 4;
-inline constexpr int kMostFreeShafts = 1;
 
 /// The three shafts of a planetary set, ascending, whichever is sun, carrier and ring.
 using SetShafts = std::array<Shaft, 3>;

@@ -106,11 +106,6 @@ INSTANTIATE_TEST_SUITE_P(
         SlopeCase{"nothing_times_a_corner", abs(x(0)) * Dual{0.0, {}} + y(2), 2, 0, 1}),
     name_of_slope);
 
-TEST(Dual, WithAMissingDerivativeIsNotDifferentiable) {
-  EXPECT_FALSE(is_differentiable(sqrt(x(0))));
-  EXPECT_TRUE(is_differentiable(sqrt(x(1))));
-}
-
 TEST(Dual, ArcsineNearOneKeepsItsDigits) {
   // d asin = 1/sqrt(2 e - e^2) with e = 2^-40.
   const double e = std::ldexp(1.0, -40);

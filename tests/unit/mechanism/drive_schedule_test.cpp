@@ -126,5 +126,17 @@ TEST(DriveSchedule, dwells_and_rests_where_its_parts_end) {
   EXPECT_EQ(schedule.jumps(), (std::vector<double>{0.5, 0.75}));
 }
 
+// 0.1 + 0.2 is another double than 0.3.
+TEST(DriveSchedule, tells_jumps_of_two_drives_at_one_time_once) {
+  const auto jumps_at = [](double time) {
+    return DriveCourse{
+        .from = 1, .to = 2, .parts = {{.begin = time, .to = 1, .law = DriveLaw::constant_speed}}};
+  };
+
+  const DriveSchedule schedule(1.0, {jumps_at(0.1 + 0.2), jumps_at(0.3)});
+
+  EXPECT_EQ(schedule.jumps(), (std::vector<double>{0.3, 1.0}));
+}
+
 }  // namespace
 }  // namespace kinestat

@@ -37,6 +37,14 @@ TEST(Gnuplot, LetsNoNameBecomeACommand) {
   EXPECT_TRUE(has(text, "'x'' system \"id\" '''"));
 }
 
+TEST(Gnuplot, TellsTitleAndDescriptionInItsFirstLines) {
+  Figure figure = figure_named("Watt's\nlinkage");
+  figure.description = "its\nerror";
+
+  EXPECT_TRUE(gnuplot_text(figure).starts_with(std::string(gnuplot_signature()) +
+                                               "# Watt's linkage\n# its error\nset encoding"));
+}
+
 TEST(Gnuplot, LetsNoNameOfARowEndItsString) {
   const BarMap map = {.name = "demo",
                       .title = "t",

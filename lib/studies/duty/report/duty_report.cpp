@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "core/text.hpp"
 #include "report/in_units.hpp"
 #include "report/number_format.hpp"
 #include "report/report_parts.hpp"
@@ -50,8 +51,7 @@ class DutyText {
   }
 
   std::string head() const {
-    std::string text = fmt::format(
-        "Duty: {} point{}", v_.plan.points.size(), v_.plan.points.size() == 1 ? "" : "s");
+    std::string text = "Duty: " + counted(v_.plan.points.size(), "point");
     if (v_.plan.repetitions != 1.0) {
       text += fmt::format(", {} times", format_short(v_.plan.repetitions));
     }
@@ -64,9 +64,8 @@ class DutyText {
                           with_unit(QuantityKind::time, v_.duty.both_ends));
     }
     for (const UnansweredCase& one : v_.duty.unanswered) {
-      text += fmt::format("  {} point{} of {} ha{} no answer, the first of them {}\n",
-                          one.count,
-                          one.count == 1 ? "" : "s",
+      text += fmt::format("  {} of {} ha{} no answer, the first of them {}\n",
+                          counted(one.count, "point"),
                           v_.mechanism.cases[one.which].label,
                           one.count == 1 ? "s" : "ve",
                           place_of(one.first));

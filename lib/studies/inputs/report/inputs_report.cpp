@@ -37,7 +37,7 @@ const std::string& name_of(const TensioningDrive& drive, const InputsAnalysis& i
 }
 
 std::string count_text(std::uint64_t count, bool is_complete) {
-  return fmt::format("{}{} set{}", is_complete ? "" : "at least ", count, count == 1 ? "" : "s");
+  return (is_complete ? "" : "at least ") + counted(count, "set");
 }
 
 TextBlocks group_blocks(const InputGroup& group, const InputSide& side, bool is_alone) {
@@ -94,12 +94,9 @@ std::string choice_text(const ChoiceVerdict& choice) {
 // How many actuators, and which pull against each other.
 std::string cables_text(const InputsAnalysis& inputs, const FileUnits& units) {
   const CableTension& cables = *inputs.cables;
-  const auto count = [](int number, const char* what) {
-    return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
-  };
   std::string text = fmt::format("Cables: {}; {}{}\n",
-                                 count(cables.segments, "segment"),
-                                 count(cables.net_freedom, "freedom"),
+                                 counted(cables.segments, "segment"),
+                                 counted(cables.net_freedom, "freedom"),
                                  cables.without_slip == cables.net_freedom
                                      ? ""
                                      : fmt::format(", {} if none slips", cables.without_slip));
@@ -110,7 +107,7 @@ std::string cables_text(const InputsAnalysis& inputs, const FileUnits& units) {
     return text +
            fmt::format(
                "  a pretension of their own keeps every segment in tension: {} suffice{}\n\n",
-               count(cables.actuators, "actuator"),
+               counted(cables.actuators, "actuator"),
                cables.actuators == 1 ? "s" : "");
   }
   std::vector<std::string> drives;
@@ -125,7 +122,7 @@ std::string cables_text(const InputsAnalysis& inputs, const FileUnits& units) {
              "  {}{}, {} more than the freedoms, move it and keep every segment in tension:\n"
              "  {} pull at least 1 {} in each\n\n",
              cables.is_least() ? "" : "at most ",
-             count(cables.actuators, "actuator"),
+             counted(cables.actuators, "actuator"),
              cables.actuators - cables.net_freedom,
              plain_list(drives),
              units.text(QuantityKind::force));

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/text.hpp"
 #include "mechanism/label_kind.hpp"
 #include "report/in_units.hpp"
 #include "report/number_format.hpp"
@@ -42,13 +43,11 @@ class MobilityText {
   }
 
   std::string head() const {
-    const int circuits = analysis_.mechanism.graph.circuit_count();
-    return fmt::format("{}  {} bodies, {} couplings, {} circuit{}\n\n",
+    return fmt::format("{}  {} bodies, {} couplings, {}\n\n",
                        title_text(analysis_.file, analysis_.description),
                        topology_.body_count(),
                        topology_.coupling_count(),
-                       circuits,
-                       circuits == 1 ? "" : "s");
+                       counted(analysis_.mechanism.graph.circuit_count(), "circuit"));
   }
 
   std::string remarks() const {
@@ -185,9 +184,8 @@ class MobilityText {
       return "";
     }
     const std::string gained = names_text(topology_, analysis_.finite->gained);
-    return fmt::format("  The drawn position is singular: {} freedom{} here, {} close by{}\n\n",
-                       analysis_.finite->drawn_freedom,
-                       analysis_.finite->drawn_freedom == 1 ? "" : "s",
+    return fmt::format("  The drawn position is singular: {} here, {} close by{}\n\n",
+                       counted(analysis_.finite->drawn_freedom, "freedom"),
                        analysis_.finite->nearby_freedom,
                        gained.empty() ? "" : "; only here move " + gained);
   }

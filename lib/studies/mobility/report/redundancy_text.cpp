@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "core/text.hpp"
 #include "couplings/kinds.hpp"
 #include "mechanism/label_kind.hpp"
 #include "report/number_format.hpp"
@@ -76,11 +77,10 @@ class RedundancyText {
     }
     const Repair& any = exact_.repairs.front();
     std::string text = fmt::format(
-        "Advice: each of these removes {}; counted anew, {} freedom{} and nothing "
+        "Advice: each of these removes {}; counted anew, {} and nothing "
         "redundant{}\n",
         any.freed == 1 ? "it" : fmt::format("all {}", any.freed),
-        any.after.net_freedom,
-        any.after.net_freedom == 1 ? "" : "s",
+        counted(any.after.net_freedom, "freedom"),
         any.after.net_constraint == 0 ? "" : " but in the model");
     for (std::size_t i = 0; i < exact_.repairs.size(); ++i) {
       std::vector<std::string> changes;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/contract.hpp"
+#include "core/text.hpp"
 #include "core/utf8.hpp"
 #include "report/in_units.hpp"
 #include "report/number_format.hpp"
@@ -82,24 +83,21 @@ class ShiftTables {
   }
 
   std::string head_text() const {
-    const std::size_t inputs = plan_.inputs.size();
     return fmt::format(
-        "Shift table: a gear engages {}{} of {} elements (net degree of freedom {}, {} input{}), "
-        "{:.0f} possibilit{}{}, {} gear{}\n\n",
+        "Shift table: a gear engages {}{} of {} elements (net degree of freedom {}, {}), "
+        "{:.0f} possibilit{}{}, {}\n\n",
         solution_.needed,
         solution_.following == 0 ? ""
                                  : fmt::format(" to {}", solution_.needed + solution_.following),
         plan_.elements.size(),
         solution_.net_freedom,
-        inputs,
-        inputs == 1 ? "" : "s",
+        counted(plan_.inputs.size(), "input"),
         solution_.possibilities,
         solution_.possibilities == 1.0 ? "y" : "ies",
         plan_.combinations == ShiftCombinations::named
             ? fmt::format(", of which {} with a name", plan_.labels.size())
             : "",
-        gears_.size(),
-        gears_.size() == 1 ? "" : "s");
+        counted(gears_.size(), "gear"));
   }
 
   // A column for each element: engaged or open.

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/text.hpp"
 #include "network/bases.hpp"
 #include "studies/shift/gear_limits.hpp"
 #include "studies/shift/task/slip_findings.hpp"
@@ -33,16 +34,14 @@ void complain_of_length(const ShiftAnalysis& shift, Diagnostics& found) {
 }
 
 void warn_of_missing_elements(const ShiftAnalysis& shift, Diagnostics& found) {
-  const std::size_t inputs = shift.plan.inputs.size();
   found.warning(
       "W0711",
       shift.plan.where,
-      fmt::format("a gear engages {} elements (net degree of freedom {}, {} input{}), and 'shift' "
+      fmt::format("a gear engages {} elements (net degree of freedom {}, {}), and 'shift' "
                   "names {}",
                   shift.solution.needed,
                   shift.solution.net_freedom,
-                  inputs,
-                  inputs == 1 ? "" : "s",
+                  counted(shift.plan.inputs.size(), "input"),
                   shift.plan.elements.size()),
       "add clutches or brakes to 'elements', or a coupling that holds what is still free: "
       "'kinestat mobility' lists the freedoms");

@@ -38,9 +38,6 @@ std::vector<SimulationColumn> simulation_columns(const SimulationReportView& vie
 std::string_view word_of(SimulationEnd end);
 std::string_view word_of(SimulationEvent::Kind kind);
 
-/// The freedom or actuator that a coordinate is shown as.
-std::string coordinate_name(const SimulationReportView& view, int freedom);
-
 const Record<SimulationReportView>& simulation_report_record();
 
 }  // namespace kinestat

@@ -10,6 +10,7 @@
 #include "cases/input_inertia.hpp"
 #include "cases/report/ratio_in_units.hpp"
 #include "core/contract.hpp"
+#include "core/index.hpp"
 #include "core/text.hpp"
 #include "core/utf8.hpp"
 #include "kinematics/bounded_motion.hpp"
@@ -27,7 +28,6 @@ namespace {
 
 using enum SweepColumnKind;
 
-// Of the two that the columns may show.
 const RatioInUnits& ratio_in(const RatiosInUnits& ratios, SweepColumnKind kind) {
   return kind == ratio ? ratios.ratio : ratios.torque_ratio;
 }
@@ -224,7 +224,7 @@ class ColumnSearch {
     return units;
   }
 
-  // Every row would be without it.
+  // Refuses the column of a ratio that no row would have.
   void refuse_ratio(const Name& name) {
     const Case& first = cases_.front();
     MissingEnds missing = missing_ratio_ends(mechanism_, first);
@@ -273,7 +273,7 @@ std::optional<double> efficiency_value(const CaseAnalysis& one, const Mechanism&
   return one.power ? one.power->efficiency : std::nullopt;
 }
 
-// Where no mesh loses anything, both are the same.
+// The action, with mesh losses if asked for: callers do so only if some mesh has losses.
 std::optional<double> action_value(const CaseAnalysis& one, std::size_t action, bool is_lossy) {
   if (is_lossy) {
     return one.efficiency && one.efficiency->state ? one.efficiency->state->actions[action]
@@ -353,11 +353,10 @@ std::vector<SweepColumn> columns_in(const std::vector<SweepColumn>& columns,
                                     const Topology& state) {
   std::vector<SweepColumn> result = columns;
   for (SweepColumn& column : result) {
-    const auto index = static_cast<std::size_t>(column.index);
     if (column.kind == rate) {
-      column.index = place_of(state.freedoms, file.freedoms[index], is_same_freedom);
+      column.index = place_of(state.freedoms, file.freedoms[at(column.index)], is_same_freedom);
     } else if (column.kind == SweepColumnKind::action || column.kind == lossy_action) {
-      column.index = place_of(state.actions, file.actions[index], is_same_action);
+      column.index = place_of(state.actions, file.actions[at(column.index)], is_same_action);
     }
   }
   return result;

@@ -51,7 +51,6 @@ class Solver {
     const Mat3 second = symmetric_product(n(5), n(6)) - symmetric_product(n(0), n(3)) +
                         symmetric_product(n(1), n(2));
     const ConicIntersection shared = intersect_conics(first, second);
-    solution_.shared_gap = shared.gap;
     for (const ConicPoint& point : shared.points) {
       add_point(point, basis);
     }

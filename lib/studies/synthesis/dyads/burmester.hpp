@@ -32,9 +32,8 @@ struct BurmesterSolution {
   /// much it misses the positions its residual tells.
   std::optional<Dyad> nearest = std::nullopt;
   double reciprocal_condition =
-      0.0;                  ///< smallest by largest singular value of the scaled conditions
-  double shared_gap = 0.0;  ///< about 1: a finite number of dyads; rounding: a family
-  double digits = 16.0;     ///< of the positions that the conditions keep, estimated
+      0.0;               ///< smallest by largest singular value of the scaled conditions
+  double digits = 16.0;  ///< of the positions that the conditions keep, estimated
 };
 
 /// Exactly five positions in any grouping: PPPPP, PPPP-P, PPP-PP, PPP-P-P, PP-PP-P, PP-P-P-P,

@@ -142,7 +142,6 @@ class PreciseSolver {
     add_product(second, *basis, 0, 3, -1);
     add_product(second, *basis, 1, 2, 1);
     const ConicIntersection shared = intersect_conics(rounded_form(first), rounded_form(second));
-    solution_.shared_gap = shared.gap;
     if (shared.shared != SharedPart::none) {
       return solve_burmester(positions_, decimal_);
     }

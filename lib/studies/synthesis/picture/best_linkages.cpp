@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "core/contract.hpp"
+#include "core/text.hpp"
 #include "draw/name_placer.hpp"
 #include "draw/picture_title.hpp"
 #include "draw/symbols.hpp"
@@ -283,10 +284,9 @@ Picture draw_best_linkages(const SynthesisAnalysis& analysis) {
   return make_picture(
       "synthesis",
       fmt::format("The best linkages: {}", shown_name(analysis.file, analysis.description)),
-      fmt::format("{} linkage{} in the first position, with the others faint and the path of the "
+      fmt::format("{} in the first position, with the others faint and the path of the "
                   "origin of the moving frame.",
-                  places.size(),
-                  places.size() == 1 ? "" : "s"),
+                  counted(places.size(), "linkage")),
       svg);
 }
 

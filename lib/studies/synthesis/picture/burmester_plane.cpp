@@ -17,7 +17,7 @@ Point turn_of(const PositionJets& position) {
   return std::polar(1.0, position.angle.front());
 }
 
-// About which a displacement turns; empty if it only translates.
+// The point about which the displacement between two positions turns; empty if it only translates.
 std::optional<Point> pole_between(const PositionJets& one, const PositionJets& other) {
   const Point difference = turn_of(one) - turn_of(other);
   if (std::abs(difference) <= kSameAngle) {
@@ -154,8 +154,9 @@ class PlaneFinder {
     }
   }
 
-  // Its points no further from the middle than that; of the best linkage as far as the nearer of
-  // its cranks asks for, where positions lie close to each other.
+  // Adds the points of a dyad that are no further from the middle than `far`. Where positions lie
+  // close to each other, the best linkage may be far outside them: of it, both points are added
+  // unless one is kFarOfClose times as far away as the other.
   static void add_reached(const DrawnDyad& dyad,
                           const Point& middle,
                           double far,
@@ -170,11 +171,13 @@ class PlaneFinder {
     }
   }
 
-  // Positions and, but for the farthest, the best linkage; of what else there is, what is not much
-  // further away than these are spread.
+  // The window shows all positions. Other dyads and poles are shown within kFar times the spread of
+  // the positions around their middle, the best linkage within three times as far. The factors are
+  // chosen by eye.
   void find_window() {
     constexpr double kFar = 3.5;
-    constexpr double kMarginShare = 0.18;
+    constexpr double kMarginShare = 0.18;  // of the larger side, on each side
+    constexpr double kLeastShape = 0.6;    // shorter side over longer side
     std::vector<Point> points;
     for (const PositionJets& position : task_.positions) {
       points.push_back(origin(position));
@@ -211,10 +214,10 @@ class PlaneFinder {
     double size = std::max((high - low).real(), (high - low).imag());
     size = size > 0.0 ? size : 1.0;
     const double most = (1.0 + 2 * kMarginShare) * size;
-    // No flatter than 3 : 5.
-    const Point half = Point(std::max((high - low).real() + 2 * kMarginShare * size, 0.6 * most),
-                             std::max((high - low).imag() + 2 * kMarginShare * size, 0.6 * most)) /
-                       2.0;
+    const auto side = [&](double extent) {
+      return std::max(extent + 2 * kMarginShare * size, kLeastShape * most);
+    };
+    const Point half = Point(side((high - low).real()), side((high - low).imag())) / 2.0;
     const Point centre = (low + high) / 2.0;
     result_.window = {.low = centre - half, .high = centre + half};
   }

@@ -19,15 +19,13 @@ std::string_view phrase_of(Degeneracy reason) {
       return "";
     case Degeneracy::translation:
       return "no dyads: the plane does not turn from position to position, and its places lie on "
-             "no "
-             "circle and no line";
+             "no circle and no line";
     case Degeneracy::parallelogram:
       return "a family of dyads: the plane moves along a circle and does not turn, so that every "
              "point has a crank of the same length and direction";
     case Degeneracy::straight_translation:
       return "a family of dyads: the plane moves along a line and does not turn, so that every "
-             "point "
-             "is that of a slider, and none that of a crank";
+             "point is that of a slider, and none that of a crank";
     case Degeneracy::repeated_position:
       return "a family of dyads: a position is there twice, so that conditions are missing";
     case Degeneracy::dependent:

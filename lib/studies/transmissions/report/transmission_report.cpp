@@ -9,11 +9,6 @@ namespace kinestat {
 
 namespace {
 
-// "1 ladder", "2 ladders".
-std::string several(std::uint64_t number, std::string_view noun, std::string_view ending = "s") {
-  return fmt::format("{} {}{}", number, noun, number == 1 ? "" : ending);
-}
-
 std::string stages_text(const TransmissionAnalysis& analysis) {
   const SearchStages& stages = analysis.stages;
   std::string text = fmt::format(
@@ -31,8 +26,8 @@ std::string stages_text(const TransmissionAnalysis& analysis) {
     text += count > 0 ? fmt::format(", {} {}", count, what) : "";
   }
   text += fmt::format("\n{}, {}",
-                      several(stages.found, "transmission") + " found",
-                      several(analysis.ladder_count, "ladder"));
+                      counted(stages.found, "transmission") + " found",
+                      counted(analysis.ladder_count, "ladder"));
   text += analysis.groups.size() < analysis.ladder_count
               ? fmt::format(", the best {} listed\n", analysis.groups.size())
               : "\n";
@@ -136,8 +131,8 @@ std::string figures_text(const LadderFigures& figures) {
       "{}\n",
       format_short(figures.spread),
       format_short(figures.mean_efficiency),
-      several(figures.rotating_clutches, "rotating clutch", "es"),
-      figures.hollow_shafts ? ", " + several(*figures.hollow_shafts, "hollow shaft") : "",
+      counted(figures.rotating_clutches, "rotating clutch", "rotating clutches"),
+      figures.hollow_shafts ? ", " + counted(*figures.hollow_shafts, "hollow shaft") : "",
       format_short(figures.element_torque),
       format_short(figures.element_slip),
       format_short(figures.shaft_speed),
@@ -156,8 +151,8 @@ std::string transmission_sentence(const TransmissionAnalysis& analysis) {
     ratios.push_back(format_short(gear.figures.ratio));
   }
   return fmt::format("{} of {} found; the best: {}, mean efficiency of the forward gears {}.",
-                     several(analysis.stages.found, "transmission"),
-                     several(analysis.ladder_count, "ladder"),
+                     counted(analysis.stages.found, "transmission"),
+                     counted(analysis.ladder_count, "ladder"),
                      plain_list(ratios),
                      format_short(best.found.figures.mean_efficiency));
 }
@@ -170,7 +165,7 @@ TextBlocks transmission_blocks(const TransmissionAnalysis& analysis) {
   }
   for (std::size_t g = 0; g < analysis.groups.size(); ++g) {
     const std::vector<TransmissionVariant>& variants = analysis.groups[g].variants;
-    text += fmt::format("\nLadder {}, {}\n", g, several(variants.size(), "transmission"));
+    text += fmt::format("\nLadder {}, {}\n", g, counted(variants.size(), "transmission"));
     for (std::size_t i = 0; i < variants.size(); ++i) {
       const TransmissionVariant& one = variants[i];
       text += fmt::format(
