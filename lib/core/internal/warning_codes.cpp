@@ -295,16 +295,6 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "values for the two directions of motion, and the report has the one without loss, which lies "
      "between them. To start from rest takes the larger of the two. Give the drive a very small "
      "speed in the direction of the coming motion to get it."},
-<<<<<<< HEAD
-=======
-    {"W0610",
-     done,
-     "a motion leaves out losses of meshes",
-     "Actions and powers of a motion are those without the losses of meshes that the file gives, "
-     "as are those of a case; but a case has those with losses beside them, in power/losses, and a "
-     "motion has not. 'kinestat analyze' gives them for a position, 'kinestat simulate' for a "
-     "motion in time. Friction of couplings counts in motions as well."},
->>>>>>> h_clean
     {"W0701",
      done,
      "loss of a mesh is not known",
