@@ -15,7 +15,10 @@ constexpr auto kNamesOfPrismatic = std::to_array<std::string_view>(
     {"slider", "slide", "translation", "translational", "sliding", "p"});
 
 constexpr auto kKeysOfPrismatic = std::to_array<KindKey>({
-    {CouplingKey::at, kPointForDrawings},
+    {CouplingKey::at,
+     "A point of the coupling in the drawn position, which moves with the head. Its couples are "
+     "about it, and with friction it is the middle of a guide with a 'length'; nothing else "
+     "depends on it."},
     {CouplingKey::sliding_axis},
 });
 

@@ -111,7 +111,7 @@ std::optional<double> find_absolute_efficiency(const Mechanism& mechanism,
   for (const PowerArc& arc : graph.arcs) {
     system.add(arc.to.value,
                arc.from.value,
-               -kept_by(mechanism, arc.coupling) * arc.power / given(arc.from));
+               -kept_by(mechanism, arc.coupling) * (arc.power / given(arc.from)));
   }
   const Elimination elimination(std::move(system), {});
   if (elimination.rank() < count) {
@@ -125,7 +125,7 @@ std::optional<double> find_absolute_efficiency(const Mechanism& mechanism,
   double out = 0.0;
   for (int b = 1; b < count; ++b) {  // the ground, at rest, takes nothing
     const double leaves = outside.leaves[static_cast<std::size_t>(b)];
-    out += leaves > 0.0 ? received[b] * leaves / given(BodyId{b}) : 0.0;
+    out += leaves > 0.0 ? received[b] * (leaves / given(BodyId{b})) : 0.0;
   }
   return out / in;
 }

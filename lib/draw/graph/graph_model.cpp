@@ -100,18 +100,42 @@ class PowerModeller {
       add_drive(e, into_head - along, model_.edges[e].head);
       add_drive(e, along - out_of_tail, model_.edges[e].tail);
     }
+    const double lost = lost_in(e);
     if (along == 0.0) {
+      if (lost > 0.0 && !drives(e)) {
+        add_loss(e, std::max(out_of_tail, 0.0), model_.edges[e].tail);
+        add_loss(e, std::max(-into_head, 0.0), model_.edges[e].head);
+      }
       return;
     }
     ModelPower& power = model_.power[e];
     power.size = std::abs(along);
     power.is_forward = along > 0.0;
     power.text = in_unit(power.size);
-    const double lost = -one_.power->supplied[e];
     if (is_at_ground) {
-      power.text += role_of(e);
-    } else if (lost > 0.0 && !drives(e)) {
+      power.text += role_of(e, lost > 0.0);
+    }
+    if (lost > 0.0 && (is_at_ground || !drives(e))) {
       power.text += fmt::format(", {} lost", in_unit(lost));
+    }
+  }
+
+  // In a coupling, to friction and slip.
+  double lost_in(std::size_t e) const {
+    if (!drives(e)) {
+      return -one_.power->supplied[e];
+    }
+    double lost = 0.0;
+    for (std::size_t i = 0; i < one_.action->friction.size(); ++i) {
+      const bool is_here = one_.action->friction[i].coupling.value == static_cast<int>(e);
+      lost -= is_here ? one_.power->friction[i] : 0.0;
+    }
+    return lost;
+  }
+
+  void add_loss(std::size_t e, double power, int body) {
+    if (power > 0.0) {
+      add_port(body, -power, fmt::format("lost in {}", topology_.couplings[e].name));
     }
   }
 
@@ -138,8 +162,8 @@ class PowerModeller {
 
   bool drives(std::size_t e) const { return !role_of(e).empty(); }
 
-  // ", input C1", by the actuators of the coupling.
-  std::string role_of(std::size_t e) const {
+  // ", input C1", by the actuators of the coupling, with their powers where friction takes a part.
+  std::string role_of(std::size_t e, bool with_power = false) const {
     std::string text;
     for (std::size_t i = 0; i < topology_.actuators.size(); ++i) {
       const ActuatorTopology& actuator = topology_.actuators[i];
@@ -155,6 +179,7 @@ class PowerModeller {
               : holds(one_.which.outputs) ? ", output "
                                           : ", ";
       text += actuator.name;
+      text += with_power ? " " + in_unit(std::abs(one_.power->actuators[i])) : "";
     }
     return text;
   }

@@ -101,11 +101,23 @@ class DutyBinder {
                      fmt::format("case '{}' gives no {} of an input",
                                  mechanism_.cases[point.which].label,
                                  word_of(side)),
-                     fmt::format("give the case one, or name the actuator: input_{}: {{NAME: {}}}",
-                                 word_of(side),
-                                 one.value.expression.text()));
+                     hint_of_known(side, point));
       }
     }
+  }
+
+  // The actuators that the case gives: only their values can be others in a point.
+  std::string hint_of_known(DutySide side, const DutyPoint& point) const {
+    const std::vector<ActuatorTopology>& actuators = mechanism_.topology.actuators;
+    for (std::size_t i = 0; i < actuators.size(); ++i) {
+      if (find_known(mechanism_, point.which, i, side)) {
+        return fmt::format("the case gives that of '{}': input_{}: {{{}: VALUE}}",
+                           actuators[i].name,
+                           word_of(side),
+                           actuators[i].name);
+      }
+    }
+    return fmt::format("give the case the {} of an input", word_of(side));
   }
 
   void set_value(const InputValue& one,
@@ -124,11 +136,11 @@ class DutyBinder {
                                           word_of(side),
                                           name)
                             : fmt::format("there is no actuator '{}'", name),
-                   actuator
-                       ? fmt::format("leave it out: the {} of '{}' follows from the others there",
-                                     word_of(side),
-                                     name)
-                       : "name an actuator of the file");
+                   actuator ? fmt::format("the {} of '{}' follows from the others there; {}",
+                                          word_of(side),
+                                          name,
+                                          hint_of_known(side, point))
+                            : "name an actuator of the file");
       return;
     }
     const auto value =

@@ -1,5 +1,7 @@
 #include "studies/tolerance/deviation.hpp"
 
+#include <numeric>
+
 namespace kinestat {
 
 namespace {
@@ -16,12 +18,36 @@ Deviation deviation_of(const Mechanism& mechanism, int action) {
   return result;
 }
 
+// The first segment of the rope to which each coupling belongs: what slips on pulleys has one
+// length.
+std::vector<int> ropes_of(const Mechanism& mechanism) {
+  std::vector<int> first(mechanism.topology.couplings.size());
+  std::iota(first.begin(), first.end(), 0);
+  const auto rope_of = [&](CouplingId segment) {
+    int rope = segment.value;
+    while (first[static_cast<std::size_t>(rope)] != rope) {
+      rope = first[static_cast<std::size_t>(rope)];
+    }
+    return rope;
+  };
+  for (const CableContact& contact : mechanism.contacts) {
+    if (contact.slips) {
+      const int before = rope_of(contact.arrives);
+      first[static_cast<std::size_t>(rope_of(contact.leaves))] = before;
+    }
+  }
+  return first;
+}
+
 }  // namespace
 
 std::vector<Deviation> part_deviations(const Mechanism& mechanism) {
   std::vector<Deviation> result;
+  const std::vector<int> ropes = ropes_of(mechanism);
   for (int a = 0; a < mechanism.topology.action_count(); ++a) {
-    if (mechanism.topology.actions[static_cast<std::size_t>(a)].actuator < 0) {
+    const ActionLabel& label = mechanism.topology.actions[static_cast<std::size_t>(a)];
+    const int coupling = label.coupling.value;
+    if (label.actuator < 0 && ropes[static_cast<std::size_t>(coupling)] == coupling) {
       result.push_back(deviation_of(mechanism, a));
     }
   }

@@ -18,7 +18,8 @@ struct Deviation {
   Twist unit;  ///< head relative to tail for 1 rad or 1 m, about the geometry's origin
 };
 
-/// Of all passive constraints; what actuators bear is a place of the drive and none of a part.
+/// Of all passive constraints, of a rope that slips on pulleys once; what actuators bear is a place
+/// of the drive and none of a part.
 std::vector<Deviation> part_deviations(const Mechanism& mechanism);
 
 }  // namespace kinestat

@@ -1,6 +1,7 @@
 #include "studies/motion/task/figures/motion_figures.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/tolerance.hpp"
@@ -157,10 +158,10 @@ class FigureMaker {
         add(*low, *high, width);
         continue;
       }
-      const double middle = 0.5 * (samples[i].step + samples[i + 1].step);
-      const auto row = static_cast<std::size_t>(middle);
       const std::optional<double> value =
-          (low || high) && between_ ? between_(column, row, share_at_(middle)) : std::nullopt;
+          low    ? middle_value(column, samples[i].step, samples[i + 1].step)
+          : high ? middle_value(column, samples[i + 1].step, samples[i].step)
+                 : std::nullopt;
       if (!value) {
         return std::nullopt;
       }
@@ -168,6 +169,29 @@ class FigureMaker {
     }
     return zero_within_bound(sum, kCancellation * size) /
            static_cast<double>(table_.rows.size() - 1);
+  }
+
+  // In the middle of the way to an end without a value. Empty where there is none, or where they
+  // grow without bound towards that end: there each half of what is left adds more than the last.
+  std::optional<double> middle_value(std::size_t column, double from, double end) const {
+    std::array<double, 3> values{};
+    double left = 1.0;
+    for (double& value : values) {
+      left *= 0.5;
+      const double here = std::lerp(end, from, left);
+      const std::optional<double> found =
+          between_ ? between_(column, static_cast<std::size_t>(here), share_at_(here))
+                   : std::nullopt;
+      if (!found) {
+        return std::nullopt;
+      }
+      value = *found;
+    }
+    constexpr double kGrows = 0.1;  // of the value
+    const double last = std::abs(values[2] - values[1]);
+    const bool grows =
+        last > std::abs(values[1] - values[0]) && last > kGrows * std::abs(values[2]);
+    return grows ? std::nullopt : std::optional(values[0]);
   }
 
   std::span<const double> shares_;
