@@ -17,7 +17,7 @@ std::vector<Parameter> parameters_of_train() {
       {"N1", "24"}, {"N2", "18"}, {"N3", "60"}, {"zero", "0"}, {"alpha", "20 deg"}, {"r", "5 mm"}};
   std::vector<Parameter> result;
   for (const auto& [name, value] : lines) {
-    result.push_back({name, std::get<Expression>(parse_expression(value)), {}, {}});
+    result.push_back({name, std::get<Expression>(parse_expression(value)), {}});
   }
   return result;
 }

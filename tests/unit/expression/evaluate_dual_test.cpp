@@ -154,7 +154,7 @@ std::vector<Parameter> parameters_of_lines(
     const std::vector<std::pair<std::string, std::string>>& lines) {
   std::vector<Parameter> result;
   for (const auto& [name, value] : lines) {
-    result.push_back({name, std::get<Expression>(parse_expression(value)), {}, {}});
+    result.push_back({name, std::get<Expression>(parse_expression(value)), {}});
   }
   return result;
 }

@@ -257,8 +257,8 @@ TEST(Exact, LeadPerRadianIsExactPerTurn) {
 
 TEST(Exact, ParametersStayExactThroughOthers) {
   std::vector<Parameter> list(2);
-  list[0] = {"half", std::get<Expression>(parse_expression("tenth*5")), {}, {}};
-  list[1] = {"tenth", std::get<Expression>(parse_expression("0.1")), {}, {}};
+  list[0] = {"half", std::get<Expression>(parse_expression("tenth*5")), {}};
+  list[1] = {"tenth", std::get<Expression>(parse_expression("0.1")), {}};
 
   const auto values = evaluate_parameters<Exact>(list);
 

@@ -16,7 +16,7 @@ std::vector<Parameter> parameters(const std::vector<Line>& lines) {
   std::vector<Parameter> result;
   for (const Line& line : lines) {
     auto parsed = parse_expression(line.value);
-    result.push_back({line.name, std::get<Expression>(std::move(parsed)), {}, {}});
+    result.push_back({line.name, std::get<Expression>(std::move(parsed)), {}});
   }
   return result;
 }

@@ -143,8 +143,8 @@ TEST(Precise, IsEmptyWhereOnlyRoundingGivesAValue) {
 
 TEST(Precise, FollowsThroughParameters) {
   const std::vector<Parameter> parameters = {
-      {"third", std::get<Expression>(parse_expression("1/3")), {}, {}},
-      {"whole", std::get<Expression>(parse_expression("3*third")), {}, {}}};
+      {"third", std::get<Expression>(parse_expression("1/3")), {}},
+      {"whole", std::get<Expression>(parse_expression("3*third")), {}}};
 
   const auto values = evaluate_parameters<ExactInput>(parameters);
 
