@@ -47,8 +47,9 @@ std::vector<Deviation> part_deviations(const Mechanism& mechanism) {
   for (int a = 0; a < mechanism.topology.action_count(); ++a) {
     const ActionLabel& label = mechanism.topology.actions[static_cast<std::size_t>(a)];
     const int coupling = label.coupling.value;
-    if (label.actuator < 0 && ropes[static_cast<std::size_t>(coupling)] == coupling) {
+    if (label.actuator < 0) {
       result.push_back(deviation_of(mechanism, a));
+      result.back().is_counted = ropes[static_cast<std::size_t>(coupling)] == coupling;
     }
   }
   return result;

@@ -14,12 +14,13 @@ namespace kinestat {
 struct Deviation {
   int action = 0;                 ///< index into Topology::actions
   bool is_angle = false;          ///< [rad], otherwise [m]
+  bool is_counted = true;         ///< false: of a rope that slips on pulleys, whose one length
+                                  ///< counts at its first segment
   Vec3 direction = Vec3::Zero();  ///< unit vector, world frame
   Twist unit;  ///< head relative to tail for 1 rad or 1 m, about the geometry's origin
 };
 
-/// Of all passive constraints, of a rope that slips on pulleys once; what actuators bear is a place
-/// of the drive and none of a part.
+/// Of all passive constraints; what actuators bear is a place of the drive and none of a part.
 std::vector<Deviation> part_deviations(const Mechanism& mechanism);
 
 }  // namespace kinestat

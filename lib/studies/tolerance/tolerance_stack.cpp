@@ -69,7 +69,7 @@ class StackMaker {
     for (std::size_t d = 0; d < deviations_.size(); ++d) {
       const Deviation& one = deviations_[d];
       if (topology_.actions[at(one.action)].coupling == coupling && one.is_angle == is_angle &&
-          fits_[d]) {
+          one.is_counted && fits_[d]) {
         directions.push_back(one.direction);
         influences.push_back(by_parts[d]);
       }
