@@ -182,7 +182,8 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "The program looks for dead points between the positions, as closely as the fastest part "
      "requires. The motion has so many turns of this part that this would take minutes: from some "
      "position on, only the positions themselves were checked. Let the motion run through a "
-     "shorter range."},
+     "shorter range. Or several drives run by different laws at the same time: there dead points "
+     "are not looked for."},
     {"W0510",
      done,
      "positions that do not close",

@@ -1,10 +1,23 @@
 #include "mechanism/bind/reference_points.hpp"
 
 #include <algorithm>
+#include <span>
+#include <string>
+#include <utility>
 
 #include "screw/exact_input_vector.hpp"
 
 namespace kinestat {
+
+namespace {
+
+using PointOfBody = std::pair<Name, PointDescription>;
+
+const std::string& name_of_coupling(const CouplingDescription& coupling) {
+  return coupling.name.text;
+}
+
+}  // namespace
 
 template <class Scalar>
 std::vector<Vec3Of<Scalar>> bind_reference_points(const MechanismDescription& description,
@@ -24,28 +37,27 @@ std::vector<Vec3Of<Scalar>> bind_reference_points(const MechanismDescription& de
     is_set[b] = true;
   }
   // As drawn on that body, of a coupling whose two bodies are drawn apart.
-  const auto point_on = [&](std::size_t e, BodyId body) {
-    const auto at = std::ranges::find(
-        description.couplings,
-        topology.couplings[e].name,
-        [](const CouplingDescription& one) -> const std::string& { return one.name.text; });
-    if (at != description.couplings.end() && at->at) {
-      for (const auto& [name, point] : at->at->of_bodies) {
-        if (name.text == topology.body(body).name) {
-          return evaluator.point(point).value_or(geometry.points[e]);
+  const auto point_on =
+      [&](BodyId body, const CouplingDescription& coupling, const Vec3Of<Scalar>& point) {
+        for (const auto& [name, drawn] :
+             coupling.at ? std::span(coupling.at->of_bodies) : std::span<const PointOfBody>()) {
+          if (name.text == topology.body(body).name) {
+            return evaluator.point(drawn).value_or(point);
+          }
         }
-      }
-    }
-    return geometry.points[e];
-  };
+        return point;
+      };
+  auto described = description.couplings.begin();  // in the same order
   for (std::size_t e = 0; e < topology.couplings.size(); ++e) {
+    described = std::ranges::find(
+        described, description.couplings.end(), topology.couplings[e].name, name_of_coupling);
     if (!has_point[e]) {
       continue;
     }
     for (const BodyId body : {topology.couplings[e].tail, topology.couplings[e].head}) {
       const auto b = static_cast<std::size_t>(body.value);
       if (!is_set[b]) {
-        references[b] = point_on(e, body);
+        references[b] = point_on(body, *described, geometry.points[e]);
         is_set[b] = true;
       }
     }

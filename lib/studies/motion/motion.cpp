@@ -92,18 +92,19 @@ class MotionSolver {
     Arrival arrival = Arrival::reached;
     for (const double turn : task_.turns) {
       if (arrival == Arrival::reached && turn > from && turn < share) {
-        arrival = go_on(now, PathLeg(task_, units_, from, turn));
+        arrival = go_on(now, PathLeg(task_.path, units_, from, turn));
         from = turn;
       }
     }
-    return arrival == Arrival::reached ? go_on(now, PathLeg(task_, units_, from, share)) : arrival;
+    return arrival == Arrival::reached ? go_on(now, PathLeg(task_.path, units_, from, share))
+                                       : arrival;
   }
 
   // By the straight line between its ends. What happens on it happens on the path where the line
   // is the path, to rounding; a leg is halved until it is.
   Arrival go_on(PathPoint& now, const PathLeg& leg) {
     const double bow = leg.bow();
-    if (bow > kMostBow) {
+    if (bow > kMostBow && leg.can_be_halved()) {
       return go_by_halves(now, leg);
     }
     if (!leg.moves()) {
@@ -145,8 +146,8 @@ class MotionSolver {
 
   Arrival go_by_halves(PathPoint& now, const PathLeg& leg) {
     const double middle = 0.5 * (leg.from() + leg.to());
-    const Arrival arrival = go_on(now, PathLeg(task_, units_, leg.from(), middle));
-    return arrival == Arrival::reached ? go_on(now, PathLeg(task_, units_, middle, leg.to()))
+    const Arrival arrival = go_on(now, PathLeg(task_.path, units_, leg.from(), middle));
+    return arrival == Arrival::reached ? go_on(now, PathLeg(task_.path, units_, middle, leg.to()))
                                        : arrival;
   }
 

@@ -7,8 +7,8 @@
 
 namespace kinestat {
 
-PathLeg::PathLeg(const MotionTask& task, const std::vector<double>& units, double from, double to)
-    : task_(task), units_(units), from_(from), to_(to) {
+PathLeg::PathLeg(const DrivePath& path, const std::vector<double>& units, double from, double to)
+    : path_(path), units_(units), from_(from), to_(to) {
   for (std::size_t d = 0; d < units.size(); ++d) {
     low_.push_back(drive_at(d, from));
     high_.push_back(drive_at(d, to));
@@ -19,7 +19,7 @@ PathLeg::PathLeg(const MotionTask& task, const std::vector<double>& units, doubl
 }
 
 double PathLeg::drive_at(std::size_t drive, double share) const {
-  return task_.path(drive, share) / units_[drive];
+  return path_(drive, share) / units_[drive];
 }
 
 // Looked at in some places: between turns nothing but the laws of drives parts them from the line.

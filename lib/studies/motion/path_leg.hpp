@@ -11,8 +11,8 @@ namespace kinestat {
 /// Between two shares of a path, within which each drive runs one way or rests.
 class PathLeg {
  public:
-  /// `units` are those of the drives: 1 rad, or the size of the mechanism.
-  PathLeg(const MotionTask& task, const std::vector<double>& units, double from, double to);
+  /// `units` are those of the drives: 1 rad, or the size of the mechanism. Both must outlive it.
+  PathLeg(const DrivePath& path, const std::vector<double>& units, double from, double to);
 
   double from() const { return from_; }
 
@@ -39,7 +39,7 @@ class PathLeg {
  private:
   double drive_at(std::size_t drive, double share) const;
 
-  const MotionTask& task_;
+  const DrivePath& path_;
   const std::vector<double>& units_;
   double from_;
   double to_;

@@ -358,11 +358,7 @@ class DeadPointsOnPath {
       : mechanism_(mechanism),
         motion_(motion),
         solution_(motion.solution),
-        way_(motion.network, motion.solution),
-        task_{.drives = solution_.drives,
-              .shares = {},
-              .path = solution_.path,
-              .turns = solution_.turns} {
+        way_(motion.network, motion.solution) {
     for (const MotionDrive& drive : solution_.drives) {
       const bool turns =
           mechanism.topology.freedoms[static_cast<std::size_t>(drive.freedom)].is_rotation;
@@ -378,7 +374,7 @@ class DeadPointsOnPath {
     ends.push_back(end);
     double from = 0.0;
     for (const double to : ends) {
-      const PathLeg leg(task_, units_, from, to);
+      const PathLeg leg(solution_.path, units_, from, to);
       if (leg.moves() && leg.bow() <= kStraightWay) {
         add(leg);
       }
@@ -450,7 +446,6 @@ class DeadPointsOnPath {
   const FoundMotion& motion_;
   const MotionSolution& solution_;
   WayBetween way_;
-  MotionTask task_;
   std::vector<double> units_;  // of each drive
   DeadPoints found_;
 };

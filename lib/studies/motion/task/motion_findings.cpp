@@ -204,13 +204,17 @@ class Findings {
   }
 
   void add_missing_dead_points() const {
+    const bool has_own_laws = motion_.solution.path && table_.drives.size() > 1;
     if (table_.may_lack_dead_points) {
       found_.warning(
           "W0509",
           place_of_drive(),
-          "dead points may be missing from the events: the motion has too many turns to "
-          "look at all of it",
-          "let it run through a shorter range; rows and singular positions are complete");
+          fmt::format("dead points may be missing from the events: {}",
+                      has_own_laws ? "drives run by different laws at the same time"
+                                   : "the motion has too many turns to look at all of it"),
+          fmt::format("let {}; rows and singular positions are complete",
+                      has_own_laws ? "one law drive all, or one after the other"
+                                   : "it run through a shorter range"));
     }
   }
 
