@@ -376,6 +376,13 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "for such planets: the tooth numbers shown have another ratio, or planets that nobody would "
      "cut. Begin 'stationary_ratio' higher, or give 'teeth', so that whole tooth numbers meet all "
      "requirements."},
+    {"W0806",
+     done,
+     "best linkage has a link too short to build",
+     "A search with 'vary' ranks linkages by their transmission angle. Where nothing bounds the "
+     "ratio of their lengths, it can run to two dyads that almost coincide: they meet the "
+     "positions, with a coupler or a ground of almost no length. A link of less than a hundredth "
+     "of the longest is reported here. Give 'link_ratio' in 'limits', usually 5 to 12."},
     {"W0901",
      done,
      "tolerance matches no value",

@@ -1,12 +1,14 @@
 #include "studies/synthesis/task/synthesis_findings.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "core/digit_limits.hpp"
+#include "studies/synthesis/report/plane_text.hpp"
 #include "studies/synthesis/report/synthesis_text.hpp"
 
 namespace kinestat {
@@ -89,6 +91,31 @@ void add_usability_findings(const SynthesisAnalysis& analysis, Diagnostics& foun
               analysis.description.synthesis->where,
               fmt::format("no linkage is usable: {}", reason_of(analysis)),
               hint_of(analysis));
+}
+
+void warn_of_short_links(const SynthesisAnalysis& analysis, Diagnostics& found) {
+  constexpr double kBuildable = 100.0;
+  if (!analysis.selection || std::isfinite(analysis.limits.ratio)) {
+    return;
+  }
+  const FileUnits& units = analysis.description.units;
+  const PlaneText plane(units);
+  for (const SynthesisTask& task : analysis.tasks) {
+    if (!has_usable(task) || task.linkages.front().ratio <= kBuildable) {
+      continue;
+    }
+    const LinkageCandidate& best = task.linkages.front();
+    found.warning(
+        "W0806",
+        analysis.description.synthesis->where,
+        fmt::format("the shortest link of the best linkage is {} {unit} long, the longest "
+                    "{} {unit}",
+                    plane.length(best.longest / best.ratio),
+                    plane.length(best.longest),
+                    fmt::arg("unit", units.text(QuantityKind::length))),
+        "bound their ratio: 'limits: {link_ratio: 10}'");
+    return;
+  }
 }
 
 }  // namespace kinestat

@@ -10,4 +10,8 @@ namespace kinestat {
 /// them. A family of dyads leaves linkages to choose from, and fewer positions do.
 void add_usability_findings(const SynthesisAnalysis& analysis, Diagnostics& found);
 
+/// That the best linkage of a search without `link_ratio` has a link that cannot be built: W0806.
+/// The transmission angle alone may lead it to two dyads that almost coincide.
+void warn_of_short_links(const SynthesisAnalysis& analysis, Diagnostics& found);
+
 }  // namespace kinestat
