@@ -171,11 +171,11 @@ std::string names_of(const std::vector<CouplingId>& couplings, const Topology& t
   return plain_list(names);
 }
 
-// Whether a cable rests on its pulley.
-bool is_of_cable(const StaticSolution& action, const Mechanism& mechanism) {
-  return std::ranges::any_of(mechanism.contacts, [&](const CableContact& contact) {
-    return contact.slips &&
-           std::ranges::find(action.at_rest, *contact.slips) != action.at_rest.end();
+// Whether all that rests are cables on their pulleys.
+bool is_of_cables(const StaticSolution& action, const Mechanism& mechanism) {
+  return std::ranges::all_of(action.at_rest, [&](CouplingId coupling) {
+    return std::ranges::any_of(
+        mechanism.contacts, [&](const CableContact& contact) { return contact.slips == coupling; });
   });
 }
 
@@ -294,12 +294,13 @@ void add_friction_at_rest(const JudgedFile& file, const CaseAnalysis& one, CaseF
               fmt::format("case '{}': friction of {} has no direction: nothing moves there",
                           one.which.label,
                           names),
-              is_of_cable(*one.action, file.mechanism)
-                  ? "friction at rest may have any magnitude up to its limit: declare an actuator "
-                    "on this coupling, which then holds the cable, or let the cable slip"
-                  : "friction at rest may have any magnitude up to its limit: draw a position, or "
-                    "give a motion, in which this coupling moves, or remove its friction" +
-                        start_hint(motion_side(file, one.which), one.which));
+              fmt::format("friction at rest may have any magnitude up to its limit: {}{}",
+                          is_of_cables(*one.action, file.mechanism)
+                              ? "declare an actuator on this coupling, which then holds the cable, "
+                                "or let the cable slip"
+                              : "draw a position, or give a motion, in which this coupling moves, "
+                                "or remove its friction",
+                          start_hint(motion_side(file, one.which), one.which)));
 }
 
 void add_held_cables(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {

@@ -156,9 +156,11 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "idle freedoms",
      "A body can turn or slide without moving any other body, such as a rod between two balls "
      "about its own axis. If a case does not give such a rate, its report omits it and has all "
-     "others. In each step of a motion the body moves as little as necessary, so the angle it has "
-     "turned depends on the number of steps and is not the integral of its velocity. All other "
-     "positions are determined. A case may give the rate: velocities then agree with it."},
+     "others. In each step of a motion its couplings move as little as necessary, so the angle it "
+     "has "
+     "turned depends on the number of steps and on which of the couplings comes first, and is not "
+     "the integral of its velocity. All other positions are determined. A case may give the rate: "
+     "velocities then agree with it."},
     {"W0507",
      done,
      "velocities or accelerations omitted",

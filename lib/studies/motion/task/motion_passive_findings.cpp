@@ -109,11 +109,12 @@ void add_motion_passive_findings(const FoundMotion& motion,
   found.warning(
       "W0506",
       motion.plan.where,
-      fmt::format("the {} in an idle freedom of {} is not determined, as it moves no other "
-                  "body{}",
-                  has_position ? "position" : "speed",
-                  plain_list(names),
-                  has_position ? ": it depends on the number of steps" : ""),
+      fmt::format(
+          "the {} in an idle freedom of {} is not determined, as it moves no other "
+          "body{}",
+          has_position ? "position" : "speed",
+          plain_list(names),
+          has_position ? ": it depends on the steps and on the order of the couplings" : ""),
       has_position ? "'kinestat mobility' lists these freedoms; drive one, hold it by a "
                      "coupling, or report what it does not show"
                    : "'kinestat mobility' lists these freedoms; give the case the rate of "
