@@ -4,6 +4,8 @@
 #include <optional>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "couplings/kinds.hpp"
 
 namespace kinestat {
@@ -29,14 +31,14 @@ Vec3 sliding_of(const Topology& topology, CouplingId id, const CaseAnalysis& one
 
 class TurnFinder {
  public:
-  TurnFinder(const std::vector<std::vector<Vec3>>& sliding, MotionTable& table)
+  TurnFinder(const std::vector<FrictionSliding>& sliding, MotionTable& table)
       : sliding_(sliding), table_(table) {}
 
   FrictionTurn find(std::size_t f, const std::string& coupling) {
     FrictionTurn turn{.coupling = coupling};
     std::optional<std::size_t> before;
     for (std::size_t r = 0; r < sliding_.size(); ++r) {
-      if (sliding_[r].empty()) {
+      if (sliding_[r].rates.empty()) {
         before.reset();
         continue;
       }
@@ -45,7 +47,7 @@ class TurnFinder {
       }
       if (r == 1 && rests(0, f)) {
         add(0, 0, turn);
-      } else if (before && sliding_[*before][f].dot(sliding_[r][f]) < 0.0) {
+      } else if (before && sliding_[*before].rates[f].dot(sliding_[r].rates[f]) < 0.0) {
         add(*before, r, turn);
       }
       before = r;
@@ -59,16 +61,18 @@ class TurnFinder {
 
  private:
   bool slides(std::size_t row, std::size_t friction) const {
-    return !sliding_[row].empty() && !sliding_[row][friction].isZero(0.0);
+    return !sliding_[row].rates.empty() && !sliding_[row].rates[friction].isZero(0.0);
   }
 
+  // By the direction of friction alone.
   bool is_left_open(std::size_t row) const {
-    return table_.rows[row].status == word_of(SolveStatus::at_rest);
+    return !sliding_[row].stands && table_.rows[row].status == word_of(SolveStatus::at_rest);
   }
 
   // Whether that leaves a row without an answer.
   bool rests(std::size_t row, std::size_t friction) const {
-    return !sliding_[row].empty() && sliding_[row][friction].isZero(0.0) && is_left_open(row);
+    return !sliding_[row].rates.empty() && sliding_[row].rates[friction].isZero(0.0) &&
+           is_left_open(row);
   }
 
   // What nothing but the turn of a friction leaves open is at its dead point.
@@ -86,25 +90,27 @@ class TurnFinder {
     }
   }
 
-  const std::vector<std::vector<Vec3>>& sliding_;
+  const std::vector<FrictionSliding>& sliding_;
   MotionTable& table_;
 };
 
 }  // namespace
 
-std::vector<Vec3> sliding_at(const Mechanism& mechanism, const MotionPosition& position) {
-  std::vector<Vec3> rates;
+FrictionSliding sliding_at(const Mechanism& mechanism, const MotionPosition& position) {
+  FrictionSliding sliding;
   if (!position.solved || !position.solved->motion || position.solved->motion->rates.empty()) {
-    return rates;
+    return sliding;
   }
+  sliding.stands =
+      std::ranges::all_of(position.solved->motion->rates, [](double rate) { return rate == 0.0; });
   for (const CouplingFriction& friction : mechanism.frictions) {
-    rates.push_back(sliding_of(mechanism.topology, friction.coupling, *position.solved));
+    sliding.rates.push_back(sliding_of(mechanism.topology, friction.coupling, *position.solved));
   }
-  return rates;
+  return sliding;
 }
 
 void find_friction_turns(const Mechanism& mechanism,
-                         const std::vector<std::vector<Vec3>>& sliding,
+                         const std::vector<FrictionSliding>& sliding,
                          MotionTable& table) {
   TurnFinder finder(sliding, table);
   for (std::size_t f = 0; f < mechanism.frictions.size(); ++f) {
@@ -114,6 +120,27 @@ void find_friction_turns(const Mechanism& mechanism,
       table.friction_turns.push_back(std::move(turn));
     }
   }
+}
+
+CaseFindings told_of_row(const CaseFindings& said,
+                         const FrictionSliding& sliding,
+                         const MotionRow& row,
+                         const MotionTable& table) {
+  CaseFindings told;
+  for (const CaseFinding& one : said.items()) {
+    if (one.code != "E0606") {
+      told.add(one);
+    } else if (sliding.stands && table.duration) {
+      told.warning(
+          "W0508",
+          one.where,
+          fmt::format("case '{}': friction has no direction while the drives rest", table.label),
+          "at rest it may be anything up to its limit: these rows have no actions");
+    } else if (row.status != kDeadPointEvent) {
+      told.add(one);
+    }
+  }
+  return told;
 }
 
 }  // namespace kinestat

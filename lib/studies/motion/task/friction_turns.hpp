@@ -3,23 +3,36 @@
 
 #include <vector>
 
+#include "cases/case_findings.hpp"
 #include "mechanism/mechanism.hpp"
 #include "studies/motion/report/motion_table.hpp"
 #include "studies/motion/task/motion_position.hpp"
 
 namespace kinestat {
 
-/// The motion against which each friction of the mechanism works at a position [rad/s or m/s]: the
-/// rate of the one freedom of a bearing, guide or thread; the velocity along the freedoms that
-/// slide of a contact, whose turns have no friction. Zero where the friction has no direction;
-/// empty where no motion is known.
-std::vector<Vec3> sliding_at(const Mechanism& mechanism, const MotionPosition& position);
+/// How the frictions of a mechanism slide in one position.
+struct FrictionSliding {
+  /// Of each the motion against which it works [rad/s or m/s]: the rate of the one freedom of a
+  /// bearing, guide or thread; the velocity along the freedoms that slide of a contact, whose turns
+  /// have no friction. Zero where the friction has no direction; empty where no motion is known.
+  std::vector<Vec3> rates;
+  bool stands = false;  ///< nothing moves, as where the drives rest
+};
+
+FrictionSliding sliding_at(const Mechanism& mechanism, const MotionPosition& position);
 
 /// Adds to the table the couplings that slide one way and then the other, by the sliding of each of
 /// its rows. Rows between are at its dead point, wherever the steps fall; so are the first and the
-/// last row where it rests in that one alone.
+/// last row where it rests in that one alone. Where nothing moves there is no dead point.
 void find_friction_turns(const Mechanism& mechanism,
-                         const std::vector<std::vector<Vec3>>& sliding,
+                         const std::vector<FrictionSliding>& sliding,
                          MotionTable& table);
+
+/// The findings of a row as a motion tells them. That a friction has no direction there is said of
+/// its turn, wherever the steps fall; in a motion in time drives may rest, W0508 instead of E0606.
+CaseFindings told_of_row(const CaseFindings& said,
+                         const FrictionSliding& sliding,
+                         const MotionRow& row,
+                         const MotionTable& table);
 
 }  // namespace kinestat

@@ -213,16 +213,9 @@ class TableMaker {
     said_.push_back(find_case_findings(file, *position.solved, is_reported));
   }
 
-  // That a friction has no direction is said of its turn, wherever the steps fall.
   void tell_findings() {
     for (std::size_t r = 0; r < said_.size(); ++r) {
-      CaseFindings kept;
-      for (const CaseFinding& one : said_[r].items()) {
-        if (table_.rows[r].status != kDeadPointEvent || one.code != "E0606") {
-          kept.add(one);
-        }
-      }
-      found_.add(r, kept);
+      found_.add(r, told_of_row(said_[r], sliding_[r], table_.rows[r], table_));
     }
   }
 
@@ -480,9 +473,9 @@ class TableMaker {
   std::vector<std::optional<WholeRange>> counts_;  // of each drive
   MotionDetail detail_;
   std::vector<MotionReading> readings_;
-  std::vector<int> driven_;                 // of each reading the drive whose position it is, or -1
-  std::vector<std::vector<Vec3>> sliding_;  // of each row
-  std::vector<CaseFindings> said_;          // likewise
+  std::vector<int> driven_;               // of each reading the drive whose position it is, or -1
+  std::vector<FrictionSliding> sliding_;  // of each row
+  std::vector<CaseFindings> said_;        // likewise
   UnboundedQuotients poles_;
   MotionTable table_;
 };

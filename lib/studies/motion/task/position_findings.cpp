@@ -36,10 +36,9 @@ std::string brackets_text(const std::vector<std::size_t>& rows, const MotionTabl
     while (last + 1 < rows.size() && rows[last + 1] == rows[last] + 1) {
       ++last;
     }
-    brackets.push_back(first == last ? "at " + position_text(table, rows[first])
-                                     : fmt::format("from {} to {}",
-                                                   position_text(table, rows[first]),
-                                                   position_text(table, rows[last])));
+    const std::string from = position_text(table, rows[first]);
+    const std::string to = position_text(table, rows[last]);
+    brackets.push_back(from == to ? "at " + from : fmt::format("from {} to {}", from, to));
     first = last + 1;
   }
   const std::size_t more = brackets.size() - std::min(brackets.size(), kMostBrackets);
