@@ -171,12 +171,16 @@ std::string names_of(const std::vector<CouplingId>& couplings, const Topology& t
   return plain_list(names);
 }
 
+// Whether a coupling is a slipping cable on its pulley.
+bool is_slip_of_cable(CouplingId coupling, const Mechanism& mechanism) {
+  return std::ranges::any_of(
+      mechanism.contacts, [&](const CableContact& contact) { return contact.slips == coupling; });
+}
+
 // Whether all that rests are cables on their pulleys.
 bool is_of_cables(const StaticSolution& action, const Mechanism& mechanism) {
-  return std::ranges::all_of(action.at_rest, [&](CouplingId coupling) {
-    return std::ranges::any_of(
-        mechanism.contacts, [&](const CableContact& contact) { return contact.slips == coupling; });
-  });
+  return std::ranges::all_of(
+      action.at_rest, [&](CouplingId coupling) { return is_slip_of_cable(coupling, mechanism); });
 }
 
 // A torque converter whose characteristic says nothing of the speeds of the case.
@@ -303,19 +307,27 @@ void add_friction_at_rest(const JudgedFile& file, const CaseAnalysis& one, CaseF
                           start_hint(motion_side(file, one.which), one.which)));
 }
 
+// Of cables that do not slip on what stands still; what holds a slipping one is an action.
 void add_held_cables(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
-  if (one.action->held_cables.empty()) {
+  if (one.motion && one.motion->status != SolveStatus::solved) {
+    return;  // why it has no answer is said of the motion
+  }
+  std::vector<CouplingId> held;
+  std::ranges::copy_if(one.action->held_cables, std::back_inserter(held), [&](CouplingId coupling) {
+    return !is_slip_of_cable(coupling, file.mechanism);
+  });
+  if (held.empty()) {
     return;
   }
-  found.warning(
-      "W0609",
-      one.which.where,
-      fmt::format("case '{}': the drum or pulley on {} is at rest, so 'eta' has no direction: "
-                  "actions are those without its loss",
-                  one.which.label,
-                  names_of(one.action->held_cables, file.mechanism.topology)),
-      "for a start from rest give its drive a very small speed in the direction of the coming "
-      "motion, 1e-3 rpm for example");
+  found.warning("W0609",
+                one.which.where,
+                fmt::format("case '{}': the drum or pulley on {} {}, so 'eta' has no direction: "
+                            "actions are those without its loss",
+                            one.which.label,
+                            names_of(held, file.mechanism.topology),
+                            one.motion ? "is at rest" : "has no known motion"),
+                "for a start from rest give its drive a very small speed in the direction of the "
+                "coming motion, 1e-3 rpm for example");
 }
 
 // What has no value, neither from equilibrium nor from what completes it.

@@ -140,7 +140,7 @@ void add_point_masses(const JudgedFile& file, const CaseAnalysis& one, CaseFindi
   std::vector<std::string> names;
   for (const BodyDynamics& body : one.dynamics->bodies) {
     const BodyMass& mass = file.mechanism.masses[static_cast<std::size_t>(body.body.value)];
-    const Vec3& turns = one.motion->bodies[static_cast<std::size_t>(body.body.value)].angular;
+    const Vec3 turns = bounded_body(*one.motion, body.body).angular.zeroed();
     const bool turns_at_all = !turns.isZero(0.0) || !body.angular_acceleration.isZero(0.0);
     if (turns_at_all && !mass.has_inertia) {
       names.push_back(fmt::format("'{}'", file.mechanism.topology.body(body.body).name));

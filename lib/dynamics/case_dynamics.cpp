@@ -156,9 +156,11 @@ CaseDynamics find_dynamics(const Mechanism& mechanism,
     const Twist& rate = motion.twist_rates[b];
     const BoundedWrench bounded = inertial_wrench(body, twist, rate, motion.bounds[b]);
     const Wrench inertial = bounded.zeroed();
+    const BoundedVector angular_acceleration = {
+        .value = rate.angular, .bound = Vec3::Constant(motion.bounds[b].angular_rate)};
     standing.push_back({.index = b, .inertia = body, .inertial = bounded});
     result.bodies.push_back({.body = BodyId{static_cast<int>(b)},
-                             .angular_acceleration = rate.angular,
+                             .angular_acceleration = angular_acceleration.zeroed(),
                              .centre = body.centre,
                              .centre_acceleration = centre_acceleration(body, twist, rate),
                              .inertial = inertial,

@@ -66,6 +66,13 @@ const std::vector<FormShape>& text_shapes() {
        .pattern_text = "Write the name of an actuator, or of a coupling with its freedom or "
                        "action, such as d.wz or c.Rx."},
       {.kind = FormKind::name,
+       .definition = "power_end",
+       .meaning = "An actuator, or a load; gravity.BODY is the weight of a body.",
+       .examples = {"drive"},
+       .remark = "an actuator or a load",
+       .pattern = "^[A-Za-z_][A-Za-z0-9_-]*(\\.[A-Za-z0-9_-]+)?$",
+       .pattern_text = "Write the name of an actuator or a load, such as gravity.hook."},
+      {.kind = FormKind::name,
        .definition = "column_name",
        .meaning = "A word, an actuator, COUPLING.FREEDOM, COUPLING.ACTION, or a column as tables "
                   "call it: NAME/QUANTITY.",
@@ -184,6 +191,10 @@ Form<Name> free_name() {
 
 Form<Name> target() {
   return reference(text_shape("target"));
+}
+
+Form<Name> power_end() {
+  return reference(text_shape("power_end"));
 }
 
 Form<Name> column_name() {

@@ -33,7 +33,10 @@ Form<Name> free_name();
 /// An actuator, or coupling.freedom, or coupling.action.
 Form<Name> target();
 
-/// Likewise, or a word, or a column: NAME/QUANTITY.
+/// An actuator or a load, where power enters or leaves.
+Form<Name> power_end();
+
+/// A target, or a word, or a column: NAME/QUANTITY.
 Form<Name> column_name();
 
 /// A target, or a word, or a figure of a motion: column.with.dots.figure.

@@ -20,25 +20,31 @@ Efficiency self_locking(std::string reason) {
   return {.value = std::nullopt, .reason = std::move(reason), .is_self_locking = true};
 }
 
-// The same motion, driven from the other end.
-Case reversed(Case which) {
-  for (Primary& primary : which.actions) {
-    primary.value = -primary.value;
-  }
-  for (Load& load : which.loads) {
-    load.acts.wrench = -1.0 * load.acts.wrench;
-  }
+// The other end drives: all runs back under the same actions and loads, so that whatever holds in
+// one direction only still does, such as the tension of a cable and the flanks of teeth.
+Case driven_back(Case which) {
   std::swap(which.inputs, which.outputs);
   std::swap(which.input_loads, which.output_loads);
   return which;
 }
 
+KinematicSolution run_back(KinematicSolution motion) {
+  const auto turn = [](Twist& twist) { twist = -1.0 * twist; };
+  for (double& rate : motion.rates) {
+    rate = -rate;
+  }
+  std::ranges::for_each(motion.bodies, turn);
+  std::ranges::for_each(motion.couplings, turn);
+  return motion;
+}
+
 // Where a cable does not slip there is none: its friction is an action, as the case without losses
 // found.
-std::vector<FrictionLaw> friction_laws(const Mechanism& mechanism, const SolvedCase& solved) {
+std::vector<FrictionLaw> friction_laws(const Mechanism& mechanism,
+                                       const Case& which,
+                                       const KinematicSolution& motion) {
   std::vector<FrictionLaw> laws;
-  for (const std::optional<FrictionLaw>& law :
-       find_friction_laws(mechanism, solved.which, solved.motion)) {
+  for (const std::optional<FrictionLaw>& law : find_friction_laws(mechanism, which, motion)) {
     if (law) {
       laws.push_back(*law);
     }
@@ -46,67 +52,70 @@ std::vector<FrictionLaw> friction_laws(const Mechanism& mechanism, const SolvedC
   return laws;
 }
 
-// One direction of a case, solved with its losses.
-struct Direction {
+// A case, solved with its losses.
+struct LossySolution {
   LossSearch search = LossSearch::none;
   StaticSolution action;
   std::optional<PowerFlow> flow;     ///< where the actions determine it
   std::optional<double> other = {};  ///< the efficiency of another answer
 };
 
+// One direction of a case.
 class LossyCase {
  public:
   LossyCase(const Mechanism& mechanism,
             const CoordinateBasis& common,
-            const SolvedCase& solved,
+            const Case& which,
+            const KinematicSolution& motion,
             const std::vector<MeshLossLaw>& meshes)
       : mechanism_(mechanism),
-        motion_(solved.motion),
+        which_(which),
+        motion_(motion),
         meshes_(meshes),
-        frictions_(friction_laws(mechanism, solved)),
-        basis_(basis_for(common, solved.which)) {}
+        frictions_(friction_laws(mechanism, which, motion)),
+        basis_(basis_for(common)) {}
 
-  Direction solve(const Case& which) const {
-    const std::vector<BodyWrench> loads = wrenches_of(which.loads);
+  LossySolution solve() const {
+    const std::vector<BodyWrench> loads = wrenches_of(which_.loads);
     LossyActions found = solve_with_losses(
         mechanism_,
         basis_,
-        {.primaries = which.actions, .loads = loads, .frictions = frictions_, .meshes = meshes_},
-        [&](const VecX& actions) { return passes_on(which, actions); });
-    Direction result{.search = found.search, .action = std::move(found.solution), .flow = {}};
+        {.primaries = which_.actions, .loads = loads, .frictions = frictions_, .meshes = meshes_},
+        [&](const VecX& actions) { return passes_on(actions); });
+    LossySolution result{.search = found.search, .action = std::move(found.solution), .flow = {}};
     if (determines_power(mechanism_, result.action)) {
-      result.flow = find_power(mechanism_, which, motion_, result.action);
+      result.flow = find_power(mechanism_, which_, motion_, result.action);
     }
     if (found.other && determines_power(mechanism_, *found.other)) {
-      const PowerFlow flow = find_power(mechanism_, which, motion_, *found.other);
-      result.other = between_ends(which, flow).value;
+      const PowerFlow flow = find_power(mechanism_, which_, motion_, *found.other);
+      result.other = between_ends(flow).value;
     }
     return result;
   }
 
-  Efficiency efficiency_of(const Case& which, const Direction& direction) const {
-    if (!which.names_both_ends()) {
+  Efficiency efficiency_of(const LossySolution& solution) const {
+    if (!which_.names_both_ends()) {
       return no_efficiency("the case does not name input and output");
     }
-    if (direction.search == LossSearch::undecided) {
+    if (solution.search == LossSearch::undecided) {
       return no_efficiency(fmt::format(
           "which gears drive could not be found, with more than {} meshes", kMostSearchedMeshes));
     }
-    if (direction.search == LossSearch::no_share) {
+    if (solution.search == LossSearch::no_share) {
       return no_efficiency(
           "a loss of teeth that depends on speed or force has no value there from 0 to below 1");
     }
-    if (direction.action.magnitudes.empty()) {
+    if (solution.action.magnitudes.empty()) {
       return self_locking("losses exceed the power of the inputs");
     }
-    if (!direction.flow) {
+    if (!solution.flow) {
       return no_efficiency("equilibrium does not determine the normal forces where power is lost");
     }
-    const PowerFlow& flow = *direction.flow;
+    const PowerFlow& flow = *solution.flow;
     if (!flow.is_balanced) {
       return no_efficiency("the powers do not balance");
     }
-    Efficiency result = between_ends(which, flow);
+    Efficiency result = between_ends(flow);
     if (result.is_self_locking) {
       return self_locking("losses exceed the power of the inputs");
     }
@@ -114,20 +123,20 @@ class LossyCase {
       return {
           .value = 0.0, .reason = "losses absorb all power of the inputs", .is_self_locking = true};
     }
-    if (result.value && direction.other) {
-      result.other = direction.other;
+    if (result.value && solution.other) {
+      result.other = solution.other;
       result.reason = fmt::format(
           "teeth that are driven the other way agree with their powers too, with an efficiency of "
           "{:.6g}",
-          *direction.other);
+          *solution.other);
     }
     return result;
   }
 
  private:
-  Efficiency between_ends(const Case& which, const PowerFlow& flow) const {
+  Efficiency between_ends(const PowerFlow& flow) const {
     const std::vector<bool> slips = find_slipping(mechanism_.topology);
-    return find_efficiency(which,
+    return find_efficiency(which_,
                            {.actuators = flow.actuators,
                             .loads = flow.loads,
                             .largest = flow.largest,
@@ -135,20 +144,20 @@ class LossyCase {
   }
 
   // Loads and frictions may leave the coordinates that the actions need.
-  CoordinateBasis basis_for(const CoordinateBasis& common, const Case& which) const {
-    const std::vector<BodyWrench> loads = wrenches_of(which.loads);
+  CoordinateBasis basis_for(const CoordinateBasis& common) const {
+    const std::vector<BodyWrench> loads = wrenches_of(which_.loads);
     const bool is_common = loads.empty() && frictions_.empty() && meshes_.empty();
     return is_common ? common
                      : lossy_action_basis(mechanism_,
-                                          {.primaries = which.actions,
+                                          {.primaries = which_.actions,
                                            .loads = loads,
                                            .frictions = frictions_,
                                            .meshes = meshes_});
   }
 
   // Whether power leaves by the outputs, of those that the case names.
-  bool passes_on(const Case& which, const VecX& actions) const {
-    if (!which.names_both_ends()) {
+  bool passes_on(const VecX& actions) const {
+    if (!which_.names_both_ends()) {
       return true;
     }
     double out = 0.0;
@@ -158,19 +167,20 @@ class LossyCase {
       const double power =
           actions[actuator.action] * motion_.rates[static_cast<std::size_t>(actuator.freedom)];
       largest = std::max(largest, std::abs(power));
-      out += std::ranges::count(which.outputs, static_cast<int>(i)) > 0 ? power : 0.0;
+      out += std::ranges::count(which_.outputs, static_cast<int>(i)) > 0 ? power : 0.0;
     }
-    for (std::size_t i = 0; i < which.loads.size(); ++i) {
-      const BodyWrench& acts = which.loads[i].acts;
+    for (std::size_t i = 0; i < which_.loads.size(); ++i) {
+      const BodyWrench& acts = which_.loads[i].acts;
       const double gives =
           power(acts.wrench, motion_.bodies[static_cast<std::size_t>(acts.body.value)]);
       largest = std::max(largest, std::abs(gives));
-      out += std::ranges::count(which.output_loads, i) > 0 ? gives : 0.0;
+      out += std::ranges::count(which_.output_loads, i) > 0 ? gives : 0.0;
     }
     return out < -kPowerBalance * largest;
   }
 
   const Mechanism& mechanism_;
+  const Case& which_;
   const KinematicSolution& motion_;
   const std::vector<MeshLossLaw>& meshes_;
   std::vector<FrictionLaw> frictions_;
@@ -179,7 +189,7 @@ class LossyCase {
 
 // The losses of the friction that acts between a gear and its carrier, at their meshes.
 LossyState state_of(const Mechanism& mechanism,
-                    const Direction& direction,
+                    const LossySolution& solution,
                     const MeshLossLaws& losses) {
   LossyState state;
   for (const LossyMesh& mesh : mechanism.lossy_meshes) {
@@ -188,7 +198,7 @@ LossyState state_of(const Mechanism& mechanism,
     one.rolls = std::ranges::count(losses.not_rolling, mesh.coupling) == 0;
     state.meshes.push_back(one);
   }
-  const PowerFlow& flow = *direction.flow;
+  const PowerFlow& flow = *solution.flow;
   double sum = 0.0;
   double largest = 0.0;
   const auto count = [&](double power) {
@@ -196,7 +206,7 @@ LossyState state_of(const Mechanism& mechanism,
     largest = std::max(largest, std::abs(power));
   };
   for (std::size_t i = 0; i < flow.friction.size(); ++i) {
-    const FrictionAction& friction = direction.action.friction[i];
+    const FrictionAction& friction = solution.action.friction[i];
     count(flow.friction[i]);
     if (!friction.between) {
       state.friction.push_back(flow.friction[i]);
@@ -211,7 +221,7 @@ LossyState state_of(const Mechanism& mechanism,
   }
   std::ranges::for_each(flow.actuators, count);
   std::ranges::for_each(flow.loads, count);
-  state.actions = direction.action.magnitudes;
+  state.actions = solution.action.magnitudes;
   state.actuators = flow.actuators;
   state.input = flow.input;
   state.balance_residual = largest == 0.0 ? 0.0 : std::abs(sum) / largest;
@@ -268,14 +278,17 @@ TransmissionEfficiency find_transmission_efficiency(const Mechanism& mechanism,
     result.carrier_backward = result.carrier;
     return result;
   }
-  const LossyCase lossy(mechanism, common, solved, losses.laws);
-  const Direction forward = lossy.solve(solved.which);
-  result.carrier = lossy.efficiency_of(solved.which, forward);
-  if (forward.flow) {
-    result.state = state_of(mechanism, forward, losses);
+  const LossyCase forward(mechanism, common, solved.which, solved.motion, losses.laws);
+  const LossySolution solution = forward.solve();
+  result.carrier = forward.efficiency_of(solution);
+  if (solution.flow) {
+    result.state = state_of(mechanism, solution, losses);
   }
-  const Case back = reversed(solved.which);
-  result.carrier_backward = lossy.efficiency_of(back, lossy.solve(back));
+  const Case which = driven_back(solved.which);
+  const KinematicSolution motion = run_back(solved.motion);
+  const MeshLossLaws losses_back = find_mesh_loss_laws(mechanism, motion);
+  const LossyCase backward(mechanism, common, which, motion, losses_back.laws);
+  result.carrier_backward = backward.efficiency_of(backward.solve());
   return result;
 }
 

@@ -41,7 +41,7 @@ struct TransmissionEfficiency {
   /// Pennestrì and Freudenstein 1993): a train that turns as a block loses nothing. Self-locking if
   /// no senses of the losses agree with power that leaves at the outputs.
   Efficiency carrier;
-  /// With the same motion and all known actions and loads reversed, so that the outputs drive.
+  /// With the same known actions and loads and all motion reversed, so that the outputs drive.
   Efficiency carrier_backward;
   /// With losses by the power through each mesh, seen from the ground (Cazangi 2008, 4.4.4, p.
   /// 88).

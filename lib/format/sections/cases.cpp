@@ -20,7 +20,7 @@ Form<std::vector<Assignment>> assignments(const Form<Value>& value) {
 }
 
 Form<std::vector<Name>> ends() {
-  return one_or_more(name_of("an actuator or a load"), 1);
+  return one_or_more(power_end(), 1);
 }
 
 const Mapping<CaseDescription>& one_case() {

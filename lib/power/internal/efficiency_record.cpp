@@ -20,7 +20,8 @@ constexpr Share kShares[] = {
      "turns as a block. Includes friction of couplings."},
     {"carrier_backward",
      &TransmissionEfficiency::carrier_backward,
-     "The same with all known actions and loads reversed, so that the outputs drive."},
+     "The same with all motion reversed under the same known actions and loads, so that the "
+     "outputs drive."},
     {"absolute",
      &TransmissionEfficiency::absolute,
      "A mesh loses a fraction of the power through it relative to the ground, including power that "
