@@ -177,12 +177,6 @@ bool is_slip_of_cable(CouplingId coupling, const Mechanism& mechanism) {
       mechanism.contacts, [&](const CableContact& contact) { return contact.slips == coupling; });
 }
 
-// Whether all that rests are cables on their pulleys.
-bool is_of_cables(const StaticSolution& action, const Mechanism& mechanism) {
-  return std::ranges::all_of(
-      action.at_rest, [&](CouplingId coupling) { return is_slip_of_cable(coupling, mechanism); });
-}
-
 // A torque converter whose characteristic says nothing of the speeds of the case.
 const CouplingFriction* find_converter_without_value(const JudgedFile& file,
                                                      const CaseAnalysis& one) {
@@ -293,13 +287,15 @@ void add_friction_at_rest(const JudgedFile& file, const CaseAnalysis& one, CaseF
                 "remove its friction");
     return;
   }
+  const bool holds_cables = std::ranges::all_of(
+      one.action->at_rest, [&](CouplingId id) { return is_slip_of_cable(id, file.mechanism); });
   found.error("E0606",
               one.which.where,
               fmt::format("case '{}': friction of {} has no direction: nothing moves there",
                           one.which.label,
                           names),
               fmt::format("friction at rest may have any magnitude up to its limit: {}{}",
-                          is_of_cables(*one.action, file.mechanism)
+                          holds_cables
                               ? "declare an actuator on this coupling, which then holds the cable, "
                                 "or let the cable slip"
                               : "draw a position, or give a motion, in which this coupling moves, "

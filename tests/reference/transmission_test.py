@@ -169,7 +169,8 @@ class Gears(unittest.TestCase):
                 teeth = one["teeth"]
                 planet = (Fraction(teeth["sun"], teeth["planet"])
                           if one["kind"] == "double_planet" else 2 / (ratio - 1))
-                self.close(gear["planet_speeds"][number], train.rolls(one) * planet)
+                # Teeth outside each other turn in opposite senses.
+                self.close(gear["planet_speeds"][number], -train.rolls(one) * planet)
             _, torques, output = train.torques(train.i0)
             self.assertEqual(output, -1 / train.speeds["out"])
             self.assertEqual(set(gear["torques"]), set(torques))

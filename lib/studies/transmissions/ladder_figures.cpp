@@ -50,7 +50,7 @@ std::vector<LadderGear> find_ladder_gears(const TransmissionTask& task,
     gear.engaged = ladder[i];
     gear.figures = find_gear_figures(transmission, gear.engaged);
     for (std::size_t s = 0; s < planets.size(); ++s) {
-      gear.planet_speeds.push_back(gear.figures.rolling[s] * planets[s]);
+      gear.planet_speeds.push_back(0.0 - gear.figures.rolling[s] * planets[s]);
     }
     states.push_back(state_of(transmission, gear.engaged));
   }

@@ -17,7 +17,8 @@ struct LadderGear {
   std::uint8_t engaged = 0;  ///< elements, as bits
   GearFigures figures;
   double efficiency = 1.0;            ///< with the losses of the task
-  std::vector<double> planet_speeds;  ///< by set: in its carrier, over the speed of the input
+  std::vector<double> planet_speeds;  ///< by set: that meshes with the sun, in its carrier, over
+                                      ///< the speed of the input
 };
 
 /// The largest sizes are those of any gear, over torque and speed of the input.

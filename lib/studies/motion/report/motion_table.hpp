@@ -1,7 +1,6 @@
 // A finite motion as a table: what is reported of every position, and what happens between them.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -53,9 +52,6 @@ inline constexpr std::string_view kDeadPointEvent = "dead_point";
 inline constexpr std::string_view kSingularEvent = "singular";
 inline constexpr std::string_view kLimitEvent = "limit";
 inline constexpr std::string_view kLiftOffEvent = "lift_off";
-
-/// Those that a row which falls there has as its status.
-inline constexpr std::array kMotionRowStatuses = {kDeadPointEvent, kSingularEvent, kLimitEvent};
 
 /// What happens at a position of the drives that is none of the steps.
 struct MotionEvent {

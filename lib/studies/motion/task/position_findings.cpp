@@ -87,6 +87,11 @@ void PositionFindings::add(std::size_t row, const CaseFindings& found) {
   }
 }
 
+bool PositionFindings::has_errors() const {
+  return std::ranges::any_of(held_,
+                             [](const Held& one) { return one.worst.severity == Severity::error; });
+}
+
 void PositionFindings::tell(const MotionTable& table, Diagnostics& found) const {
   const std::size_t said = found.items().size();
   for (const Held& held : held_) {

@@ -20,6 +20,8 @@ class PositionFindings {
   /// Those of the row of that number, counted from 0.
   void add(std::size_t row, const CaseFindings& found);
 
+  bool has_errors() const;
+
   /// Tells each with the brackets of the first drive in which it holds. Of one that `found` says of
   /// the drawn position already and that holds everywhere, nothing more is said.
   void tell(const MotionTable& table, Diagnostics& found) const;

@@ -70,10 +70,12 @@ class FigureReader {
   const MotionTable& motion_;
 };
 
-// The first position that has no value in that column.
-const MotionRow* find_gap(const MotionTable& motion, std::size_t column) {
-  const auto at = std::ranges::find_if(
-      motion.rows, [&](const MotionRow& row) { return !row.values[column].has_value(); });
+// The first position that has no value in that column, of those that matter.
+template <class Matters>
+const MotionRow* find_gap(const MotionTable& motion, std::size_t column, const Matters& matters) {
+  const auto at = std::ranges::find_if(motion.rows, [&](const MotionRow& row) {
+    return !row.values[column].has_value() && matters(row);
+  });
   return at == motion.rows.end() ? nullptr : &*at;
 }
 
@@ -122,6 +124,11 @@ std::string StateMotion::find_figures(const MechanismDescription& description,
   if (found.has_errors()) {
     return std::string(word_of(table.end));
   }
+  // Where nothing is open but the direction of friction, figures are those of the rows about it.
+  const bool rests = table.duration && !of_positions.has_errors();
+  const auto matters = [&](const MotionRow& row) {
+    return row.status != kDeadPointEvent && !(rests && row.status == word_of(SolveStatus::at_rest));
+  };
   const FigureReader reader(table);
   const MotionRow* gap = nullptr;
   for (std::size_t i = 0; i < values_.size(); ++i) {
@@ -131,7 +138,7 @@ std::string StateMotion::find_figures(const MechanismDescription& description,
       continue;
     }
     const std::optional<std::size_t> column = reader.column_of(asked);
-    const MotionRow* missing = column ? find_gap(table, *column) : nullptr;
+    const MotionRow* missing = column ? find_gap(table, *column, matters) : nullptr;
     gap = gap != nullptr ? gap : missing;
     if (column && missing == nullptr && !table.may_lack_dead_points) {
       values_[i] = reader.value(asked.figure, *column);
@@ -141,7 +148,8 @@ std::string StateMotion::find_figures(const MechanismDescription& description,
     return gap->status;
   }
   const auto unsolved = std::ranges::find_if(table.rows, [&](const MotionRow& one) {
-    return one.status != kSolved && !(table.until_limit && one.status == kLimitEvent);
+    return one.status != kSolved && matters(one) &&
+           !(table.until_limit && one.status == kLimitEvent);
   });
   if (unsolved != table.rows.end()) {
     return unsolved->status;

@@ -26,7 +26,8 @@ class StatusList {
       add(word);
     }
     add_from(MotionEnd::limited);  // what is complete is solved
-    for (const std::string_view word : kMotionRowStatuses) {
+    // Figures of a motion pass its dead points.
+    for (const std::string_view word : {kSingularEvent, kLimitEvent}) {
       add(word);
     }
     for (const Code& one : all_codes()) {

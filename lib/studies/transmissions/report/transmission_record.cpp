@@ -189,15 +189,16 @@ const Record<LadderGear>& listed_gear_record() {
                    }
                  })
         .in_tables_is(TableRole::element);
-    keys.numbers("planet_speeds",
-                 Bare::ratio,
-                 "Of planets relative to their carriers, by set, over the speed of the input.",
-                 [](const View& v, const EachNumber& each) {
-                   for (std::size_t s = 0; s < v.planet_speeds.size(); ++s) {
-                     each(
-                         fmt::format("{}", s + 1), v.planet_speeds[s], QuantityKind::dimensionless);
-                   }
-                 })
+    keys.numbers(
+            "planet_speeds",
+            Bare::ratio,
+            "Of planets relative to their carriers, by set, over the speed of the input; of pairs "
+            "those that mesh with the sun.",
+            [](const View& v, const EachNumber& each) {
+              for (std::size_t s = 0; s < v.planet_speeds.size(); ++s) {
+                each(fmt::format("{}", s + 1), v.planet_speeds[s], QuantityKind::dimensionless);
+              }
+            })
         .in_tables_is(TableRole::element);
   });
   return record;
