@@ -64,7 +64,9 @@ constinit const KindMechanics kMechanicsOfPinInSlot = {
 constinit const CouplingKind kPinInSlot = {
     .type = CouplingType::pin_in_slot,
     .word = "pin_in_slot",
-    .meaning = "a pin in a straight slot, in the plane: 2 freedoms; needs at, slot",
+    .meaning =
+        "a pin of the first body in a straight slot of the second, in the plane: 2 freedoms; needs "
+        "at, slot",
     .example = "{type: pin_in_slot, bodies: [crank, link], at: [0, 0], slot: x}",
     .others = kNamesOfPinInSlot,
     .keys = kKeysOfPinInSlot,

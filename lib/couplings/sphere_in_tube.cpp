@@ -12,7 +12,8 @@ namespace {
 constexpr auto kKeysOfSphereInTube = std::to_array<KindKey>({
     {CouplingKey::at},
     {CouplingKey::turning_axis,
-     "The axis of the tube: x, y, z, -x, -y, -z or a vector [ax, ay, az] of any length but zero."},
+     "The axis of the tube, which moves with the second body: x, y, z, -x, -y, -z or a vector [ax, "
+     "ay, az] of any length but zero."},
 });
 
 constexpr auto write_sphere_in_tube = []<class Scalar>(const CouplingGeometryOf<Scalar>& g,
@@ -46,7 +47,8 @@ constinit const KindMechanics kMechanicsOfSphereInTube = {
 constinit const CouplingKind kSphereInTube = {
     .type = CouplingType::sphere_in_tube,
     .word = "sphere_in_tube",
-    .meaning = "a ball in a tube, in space: 4 freedoms; needs at, axis",
+    .meaning =
+        "a ball of the first body in a tube of the second, in space: 4 freedoms; needs at, axis",
     .example = "{type: sphere_in_tube, bodies: [rod, tube], at: [0, 0, 0], axis: z}",
     .keys = kKeysOfSphereInTube,
     .mechanics = &kMechanicsOfSphereInTube,

@@ -150,8 +150,8 @@ Form<Value> size() {
       kAboveZero);
 }
 
-Form<Value> radius() {
-  return number_form("radius",
+Form<Value> non_negative_length() {
+  return number_form("non_negative_length",
                      "A length of at least zero: a bare number is in the file's unit of length "
                      "(default m); otherwise write the unit.",
                      {"12 mm"},

@@ -49,7 +49,7 @@ Form<Value> efficiency();
 Form<Value> component();  ///< of a direction
 Form<Value> length();
 Form<Value> size();
-Form<Value> radius();  ///< may be zero
+Form<Value> non_negative_length();
 Form<Value> pitch();
 Form<Value> lead();
 Form<Value> stiffness();

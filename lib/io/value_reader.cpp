@@ -121,7 +121,7 @@ std::string components_hint(const YamlNode& node, const Title& what, std::size_t
     return form + "; points in the plane have no z";
   }
   if (count == 3 && node.items.size() == 2) {
-    return form + ", also in the plane";
+    return form + "; where all points of the file have two components, add 'space: planar'";
   }
   const std::string listed = node.items.size() == 1 ? with_commas(node.items.front()) : "";
   return listed.empty() ? form : fmt::format("write [{}]: a comma between the components", listed);

@@ -142,7 +142,8 @@ Ratios find_ratios(const Mechanism& mechanism,
   } else {
     ratios.ratio_bound = bound_of_ratio(mechanism, which, motion);
   }
-  if (action != nullptr) {
+  const bool has_loads = !which.input_loads.empty() || !which.output_loads.empty();
+  if (action != nullptr && !has_loads) {
     add_torque_ratio(mechanism, which, *action, ratios);
   }
   return ratios;

@@ -381,11 +381,13 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "requirements."},
     {"W0806",
      done,
-     "best linkage has a link too short to build",
-     "A search with 'vary' ranks linkages by their transmission angle. Where nothing bounds the "
-     "ratio of their lengths, it can run to two dyads that almost coincide: they meet the "
-     "positions, with a coupler or a ground of almost no length. A link of less than a hundredth "
-     "of the longest is reported here. Give 'link_ratio' in 'limits', usually 5 to 12."},
+     "best linkage of a search is degenerate",
+     "A search with 'vary' ranks linkages by their transmission angle between the positions. Where "
+     "nothing bounds the ratio of their lengths, it can run to two dyads that almost coincide: "
+     "they meet the positions, with a coupler or a ground of almost no length; a link of less than "
+     "a hundredth of the longest is reported. Where a full turn is required, it can run to a "
+     "linkage that folds flat elsewhere and may change its branch there; less than a degree is "
+     "reported. Give 'link_ratio', usually 5 to 12, or 'full_transmission_angle' in 'limits'."},
     {"W0901",
      done,
      "tolerance matches no value",

@@ -100,7 +100,7 @@ bool has_coefficient(FrictionKind kind) {
 void declare_radius(Mapping<FrictionDescription>& m, FrictionKind kind) {
   m.key("radius", texts_of(kind).radius)
       .may(&FrictionDescription::radius,
-           called(kind == FrictionKind::thread ? size() : radius(), "{1}"),
+           called(kind == FrictionKind::thread ? size() : non_negative_length(), "{1}"),
            kind == FrictionKind::guide ? "15 mm" : "12 mm")
       .add_hint("for example 'radius: 20 mm'");
   if (kind == FrictionKind::thread) {
@@ -153,7 +153,7 @@ void declare_friction(Mapping<FrictionDescription>& m, FrictionKind kind) {
   }
   if (!texts.thrust_radius.empty()) {
     m.key("thrust_radius", texts.thrust_radius)
-        .may(&FrictionDescription::thrust_radius, called(radius(), "{1}"), "18 mm");
+        .may(&FrictionDescription::thrust_radius, called(non_negative_length(), "{1}"), "18 mm");
   }
   if (!texts.length.empty()) {
     m.key("length", texts.length)

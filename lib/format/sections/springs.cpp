@@ -71,8 +71,9 @@ const Mapping<SpringDescription>& spring() {
             .may(&SpringDescription::free, drawn_position(), "30 deg")
             .usual("0");
         m.key("free_length",
-              "Distance between the points at which it has no force; default: as drawn.")
-            .may(&SpringDescription::free_length, size(), "50 mm");
+              "Distance between the points at which it has no force; 0 of a zero-length spring, "
+              "whose force grows with all of its length; default: as drawn.")
+            .may(&SpringDescription::free_length, non_negative_length(), "50 mm");
         m.key("drawn",
               "Instead of these: its action in the drawn position, for a freedom that of the tail "
               "on the head, between points positive if it pushes.")

@@ -192,7 +192,7 @@ class SpringBinder {
     const double drawn = spring_.coupling ? 0.0 : (result.to - result.from).norm();
     result.free = spring_.coupling ? number(spring_.free, kinds.position, kAnyNumber, "free")
                   : spring_.free_length
-                      ? number(spring_.free_length, kinds.position, kAboveZero, "free_length")
+                      ? number(spring_.free_length, kinds.position, kNotNegative, "free_length")
                       : drawn;
     if (!spring_.drawn) {
       return;

@@ -54,7 +54,8 @@ struct ReducedState {
   std::vector<std::optional<double>> positions;  ///< of the freedoms
   std::vector<double> held;                      ///< what each held coordinate takes [N·m or N]
   std::vector<double> actions;                   ///< that the case knows, in its order
-  std::vector<std::optional<double>> friction;   ///< of each friction that slides, tail on head
+  std::vector<std::optional<double>> friction;   ///< of each friction that slides, tail on head,
+                                                 ///< dry and viscous
   std::vector<std::optional<double>> borne;      ///< of all actions, where asked for
   std::optional<double> kinetic;                 ///< [J]; none in a singular position
   double potential = 0.0;                        ///< of weights and springs, as drawn zero [J]

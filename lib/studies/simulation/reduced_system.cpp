@@ -385,6 +385,14 @@ ReducedState ReducedSystem::tell(const Configuration& configuration,
   result.held = held_;
   result.actions = actions_;
   result.friction = friction_;
+  for (std::size_t i = 0; i < mechanism_.frictions.size(); ++i) {
+    const CouplingFriction& friction = mechanism_.frictions[i];
+    const int freedom = mechanism_.topology.coupling(friction.coupling).first_freedom;
+    const std::optional<double>& rate = result.state.rates[at(freedom)];
+    if (friction.viscous != 0.0 && rate && (friction_[i] || !frictions_[i].is_dry())) {
+      result.friction[i] = friction_[i].value_or(0.0) - friction.planets * friction.viscous * *rate;
+    }
+  }
   if (with_actions) {
     balance_->place(configuration, result.state.poses, result.state.bounds.place);
     find_borne(result.state, result);

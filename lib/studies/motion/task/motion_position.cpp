@@ -71,12 +71,16 @@ Case MotionPositions::case_at(double time) const {
   Case now = mechanism_.cases[static_cast<std::size_t>(plan_.which)];
   now.asks_motions = true;
   now.accelerations = now.accelerations.value_or(std::vector<Primary>());
-  const auto set = [](std::vector<Primary>& list, const PlannedDrive& drive, double value) {
+  const auto set = [&](std::vector<Primary>& list, const PlannedDrive& drive, double value) {
     const auto at = std::ranges::find(list, drive.freedom, &Primary::index);
     if (at != list.end()) {
       at->value = value;
     } else {
-      list.push_back({.index = drive.freedom, .value = value, .given = {}, .where = drive.where});
+      list.push_back(
+          {.index = drive.freedom,
+           .value = value,
+           .given = mechanism_.topology.actuators[static_cast<std::size_t>(drive.actuator)].name,
+           .where = drive.where});
     }
   };
   for (std::size_t d = 0; d < plan_.drives.size(); ++d) {

@@ -95,7 +95,8 @@ class ColumnMaker {
     }
     for (std::size_t i = 0; i < v_.mechanism.frictions.size(); ++i) {
       const CouplingFriction& friction = v_.mechanism.frictions[i];
-      if (Rubbing{.coupling = friction.coupling, .slides = {}, .friction = friction}.is_dry()) {
+      const Rubbing rubbing = {.coupling = friction.coupling, .slides = {}, .friction = friction};
+      if (rubbing.is_dry() || friction.viscous != 0.0) {
         const CouplingTopology& coupling = topology_.coupling(friction.coupling);
         add(coupling.name,
             kFrictionColumn,

@@ -210,7 +210,7 @@ std::optional<SynthesisAnalysis> find_synthesis(const std::string& path,
   add_left_out(analysis);
   analysis.curve_count = values.curve_count().value_or(analysis.curve_count);
   warn_of_few_digits(analysis, found);
-  warn_of_short_links(analysis, found);
+  warn_of_degenerate_best(analysis, found);
   add_usability_findings(analysis, found);
   return analysis;
 }

@@ -79,6 +79,42 @@ std::string hint_of(const SynthesisAnalysis& analysis) {
                "the report has what comes nearest";
 }
 
+// Whether it does.
+bool warn_of_degenerate(const LinkageCandidate& best,
+                        const SynthesisAnalysis& analysis,
+                        Diagnostics& found) {
+  constexpr double kBuildable = 100.0;
+  constexpr double kFlat = 1.0 / 60.0;  // about a degree
+  const FileUnits& units = analysis.description.units;
+  const PlaneText plane(units);
+  const SourceRange where = analysis.description.synthesis->where;
+  if (!std::isfinite(analysis.limits.ratio) && best.ratio > kBuildable) {
+    found.warning(
+        "W0806",
+        where,
+        fmt::format("the shortest link of the best linkage is {} {unit} long, the longest "
+                    "{} {unit}",
+                    plane.length(best.longest / best.ratio),
+                    plane.length(best.longest),
+                    fmt::arg("unit", units.text(QuantityKind::length))),
+        "bound their ratio: 'limits: {link_ratio: 10}'");
+    return true;
+  }
+  const double margin = best.best().full.margin();
+  if (analysis.limits.full_transmission == 0.0 && best.best().turns_fully && margin < kFlat) {
+    found.warning(
+        "W0806",
+        where,
+        fmt::format("the best linkage turns fully, but folds almost flat: its transmission "
+                    "angle comes within {} {} of a dead point",
+                    plane.angle(margin),
+                    units.text(QuantityKind::angle)),
+        "keep it away from there: 'limits: {full_transmission_angle: 20 deg}'");
+    return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 void add_usability_findings(const SynthesisAnalysis& analysis, Diagnostics& found) {
@@ -93,28 +129,14 @@ void add_usability_findings(const SynthesisAnalysis& analysis, Diagnostics& foun
               hint_of(analysis));
 }
 
-void warn_of_short_links(const SynthesisAnalysis& analysis, Diagnostics& found) {
-  constexpr double kBuildable = 100.0;
-  if (!analysis.selection || std::isfinite(analysis.limits.ratio)) {
+void warn_of_degenerate_best(const SynthesisAnalysis& analysis, Diagnostics& found) {
+  if (!analysis.selection) {
     return;
   }
-  const FileUnits& units = analysis.description.units;
-  const PlaneText plane(units);
   for (const SynthesisTask& task : analysis.tasks) {
-    if (!has_usable(task) || task.linkages.front().ratio <= kBuildable) {
-      continue;
+    if (has_usable(task) && warn_of_degenerate(task.linkages.front(), analysis, found)) {
+      return;
     }
-    const LinkageCandidate& best = task.linkages.front();
-    found.warning(
-        "W0806",
-        analysis.description.synthesis->where,
-        fmt::format("the shortest link of the best linkage is {} {unit} long, the longest "
-                    "{} {unit}",
-                    plane.length(best.longest / best.ratio),
-                    plane.length(best.longest),
-                    fmt::arg("unit", units.text(QuantityKind::length))),
-        "bound their ratio: 'limits: {link_ratio: 10}'");
-    return;
   }
 }
 

@@ -10,8 +10,9 @@ namespace kinestat {
 /// them. A family of dyads leaves linkages to choose from, and fewer positions do.
 void add_usability_findings(const SynthesisAnalysis& analysis, Diagnostics& found);
 
-/// That the best linkage of a search without `link_ratio` has a link that cannot be built: W0806.
-/// The transmission angle alone may lead it to two dyads that almost coincide.
-void warn_of_short_links(const SynthesisAnalysis& analysis, Diagnostics& found);
+/// That the best linkage of a search is of no use, W0806: nothing bounds the ratio of its lengths,
+/// and one of its links is too short to build; or it turns fully, but folds almost flat on the way.
+/// The transmission angle between the positions alone may lead a search there.
+void warn_of_degenerate_best(const SynthesisAnalysis& analysis, Diagnostics& found);
 
 }  // namespace kinestat
