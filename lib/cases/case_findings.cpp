@@ -313,7 +313,7 @@ void add_motion_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFi
                     motion.counts.net_freedom,
                     plain_list(names_of(motion.check.undetermined, side)),
                     converter_text(file, one)),
-        completions_text(motion.check, side));
+        completions_text(motion.check, side) + "; or a coupling is missing, or joins other bodies");
   }
 }
 

@@ -118,15 +118,18 @@ std::string completions_text(const PrimaryCheck& check, const KnownSide& side) {
     (has_actuators ? sets : others).push_back(set.size() == 1 ? listed : "{" + listed + "}");
   }
   const bool may_be_idle = side.key == "action" && !sets.empty();
+  const bool is_single = !check.completions.empty() && check.completions.front().size() == 1;
   sets.insert(sets.end(), others.begin(), others.end());
   if (sets.empty()) {
     return {};
   }
-  return fmt::format("add to '{}:' {}{}{}",
-                     side.key,
-                     sets.size() == 1 ? "" : "for example ",
-                     fmt::join(sets, " or "),
-                     may_be_idle ? ", 0 where nothing acts" : "");
+  return fmt::format(
+      "add to '{}:' {}{}{}",
+      side.key,
+      fmt::format(
+          "{}{}of ", is_single ? "a value" : "values", sets.size() == 1 ? " " : ", for example "),
+      fmt::join(sets, " or "),
+      may_be_idle ? ", 0 where nothing acts" : "");
 }
 
 std::string circuits_text(const JudgedFile& file,
