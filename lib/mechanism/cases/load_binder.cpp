@@ -222,7 +222,11 @@ void bind_load_ends(const SectionContext& context, std::vector<Case>& cases) {
             "E0313",
             name.where,
             fmt::format("'{}' does not act in case '{}'", name.text, printable(cases[c].label)),
-            "loads on the ground do nothing, and bodies without a mass have no weight");
+            context.description.gravity || !name.text.starts_with(kWeightPrefix)
+                ? "loads on the ground do nothing, and bodies without a mass have no weight"
+                : fmt::format(
+                      "bodies have no weight without the section gravity: [0, {}-9.81 m/s^2]",
+                      context.description.space == Space::planar ? "" : "0, "));
       }
     };
     bind_end(description.inputs, cases[c].input_loads);
