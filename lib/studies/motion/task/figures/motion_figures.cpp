@@ -78,6 +78,9 @@ class FigureMaker {
   }
 
   std::optional<ColumnExtreme> extreme(std::size_t column, double sign) {
+    if (is_unbounded(column, sign)) {
+      return std::nullopt;
+    }
     std::optional<ColumnExtreme> found;
     for (const std::vector<std::optional<double>>* place : places_) {
       const std::optional<double>& value = (*place)[column];
@@ -171,11 +174,12 @@ class FigureMaker {
            static_cast<double>(table_.rows.size() - 1);
   }
 
-  // In the middle of the way to an end without a value. Empty where there is none, or where they
-  // grow without bound towards that end: there each half of what is left adds more than the last.
-  std::optional<double> middle_value(std::size_t column, double from, double end) const {
+  // Where a half, a quarter and an eighth of `left` of the way to an end without a value are left.
+  std::optional<std::array<double, 3>> values_towards(std::size_t column,
+                                                      double from,
+                                                      double end,
+                                                      double left) const {
     std::array<double, 3> values{};
-    double left = 1.0;
     for (double& value : values) {
       left *= 0.5;
       const double here = std::lerp(end, from, left);
@@ -187,11 +191,34 @@ class FigureMaker {
       }
       value = *found;
     }
+    return values;
+  }
+
+  // Values that grow without bound: each half of what is left adds more than the last.
+  static bool grow(const std::array<double, 3>& values) {
     constexpr double kGrows = 0.1;  // of the value
     const double last = std::abs(values[2] - values[1]);
-    const bool grows =
-        last > std::abs(values[1] - values[0]) && last > kGrows * std::abs(values[2]);
-    return grows ? std::nullopt : std::optional(values[0]);
+    return last > std::abs(values[1] - values[0]) && last > kGrows * std::abs(values[2]);
+  }
+
+  // In the middle of the way to an end without a value. Empty where there is none, or where they
+  // grow without bound towards that end.
+  std::optional<double> middle_value(std::size_t column, double from, double end) const {
+    const auto values = values_towards(column, from, end, 1.0);
+    return values && !grow(*values) ? std::optional(values->front()) : std::nullopt;
+  }
+
+  // Whether the motion ends at a limit towards which the values grow without bound in that sense.
+  bool is_unbounded(std::size_t column, double sign) const {
+    const std::vector<MotionRow>& rows = table_.rows;
+    if (table_.end != MotionEnd::limited || rows.size() < 2 || rows.back().values[column] ||
+        !rows[rows.size() - 2].values[column]) {
+      return false;
+    }
+    constexpr double kNear = 0x1p-8;  // of a step
+    const auto end = static_cast<double>(rows.size() - 1);
+    const auto values = values_towards(column, end - 1.0, end, kNear);
+    return values && grow(*values) && sign * values->back() > 0.0;
   }
 
   std::span<const double> shares_;
