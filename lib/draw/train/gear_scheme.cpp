@@ -322,6 +322,9 @@ class SchemeWriter {
       PlacedName label = placer_.place(ends, of.name, style, 4.0);
       if (of.planet >= 0) {  // a line leads to its teeth
         label.anchor.y = at(drawn.right, drawn.high - kMeshGap).y;
+        if (label.needs_line) {
+          placer_.keep_off(label.anchor, label.line_end);
+        }
       }
       write_label(svg_, label, of.name, style);
     }
