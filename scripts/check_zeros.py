@@ -28,6 +28,7 @@ RELATIVE_ZERO = re.compile(
 
 # Where that is another decision than whether a value is zero: file, and why.
 DECISIONS = {
+    "lib/studies/motion/picture/motion_curves.cpp": "drawing: which curves would be that of the drive",
     "lib/studies/inputs/cable_tension.cpp": "consistency: pretensions of 1 that are in equilibrium already",
     "lib/mechanism/cables/internal/cable_contact_check.cpp": "drawing: contacts lie on the rim",
     "lib/mechanism/bind/extent.cpp": "consistency: all corners at an end move alike",

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <span>
 #include <utility>
 
@@ -130,34 +131,42 @@ std::vector<ChartGuide> guides_within(const Chart& chart, const ChartFrame& fram
 bool is_said(const Chart& chart, const std::vector<PixelPoint>& places, std::size_t mark) {
   for (std::size_t i = 0; i < mark; ++i) {
     const PixelPoint between = places[i] - places[mark];
-    if (chart.marks[i].label == chart.marks[mark].label && length_of(between) < 2.0) {
+    if (mark_text(chart.marks[i], 0) == mark_text(chart.marks[mark], 0) &&
+        length_of(between) < 2.0) {
       return true;
     }
   }
   return false;
 }
 
-// Within the frame; a point without room for its label has none.
+// Within the frame; of a point without room for its label nothing is drawn.
 void draw_marks(const Chart& chart, const ChartFrame& frame, NamePlacer& placer, Svg& svg) {
+  const auto draw_point = [](PixelPoint place, Svg& to) {
+    to.circle(place, 4.0, {.stroke = Ink::ink, .fill = Ink::paper, .width = 1.5});
+  };
+  Svg points;
+  points.keep_lines();
   std::vector<PixelPoint> places;
   for (const ChartMark& mark : chart.marks) {
-    const PixelPoint place = frame.place(mark.x, mark.y);
-    if (frame.holds(place)) {
-      svg.circle(place, 4.0, {.stroke = Ink::ink, .fill = Ink::paper, .width = 1.5});
+    places.push_back(frame.place(mark.x, mark.y));
+    if (frame.holds(places.back())) {
+      draw_point(places.back(), points);
     }
-    places.push_back(place);
   }
   placer.keep_off(svg.lines());
+  placer.keep_off(points.lines());
   const std::size_t count = std::min<std::size_t>(places.size(), kMostLabelled);
   for (std::size_t i = 0; i < count; ++i) {
     if (!frame.holds(places[i]) || is_said(chart, places, i)) {
       continue;
     }
     constexpr TextStyle kMark = {.size = kTickText, .has_halo = true};
-    const PlacedName label = placer.place(places[i], chart.marks[i].label, kMark, 7.0);
+    const std::string text = mark_text(chart.marks[i], frame.y.exponent);
+    const PlacedName label = placer.place(places[i], text, kMark, 7.0);
     // A long line would lead across the series.
     if (label.is_free && length_of(label.box.centre() - places[i]) < kFarthestLabel) {
-      write_label(svg, label, chart.marks[i].label, kMark);
+      draw_point(places[i], svg);
+      write_label(svg, label, text, kMark);
     }
   }
 }
@@ -200,7 +209,7 @@ void draw_data(const Chart& chart,
   }
   data.open_group({}, plot_marks(frame));
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
-    const std::vector<PixelPoint> points = visible_points(frame, chart.series[i]);
+    const std::vector<PixelPoint> points = visible_points(frame, drawn_series(chart, i));
     draw_series(chart.series[i], i, look_of(chart, i), points, data);
   }
   NamePlacer placer(frame.box.grown(-2.0));
@@ -235,6 +244,20 @@ double draw_chart(const Chart& chart, double top, Svg& svg) {
   return frame.box.bottom + 40.0;
 }
 
+// The only point of the line that ends a piece over there; none where a drive comes back.
+std::optional<std::size_t> piece_over(const Series& line, double x) {
+  std::optional<std::size_t> found;
+  for (std::size_t i = 1; i < line.x.size(); ++i) {
+    if ((line.x[i - 1] - x) * (line.x[i] - x) < 0.0) {
+      if (found) {
+        return std::nullopt;
+      }
+      found = i;
+    }
+  }
+  return found;
+}
+
 }  // namespace
 
 std::string axis_title(const ChartAxis& axis, int exponent) {
@@ -243,6 +266,41 @@ std::string axis_title(const ChartAxis& axis, int exponent) {
     unit.pop_back();
   }
   return unit.empty() ? axis.label : fmt::format("{} [{}]", axis.label, unit);
+}
+
+std::string mark_text(const ChartMark& mark, int exponent) {
+  return mark.tells_value
+             ? fmt::format("{} {}", mark.label, label_number(mark.y * std::pow(10.0, -exponent)))
+             : mark.label;
+}
+
+Series drawn_series(const Chart& chart, std::size_t series) {
+  const Series& of = chart.series[series];
+  Series drawn = {.name = of.name, .style = of.style, .look = of.look};
+  const auto add = [&drawn](double x, double y) {
+    drawn.x.push_back(x);
+    drawn.y.push_back(y);
+  };
+  std::map<std::size_t, std::vector<const ChartMark*>> before;
+  for (const ChartMark& mark : chart.marks) {
+    const auto piece = mark.on == series ? piece_over(of, mark.x) : std::nullopt;
+    if (piece) {
+      before[*piece].push_back(&mark);
+    }
+  }
+  for (std::size_t i = 0; i < of.x.size(); ++i) {
+    if (std::ranges::binary_search(of.breaks, i)) {
+      constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
+      add(kGap, kGap);
+    }
+    std::ranges::sort(
+        before[i], {}, [&](const ChartMark* mark) { return std::abs(mark->x - of.x[i - 1]); });
+    for (const ChartMark* mark : before[i]) {
+      add(mark->x, mark->y);
+    }
+    add(of.x[i], of.y[i]);
+  }
+  return drawn;
 }
 
 Picture draw_figure(const Figure& figure) {

@@ -28,13 +28,14 @@ struct ChartAxis {
 
 enum class SeriesStyle { line, points };
 
-/// A value that is not a number is a gap.
+/// A value that is not a number is a gap. No line leads to a break: a point behind a pole.
 struct Series {
   std::string name;
   std::vector<double> x = {};
   std::vector<double> y = {};
   SeriesStyle style = SeriesStyle::line;
   std::optional<int> look = {};  ///< of its colour and marker; empty: its place among the series
+  std::vector<std::size_t> breaks = {};  ///< indices of points, ascending
 };
 
 /// A point that is worth words.
@@ -42,6 +43,8 @@ struct ChartMark {
   double x = 0.0;
   double y = 0.0;
   std::string label;
+  bool tells_value = false;            ///< its y follows the label, in powers of ten of the axis
+  std::optional<std::size_t> on = {};  ///< the series whose line leads through it
 };
 
 /// A value of x that is worth words.
@@ -69,6 +72,13 @@ struct Figure {
   std::string description;
   std::vector<Chart> charts;
 };
+
+/// As it is drawn: with the points of marks on its line that lie between others, and its breaks as
+/// gaps.
+Series drawn_series(const Chart& chart, std::size_t series);
+
+/// "max 4.5", of an axis in units of 10^exponent.
+std::string mark_text(const ChartMark& mark, int exponent);
 
 /// The figure; without any finite value a chart says "no data".
 Picture draw_figure(const Figure& figure);

@@ -97,7 +97,7 @@ std::string guides_text(const Chart& chart) {
   }
   for (const ChartMark& mark : chart.marks) {
     text += fmt::format("set label {} noenhanced at {}, {} point pointtype 6 offset 1, 0.5\n",
-                        in_gnuplot_quotes(mark.label),
+                        in_gnuplot_quotes(mark_text(mark, 0)),
                         number(mark.x),
                         number(mark.y));
   }
@@ -176,7 +176,7 @@ std::string gnuplot_text(const Figure& figure) {
   std::string text = head_text(figure.title, figure.description);
   for (std::size_t c = 0; c < figure.charts.size(); ++c) {
     for (std::size_t s = 0; s < figure.charts[c].series.size(); ++s) {
-      text += data_text(figure.charts[c].series[s], block_name(c, s));
+      text += data_text(drawn_series(figure.charts[c], s), block_name(c, s));
     }
   }
   text += layout_text(figure.charts.size());

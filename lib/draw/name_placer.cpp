@@ -269,7 +269,9 @@ PlacedName NamePlacer::place_at(const std::vector<PixelPoint>& middles,
 
 void write_label(Svg& svg, const PlacedName& label, std::string_view text, TextStyle style) {
   if (label.needs_line) {
-    svg.line(label.anchor, label.line_end, {.stroke = Ink::soft, .width = 0.7});
+    constexpr double kBefore = 2.0;  // leaning letters reach beyond their box
+    const PixelPoint end = label.line_end + kBefore * unit_of(label.anchor - label.line_end);
+    svg.line(label.anchor, end, {.stroke = Ink::soft, .width = 0.7});
   }
   svg.text(label.place, text, style);
 }

@@ -113,9 +113,6 @@ void add_summary_part(SectionWriter& section, const std::optional<Picture>& pict
     add_blocks(overview_blocks(*page.analysis), "Cases", html, TablePlace::beside_picture);
   }
   add_sentences(results, html);
-  if (page.motion) {
-    add_blocks(motion_extremes(page.motion->table), "Extremes", html, TablePlace::beside_picture);
-  }
   if (results.empty()) {
     add_sentences(counts, html);
   } else if (!counts.empty()) {
@@ -126,6 +123,11 @@ void add_summary_part(SectionWriter& section, const std::optional<Picture>& pict
   }
   html.close();
   html.close();
+  if (page.motion) {
+    html.open("div", {{"class", "results"}});
+    add_blocks(motion_extremes(page.motion->table), "Extremes", html);
+    html.close();
+  }
   html.close();
 }
 

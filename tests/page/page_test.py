@@ -88,20 +88,32 @@ class PageTest(PageCase):
 
                 self.assertEqual(cut, [])
 
-    def test_extremes_are_seen_beside_the_mechanism(self) -> None:
-        # What is least and greatest, and where; ranges and means may be scrolled to.
+    def test_extremes_are_seen_whole_and_their_names_on_one_line(self) -> None:
         for name in ("planar/watt_six_bar.yaml", "planar/four_stroke_engine.yaml",
-                     "spatial/ups_platform.yaml"):
+                     "spatial/ups_platform.yaml", "planar/tailgate.yaml"):
             with self.subTest(name):
                 self.open(self.page(name))
-                heads, beyond = self.ask(
+                beyond, heights, kinds = self.ask(
                     "const box = [...document.querySelectorAll('.results .box')].at(-1);"
-                    "const right = box.getBoundingClientRect().right;"
-                    "const heads = [...box.querySelectorAll('thead th')].slice(0, 5);"
-                    "return [heads.map((one) => one.textContent),"
-                    "  heads.map((one) => one.getBoundingClientRect().right - right)];")
-                self.assertEqual([heads[1], heads[3]], ["least", "greatest"])
-                self.assertLess(max(beyond), 1)
+                    "const rows = [...box.querySelectorAll('tbody tr')];"
+                    "return [box.scrollWidth - box.clientWidth,"
+                    "  [...new Set(rows.map((one) => Math.round(one.getBoundingClientRect().height)))],"
+                    "  [...new Set(rows.flatMap((one) => [...one.cells].slice(1))"
+                    "    .map((one) => getComputedStyle(one).textAlign))]];")
+                self.assertLess(beyond, 1)
+                self.assertLess(max(heights), 1.5 * min(heights))
+                self.assertEqual(kinds, ["right"])
+
+    def test_pictures_beside_a_table_leave_it_its_width(self) -> None:
+        # Their captions are wider than the bars themselves.
+        for name in ("spatial/rssr.yaml", "planar/toggle_press.yaml"):
+            with self.subTest(name):
+                self.open(self.page(name))
+                cut = self.ask(
+                    "return [...document.querySelectorAll('.pair.both .box')]"
+                    ".map((one) => one.scrollWidth - one.clientWidth);")
+                self.assertTrue(cut)
+                self.assertLessEqual(max(cut), 1)
 
     def test_bars_of_a_case_leave_no_page_empty(self) -> None:
         # Those of velocities stand beside their tables, those of forces and moments beside each

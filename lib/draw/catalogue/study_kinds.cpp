@@ -87,8 +87,9 @@ Figure paths_of(const PictureSource& source) {
 }
 
 std::string why_no_curves(const PictureSource& source) {
-  return motion_of(source).charts.empty() ? "its motion has no positions, or nothing but paths"
-                                          : "";
+  return motion_of(source).charts.empty()
+             ? "its motion has no positions, or nothing changes but drives and paths"
+             : "";
 }
 
 std::string why_no_paths(const PictureSource& source) {

@@ -15,8 +15,8 @@ namespace kinestat {
 
 namespace {
 
-constexpr double kLongestArrow = 64.0;
-constexpr double kShortestArrow = 15.0;
+constexpr double kLongestArrow = 96.0;
+constexpr double kShortestArrow = 20.0;
 constexpr double kTurningRadius = 19.0;
 
 Ink ink_of(ArrowKind kind) {
@@ -194,7 +194,7 @@ void LinkageCanvas::draw_arrow(const DrawnArrow& arrow, double factor) {
   const PixelPoint side = away * left_of(unit);
   const PixelPoint from = (pushes ? at - (length + 5.0) * unit : at) + side;
   const PixelPoint to = (pushes ? at - 5.0 * unit : at + length * unit) + side;
-  svg_.arrow(from, to, {.stroke = ink_of(arrow.kind), .width = pushes ? 2.6 : 1.8}, 9.0);
+  svg_.arrow(from, to, {.stroke = ink_of(arrow.kind), .width = pushes ? 2.8 : 2.2}, 11.0);
   names_.push_back({.text = arrow.text,
                     .anchors = {pushes ? from : to},
                     .distance = 4.0,

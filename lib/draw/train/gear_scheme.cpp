@@ -1,6 +1,7 @@
 #include "draw/train/gear_scheme.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -316,10 +317,14 @@ class SchemeWriter {
     for (const DrawnWheel& drawn : layout_.wheels) {
       const SchemeWheel& of = wheel(drawn);
       const TextStyle style = {.ink = ink(of.planet), .size = 11.5, .has_halo = true};
-      PlacedName label = placer_.place(
-          at(drawn.right, drawn.high - (of.planet < 0 ? 0.0 : 9.0)), of.name, style, 4.0);
+      const double height = drawn.high - (of.planet < 0 ? 0.0 : 9.0);
+      const std::array ends = {at(drawn.right, height), at(drawn.left, height)};
+      PlacedName label = placer_.place(ends, of.name, style, 4.0);
       if (of.planet >= 0) {  // a line leads to its teeth
-        label.anchor = at(drawn.right, drawn.high - kMeshGap);
+        label.anchor.y = at(drawn.right, drawn.high - kMeshGap).y;
+        if (label.needs_line) {
+          placer_.keep_off(label.anchor, label.line_end);
+        }
       }
       write_label(svg_, label, of.name, style);
     }

@@ -1,6 +1,7 @@
 #include "studies/motion/picture/motion_curves.hpp"
 
 #include <numbers>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -99,6 +100,38 @@ TEST(MotionCharts, EndWithTheMotion) {
   for (const Chart& chart : figure.charts) {
     EXPECT_NEAR(chart.x.low.value(), 0.0, 1e-12);
     EXPECT_NEAR(chart.x.high.value(), 2 * std::numbers::pi, 1e-12);
+  }
+}
+
+// The crank and its joint turn as the drive, at its speed; the slider does not turn.
+TEST(MotionCharts, LeaveOutTheDriveAndWhatIsAlwaysTheSame) {
+  const auto motion =
+      motion_with("mechanisms/planar/slider_crank.yaml", {"position", "velocity", "acceleration"});
+  ASSERT_TRUE(motion);
+
+  std::set<std::string> names;
+  for (const Chart& chart : motion_figure(*motion, "").charts) {
+    for (const Series& series : chart.series) {
+      names.insert(series.name);
+    }
+  }
+
+  EXPECT_EQ(names, (std::set<std::string>{"b.wz", "c.wz", "d.vx", "rod", "slider"}));
+}
+
+// What moves the slider needs no torque at its dead point.
+TEST(MotionCharts, LeadNoLineThroughThePoleOfAQuotient) {
+  const auto motion = motion_with("mechanisms/planar/slider_crank.yaml",
+                                  {"ratio", "mechanical_advantage", "transmission_angle"});
+  ASSERT_TRUE(motion);
+  ASSERT_EQ(motion->events.size(), 1U);
+  const auto behind = static_cast<std::size_t>(motion->events.front().step + 1);
+
+  for (const Chart& chart : motion_figure(*motion, "").charts) {
+    const bool is_quotient = !chart.y.label.starts_with("transmission angle");
+    EXPECT_EQ(chart.series.at(0).breaks,
+              is_quotient ? std::vector<std::size_t>{behind} : std::vector<std::size_t>())
+        << chart.y.label;
   }
 }
 

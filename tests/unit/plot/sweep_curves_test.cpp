@@ -59,6 +59,25 @@ TEST(SweepFigure, LeavesAGapWhereACaseHasNoValue) {
   EXPECT_TRUE(std::isnan(series[1].y.back()));
 }
 
+TEST(SweepFigure, SaysWhatIsTheSameThroughoutAndDrawsItOnlyAlone) {
+  SweepTable sweep = small_sweep();
+  const std::size_t drawn = sweep_figure(sweep, "Sweep").charts.size();
+  sweep.quantities.emplace_back("dead_points");
+  for (SweepTableRow& row : sweep.rows) {
+    row.values.push_back(2.0);
+  }
+  const Figure figure = sweep_figure(sweep, "Sweep");
+
+  EXPECT_EQ(figure.charts.size(), drawn);
+  EXPECT_TRUE(figure.description.ends_with(" dead_points is 2 throughout."));
+
+  sweep.quantities = {"dead_points"};
+  for (SweepTableRow& row : sweep.rows) {
+    row.values = {2.0};
+  }
+  EXPECT_EQ(sweep_figure(sweep, "Sweep").charts.size(), 1U);
+}
+
 TEST(SweepLack, IsEmptyWhereThereAreCurves) {
   EXPECT_EQ(why_no_curves_of_sweep(small_sweep()), "");
 }

@@ -67,7 +67,8 @@ bool changes_upwards(const std::vector<ForcePath>& paths) {
 
 Chart path_of(const std::vector<ForcePath>& paths, int up, const std::string& unit) {
   const std::string axis = kAxisNames[static_cast<std::size_t>(up)];
-  Chart chart = {.x = {.label = "shaking force along x", .unit = unit},
+  Chart chart = {.title = axis + " over x",
+                 .x = {.label = "shaking force along x", .unit = unit},
                  .y = {.label = "along " + axis, .unit = unit},
                  .series = {},
                  .has_equal_scales = true};
@@ -91,7 +92,8 @@ Chart orders_of(const MotionDynamics& dynamics, QuantityKind kind, const std::st
   }
   Chart chart = {
       .x = {.label = "order by the turn of " + drive, .unit = "", .low = 0.0, .least_step = 1.0},
-      .y = {.label = "amplitude", .unit = dynamics.units.text(kind)},
+      .y = {.label = kind == QuantityKind::force ? "amplitude of forces" : "amplitude of moments",
+            .unit = dynamics.units.text(kind)},
       .series = {}};
   for (std::size_t s = 0; s < shown.size(); ++s) {
     const double aside =

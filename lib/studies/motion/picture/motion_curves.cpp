@@ -1,6 +1,7 @@
 #include "studies/motion/picture/motion_curves.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -50,8 +51,23 @@ bool changes(const std::vector<double>& values) {
   return high - low > kSameValue * std::max(std::abs(low), std::abs(high));
 }
 
-// "transmission_angle" in words.
+// "transmission_angle", "linear/x", "lossy_power" in words.
 std::string words_of(std::string quantity) {
+  struct Key {
+    std::string_view head;
+    const char* before;
+    const char* behind;
+  };
+
+  constexpr std::array kKeys = {Key{"linear/", "velocity ", ""},
+                                Key{"angular/", "angular velocity ", ""},
+                                Key{"lossy_", "", " with mesh losses"},
+                                Key{"bias_", "", " at constant speed"}};
+  for (const Key& one : kKeys) {
+    if (quantity.starts_with(one.head)) {
+      quantity = one.before + quantity.substr(one.head.size()) + one.behind;
+    }
+  }
   std::ranges::replace(quantity, '_', ' ');
   std::ranges::replace(quantity, '/', ' ');
   return quantity;
@@ -147,25 +163,47 @@ void mark_extremes(const MotionTable& motion, const Group& group, Chart& chart) 
     for (const bool largest : {true, false}) {
       auto mark = extreme_of(motion, group.columns[i], series, largest);
       if (mark && changes(series.y)) {
-        mark->label = fmt::format("{} {}", largest ? "max" : "min", label_number(mark->y));
+        mark->label = largest ? "max" : "min";
+        mark->tells_value = true;
+        mark->on = i;
         chart.marks.push_back(std::move(*mark));
       }
     }
   }
 }
 
+// Whether the column goes where a drive does, as a driven freedom and its body.
+bool follows_drive(const MotionTable& motion, const MotionColumn& column, std::size_t at) {
+  const std::vector<double> values = values_of(motion, at);
+  for (std::size_t d = 0; d < at && motion.columns[d].quantity == kDriveColumn; ++d) {
+    const std::vector<double> drive = values_of(motion, d);
+    double largest = 0.0;
+    double apart = 0.0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      largest = std::max(largest, std::abs(drive[i]));
+      apart = std::isfinite(values[i]) ? std::max(apart, std::abs(values[i] - drive[i]))
+                                       : std::numeric_limits<double>::infinity();
+    }
+    if (column.unit == motion.columns[d].unit && apart <= kSameValue * largest) {
+      return true;
+    }
+  }
+  return false;
+}
+
 // How well circuits close is rounding, and where the drives are and when a straight line: of these
-// there is nothing to see. Places are paths.
-bool is_left_out(const MotionColumn& column) {
+// there is nothing to see, nor of what is always the same. Places are paths.
+bool is_left_out(const MotionTable& motion, const MotionColumn& column, std::size_t at) {
   return column.quantity.starts_with(kPlace) || column.quantity == kClosureErrorColumn ||
-         column.quantity == kTimeColumn || column.quantity == kDriveColumn;
+         column.quantity == kTimeColumn || column.quantity == kDriveColumn ||
+         !changes(values_of(motion, at)) || follows_drive(motion, column, at);
 }
 
 std::vector<Group> groups_of(const MotionTable& motion) {
   std::vector<Group> groups;
   for (std::size_t c = 0; c < motion.columns.size(); ++c) {
     const MotionColumn& column = motion.columns[c];
-    if ((!column.is_named && is_left_out(column)) || !has_values(motion, c)) {
+    if ((!column.is_named && is_left_out(motion, column, c)) || !has_values(motion, c)) {
       continue;
     }
     const auto at = std::ranges::find_if(groups, [&column](const Group& group) {
@@ -209,6 +247,9 @@ Chart chart_of(const Group& group, const MotionTable& motion) {
   for (const std::size_t c : group.columns) {
     chart.series.push_back(
         {.name = motion.columns[c].element, .x = values_of(motion, 0), .y = values_of(motion, c)});
+    if (c < motion.figures.size()) {
+      chart.series.back().breaks = motion.figures[c].poles;
+    }
   }
   if (chart.series.size() == 1 && !chart.series.front().name.empty()) {
     chart.y.label += " of " + chart.series.front().name;

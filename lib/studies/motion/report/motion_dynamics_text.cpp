@@ -135,7 +135,9 @@ class DynamicsWriter {
                           amount(angular_velocity, speed.greatest),
                           place(speed.greatest_at));
     } else {
-      text += "  actions depend on speed, so the speed with it is not known\n";
+      text +=
+          "  actions depend on speed, as friction, losses and dampers do, so the speed with it is "
+          "not known\n";
     }
     return TextBlocks(text + "\n");
   }

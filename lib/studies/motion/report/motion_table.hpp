@@ -110,6 +110,7 @@ struct ColumnFigures {
                                ///< has no value, or the motion does not reach its end
   std::optional<double> rms;   ///< root of the mean square in time; likewise, and of a motion in
                                ///< time alone
+  std::vector<std::size_t> poles = {};  ///< rows: on the way there the value goes through infinity
 };
 
 struct MotionTable {

@@ -69,7 +69,7 @@ class MotionWriter {
                                      {"mean", {}},
                                      {"RMS", {}}};
     for (std::size_t c = motion_.drives.size(); c < column_count(); ++c) {
-      const auto& [least, greatest, mean, rms] = motion_.figures[c];
+      const auto& [least, greatest, mean, rms, poles] = motion_.figures[c];
       const bool is_time = motion_.duration && motion_.columns[c].quantity == kTimeColumn;
       const bool is_bounded = least && greatest;
       if (is_time || !has_values(c) || (is_bounded && is_same(least->value, greatest->value))) {

@@ -18,9 +18,10 @@ namespace {
 
 constexpr double kLadderHeight = 360.0;
 constexpr double kRung = 70.0;
-constexpr double kColumnGap = 210.0;
+constexpr double kLeastColumn = 210.0;
 constexpr double kTickSize = 11.0;
 constexpr double kLabelDistance = 17.0;
+constexpr double kNameGap = 23.0;  // from a rung to the ratio, but for the name between
 
 struct Rung {
   std::string name;
@@ -51,6 +52,15 @@ Ladder find_ladder(const Analysis& analysis) {
   return ladder;
 }
 
+double name_width(const Rung& rung) {
+  return text_width(rung.name, kTextSize, Weight::bold);
+}
+
+// Of what stands beside it, its name and its ratio.
+double label_width(const Rung& rung) {
+  return kNameGap + name_width(rung) + text_width(label_number(rung.ratio), kTextSize);
+}
+
 class LadderDrawing {
  public:
   explicit LadderDrawing(const Ladder& ladder) : ladder_(ladder) {
@@ -58,6 +68,7 @@ class LadderDrawing {
     high_ = 1.0;
     for (const std::vector<Rung>* rungs : {&ladder.forward, &ladder.reverse}) {
       for (const Rung& rung : *rungs) {
+        column_ = std::max(column_, kRung + label_width(rung) + 20.0);
         low_ = std::min(low_, std::abs(rung.ratio));
         high_ = std::max(high_, std::abs(rung.ratio));
       }
@@ -74,7 +85,7 @@ class LadderDrawing {
          {std::pair{"forward", &ladder_.forward}, std::pair{"reverse", &ladder_.reverse}}) {
       if (!rungs->empty()) {
         draw_column(title, *rungs, left);
-        left += kColumnGap;
+        left += column_;
       }
     }
     return std::move(svg_);
@@ -87,7 +98,7 @@ class LadderDrawing {
 
   void draw_axis() {
     const bool has_both = !ladder_.forward.empty() && !ladder_.reverse.empty();
-    const double right = (has_both ? kColumnGap : 0.0) + kRung + 60.0;
+    const double right = (has_both ? column_ : 0.0) + kRung + 60.0;
     for (const double tick : ratio_ticks(low_, high_)) {
       svg_.line({.x = -10.0, .y = place(tick)},
                 {.x = right, .y = place(tick)},
@@ -130,11 +141,10 @@ class LadderDrawing {
     svg_.line({.x = right + 3.0, .y = y},
               {.x = right + 14.0, .y = label},
               {.stroke = Ink::soft, .width = 0.75});
-    const std::string name = fitting_text(rung.name, kTextSize, 60.0, Weight::bold);
     svg_.text({.x = right + 17.0, .y = label + 4.0},
-              name,
+              rung.name,
               {.size = kTextSize, .weight = Weight::bold, .has_halo = true});
-    svg_.text({.x = right + 23.0 + text_width(name, kTextSize, Weight::bold), .y = label + 4.0},
+    svg_.text({.x = right + kNameGap + name_width(rung), .y = label + 4.0},
               label_number(rung.ratio),
               {.size = kTextSize, .has_halo = true});
   }
@@ -153,6 +163,7 @@ class LadderDrawing {
   const Ladder& ladder_;
   double low_ = 1.0;
   double high_ = 1.0;
+  double column_ = kLeastColumn;  // from one to the next
   Svg svg_;
 };
 

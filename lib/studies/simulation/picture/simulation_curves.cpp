@@ -19,12 +19,6 @@ constexpr std::string_view kUnexplained = "error";
 // More events than these crowd a chart, which then has none.
 constexpr std::size_t kMostGuides = 4;
 
-bool is_still(const MotionTable& table, std::size_t column) {
-  return std::ranges::all_of(table.rows, [&](const MotionRow& row) {
-    return row.values[column] == table.rows.front().values[column];
-  });
-}
-
 MotionTable with_few_events(const MotionTable& simulation) {
   MotionTable table = simulation;
   if (table.events.size() > kMostGuides) {
@@ -38,7 +32,7 @@ MotionTable with_few_events(const MotionTable& simulation) {
 Figure simulation_figure(const MotionTable& simulation, const std::string& title) {
   MotionTable table = with_few_events(simulation);
   for (std::size_t c = table.columns.size(); c-- > 1;) {
-    if (!table.columns[c].quantity.starts_with(kEnergy) && !is_still(table, c)) {
+    if (!table.columns[c].quantity.starts_with(kEnergy)) {
       continue;
     }
     table.columns.erase(table.columns.begin() + static_cast<std::ptrdiff_t>(c));

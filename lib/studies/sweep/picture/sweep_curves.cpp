@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -95,6 +96,20 @@ Series series_of(const Line& line, SeriesStyle style, std::size_t along, std::si
   return series;
 }
 
+// The value that all points have, if there is one.
+std::optional<double> only_value(const Chart& chart) {
+  std::optional<double> only;
+  for (const Series& series : chart.series) {
+    for (const double value : series.y) {
+      if (value != only.value_or(value)) {
+        return std::nullopt;
+      }
+      only = value;
+    }
+  }
+  return only;
+}
+
 std::string describe(const SweepTable& sweep, std::size_t along, std::size_t lines) {
   const std::string over = axis_of(sweep.varied[along]).label;
   const std::string shown =
@@ -155,6 +170,18 @@ Figure sweep_figure(const SweepTable& sweep, const std::string& title) {
       chart.series.push_back(series_of(*line, style, along, q));
     }
     figure.charts.push_back(std::move(chart));
+  }
+  // A line at one height is said rather than drawn, beside others.
+  if (!std::ranges::all_of(figure.charts,
+                           [](const Chart& one) { return only_value(one).has_value(); })) {
+    std::erase_if(figure.charts, [&figure](const Chart& chart) {
+      const std::optional<double> only = only_value(chart);
+      if (only) {
+        figure.description +=
+            fmt::format(" {} is {} throughout.", axis_title(chart.y, 0), label_number(*only));
+      }
+      return only.has_value();
+    });
   }
   return figure;
 }

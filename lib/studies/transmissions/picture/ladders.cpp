@@ -196,6 +196,9 @@ Chart trade_off(const std::vector<LadderFigures>& all,
     chart.series[1].x.push_back(efficiency);
     chart.series[1].y.push_back(value);
   }
+  if (front.size() < 2) {
+    chart.series.pop_back();  // no line
+  }
   return chart;
 }
 

@@ -170,8 +170,8 @@ TextBlocks transmission_blocks(const TransmissionAnalysis& analysis) {
       const TransmissionVariant& one = variants[i];
       text += fmt::format(
           "  {}.{}  structure {}, stationary ratios {}\n"
-          "       {}\n"
-          "       {}\n",
+          "       shafts: {}\n"
+          "       elements: {}\n",
           g,
           i,
           one.found.structure,

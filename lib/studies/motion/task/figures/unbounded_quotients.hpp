@@ -17,14 +17,17 @@ class UnboundedQuotients {
   /// Looks at the positions of a motion one after the other, always with the same readings.
   void look(const std::vector<MotionReading>& readings, const MotionPosition& position);
 
-  /// What has no bound has no extreme and no mean. The columns of the readings begin at `first`.
+  /// What has no bound has no extreme and no mean, and poles instead. The columns of the readings
+  /// begin at `first`.
   void leave_out_unbounded(const std::vector<MotionReading>& readings,
                            std::size_t first,
                            MotionTable& table) const;
 
  private:
-  std::vector<QuotientParts> last_;  // of each reading; 0: none yet
-  std::vector<bool> is_unbounded_;   // likewise
+  std::vector<QuotientParts> last_;              // of each reading; 0: none yet
+  std::vector<bool> is_unbounded_;               // likewise
+  std::vector<std::vector<std::size_t>> poles_;  // likewise
+  std::size_t row_ = 0;
 };
 
 }  // namespace kinestat
