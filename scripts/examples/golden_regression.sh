@@ -21,8 +21,8 @@ if [ "$accept" = yes ]; then
 fi
 reports=$(mktemp -d)
 trap 'rm -rf "$reports"' EXIT
-kinestat analyze --quiet --out "$reports" "$@" || exit
-status=0
+kinestat analyze --quiet --out "$reports" "$@"
+status=$?
 for report in "$reports"/*.report.json; do
   name=$(basename "$report")
   if [ ! -e "$golden/$name" ]; then
