@@ -42,23 +42,26 @@ ReducedEquation find_reduced(const std::vector<StandingBody>& standing,
                          .derivative = {}};
   std::vector<BoundedNumber> bias(static_cast<std::size_t>(count));
   for (const auto& [b, body, acts] : standing) {
-    for (Eigen::Index j = 0; j < count; ++j) {
-      const auto drive = static_cast<std::size_t>(j);
-      const BoundedTwist of_drive =
-          bounded_twist(motion.of_drives[drive][b], motion.drive_bounds[drive][b]);
-      BoundedNumber& sum = bias[drive];
+    std::vector<BoundedTwist> twists;
+    std::vector<BoundedWrench> momenta;
+    for (std::size_t d = 0; d < motion.drives.size(); ++d) {
+      const Twist& twist = motion.of_drives[d][b];
+      twists.push_back(bounded_twist(twist, motion.drive_bounds[d][b]));
+      momenta.push_back(momentum(body, twist, motion.drive_bounds[d][b]));
+    }
+    for (int j = 0; j < count; ++j) {
+      const BoundedTwist& of_drive = twists[at(j)];
+      BoundedNumber& sum = bias[at(j)];
       sum = sum - power(acts, of_drive);
-      for (Eigen::Index k = 0; k < count; ++k) {
-        const auto other = static_cast<std::size_t>(k);
-        const BoundedNumber shared = power(
-            momentum(body, motion.of_drives[other][b], motion.drive_bounds[other][b]), of_drive);
+      for (int k = 0; k < count; ++k) {
+        const BoundedNumber shared = power(momenta[at(k)], of_drive);
         result.inertia(j, k) += shared.value;
-        sum = sum - BoundedNumber{.value = motion.accelerations[other], .bound = 0.0} * shared;
+        sum = sum - BoundedNumber{.value = motion.accelerations[at(k)], .bound = 0.0} * shared;
       }
     }
   }
-  for (Eigen::Index j = 0; j < count; ++j) {
-    result.bias[j] = bias[static_cast<std::size_t>(j)].zeroed();
+  for (int j = 0; j < count; ++j) {
+    result.bias[j] = bias[at(j)].zeroed();
   }
   if (count == 1 && motion.rates.front() != 0.0) {
     result.derivative = 2.0 * result.bias[0] / (motion.rates.front() * motion.rates.front());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 #include "core/contract.hpp"
@@ -115,25 +116,27 @@ class StateSolver {
                        const GivenSpeeds& speeds,
                        StateDetail detail) {
     stand_in(configuration);
-    return solve(speeds, detail, nullptr);
+    return solve(speeds, detail, false);
   }
 
   MotionState solve_bounded_in(const Configuration& configuration,
                                const GivenSpeeds& speeds,
                                StateDetail detail) {
     stand_in(configuration);
-    JointErrors errors({.network = network_,
-                        .rates_of_rows = system_.rates_of_rows(),
-                        .residuals = system_.residuals(),
-                        .jacobian = system_.jacobian(),
-                        .unknown = unknown_,
-                        .qr = qr_,
-                        .reach = system_.reach(),
-                        .spread = system_.spread()},
-                       configuration_.coordinates,
-                       is_singular());
-    MotionState state = solve(speeds, detail, &errors);
-    state.bounds = errors.bounds(mechanism_.topology);
+    if (!errors_) {
+      errors_.emplace(FactoredClosure{.network = network_,
+                                      .rates_of_rows = system_.rates_of_rows(),
+                                      .residuals = system_.residuals(),
+                                      .jacobian = system_.jacobian(),
+                                      .unknown = unknown_,
+                                      .qr = qr_,
+                                      .reach = system_.reach(),
+                                      .spread = system_.spread()},
+                      configuration_.coordinates,
+                      is_singular());
+    }
+    MotionState state = solve(speeds, detail, true);
+    state.bounds = errors_->bounds(mechanism_.topology);
     allow_rounding(speeds.passive, state);
     settle(mechanism_.topology, state);
     return state;
@@ -148,11 +151,12 @@ class StateSolver {
       configuration_ = configuration;
       system_.evaluate(configuration_.coordinates, configuration_.angles);
       factor();
+      errors_.reset();
       has_stood_ = true;
     }
   }
 
-  MotionState solve(const GivenSpeeds& speeds, StateDetail detail, JointErrors* errors) {
+  MotionState solve(const GivenSpeeds& speeds, StateDetail detail, bool is_bounded) {
     MotionState state;
     for (const int frame : network_.frame_of_body) {
       BodyPose pose = Frames::pose(system_.frames()[at(frame)]);
@@ -185,8 +189,8 @@ class StateSolver {
         hold_speeds(speeds.passive, rates, bends);
       }
     }
-    if (errors != nullptr) {
-      find_errors(speeds, rates, bends, *errors);
+    if (is_bounded) {
+      find_errors(speeds, rates, bends);
     }
     fill(rates, bends, detail, state);
     return state;
@@ -194,8 +198,7 @@ class StateSolver {
 
   void find_errors(const GivenSpeeds& speeds,
                    const std::vector<double>& rates,
-                   const std::vector<double>& bends,
-                   JointErrors& errors) const {
+                   const std::vector<double>& bends) {
     std::vector<double> driven_errors;
     std::vector<double> driven_bend_errors;
     for (std::size_t d = 0; d < speeds.drives.size(); ++d) {
@@ -203,7 +206,7 @@ class StateSolver {
       driven_errors.push_back(speeds.drives[d].speed_bound / unit);
       driven_bend_errors.push_back(speeds.drives[d].acceleration_bound / unit);
     }
-    errors.follow(rates, bends, driven_errors, driven_bend_errors);
+    errors_->follow(rates, bends, driven_errors, driven_bend_errors);
   }
 
   // Open motions bring freedoms to their given speeds but for the rounding of what they are added
@@ -244,12 +247,10 @@ class StateSolver {
   }
 
   double unit_of_rate(int rate) const {
-    for (const MotionJoint& joint : network_.joints) {
-      if (joint.rate == rate && joint.motion.kind == ElementaryKind::slide) {
-        return network_.length;
-      }
-    }
-    return 1.0;
+    const bool slides = std::ranges::any_of(network_.joints, [&](const MotionJoint& joint) {
+      return joint.rate == rate && joint.motion.kind == ElementaryKind::slide;
+    });
+    return slides ? network_.length : 1.0;
   }
 
   // The unknown rates that answer the known ones.
@@ -264,9 +265,7 @@ class StateSolver {
   }
 
   void solve_unknown(std::vector<double> left, std::vector<double>& rates) {
-    for (double& one : left) {
-      one = -one;
-    }
+    std::ranges::transform(left, left.begin(), std::negate());
     left.resize(std::max(left.size(), unknown_.size()));
     std::vector<double> x(unknown_.size());
     qr_.solve(left, x);
@@ -408,7 +407,8 @@ class StateSolver {
   bool has_stood_ = false;
   std::vector<double> matrix_;
   PivotedQr qr_;
-  PivotedQr effects_;  // of the open motions on what is given of them
+  std::optional<JointErrors> errors_;  // in this configuration, once asked for
+  PivotedQr effects_;                  // of the open motions on what is given of them
   std::vector<int> unknown_;
 };
 

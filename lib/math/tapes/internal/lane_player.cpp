@@ -1,5 +1,6 @@
 #include "math/tapes/internal/lane_player.hpp"
 
+#include <cmath>
 #include <cstddef>
 #include <cstring>
 
@@ -23,13 +24,11 @@ struct OneLane {
 
   [[gnu::always_inline]] static void set(bool from, Flag& to) { to = from ? -1 : 0; }
 
-  [[gnu::always_inline]] static void set_bits(const Number& from, Flag& to) {
-    std::memcpy(&to, &from, sizeof to);
+  [[gnu::always_inline]] static void set_magnitude(const Number& x, Number& result) {
+    result = std::abs(x);
   }
 
-  [[gnu::always_inline]] static void set_number(const Flag& from, Number& to) {
-    std::memcpy(&to, &from, sizeof to);
-  }
+  [[gnu::always_inline]] static void set_zero(bool where, Number& x) { x = where ? 0.0 : x; }
 };
 
 struct AllLanes {
@@ -38,12 +37,13 @@ struct AllLanes {
 
   [[gnu::always_inline]] static void set(const Flag& from, Flag& to) { to = from; }
 
-  [[gnu::always_inline]] static void set_bits(const Number& from, Flag& to) {
-    to = reinterpret_cast<const Flags&>(from);
+  [[gnu::always_inline]] static void set_magnitude(const Number& x, Number& result) {
+    constexpr std::int64_t kAllButSign = 0x7fff'ffff'ffff'ffff;
+    reinterpret_cast<Flags&>(result) = reinterpret_cast<const Flags&>(x) & kAllButSign;
   }
 
-  [[gnu::always_inline]] static void set_number(const Flag& from, Number& to) {
-    to = reinterpret_cast<const Numbers&>(from);
+  [[gnu::always_inline]] static void set_zero(const Flag& where, Number& x) {
+    reinterpret_cast<Flags&>(x) &= ~where;
   }
 };
 
@@ -104,26 +104,15 @@ class Player {
   }
 
  private:
-  [[gnu::always_inline]] static void set_magnitude(const Number& x, Number& result) {
-    constexpr std::int64_t kAllButSign = 0x7fff'ffff'ffff'ffff;
-    Flag bits;
-    Lanes::set_bits(x, bits);
-    bits &= kAllButSign;
-    Lanes::set_number(bits, result);
-  }
-
   // `x`, or an exact zero where it is mere rounding of terms of that size.
   [[gnu::always_inline]] static void set_without_rounding(const Number& x,
                                                           const Number& size,
                                                           Number& result) {
     Number magnitude;
-    set_magnitude(x, magnitude);
-    Flag is_rounding;
-    Lanes::set(magnitude <= kCancellation * size, is_rounding);
-    Flag bits;
-    Lanes::set_bits(x, bits);
-    bits &= ~is_rounding;
-    Lanes::set_number(bits, result);
+    Lanes::set_magnitude(x, magnitude);
+    Number kept = x;
+    Lanes::set_zero(magnitude <= kCancellation * size, kept);
+    result = kept;
   }
 
   [[gnu::always_inline]] static void subtract_one(const Number& a,
@@ -133,8 +122,8 @@ class Player {
     const Number product = b * c;
     Number size_a;
     Number size_product;
-    set_magnitude(a, size_a);
-    set_magnitude(product, size_product);
+    Lanes::set_magnitude(a, size_a);
+    Lanes::set_magnitude(product, size_product);
     set_without_rounding(a - product, size_a + size_product, target);
   }
 
@@ -144,7 +133,7 @@ class Player {
     for (std::int32_t i = one.a; i < one.b; ++i) {
       const Number product = cells_[products_[i].a] * cells_[products_[i].b];
       Number magnitude;
-      set_magnitude(product, magnitude);
+      Lanes::set_magnitude(product, magnitude);
       sum -= product;
       size += magnitude;
     }
@@ -156,7 +145,7 @@ class Player {
   // |a| ≤ b
   [[gnu::always_inline]] void demand_order(const Number& a, const Number& b) {
     Number magnitude;
-    set_magnitude(a, magnitude);
+    Lanes::set_magnitude(a, magnitude);
     Flag is_met;
     Lanes::set(magnitude <= b, is_met);
     failures_ |= ~is_met;
@@ -165,7 +154,7 @@ class Player {
   // |a| ≥ b
   [[gnu::always_inline]] void demand_size(const Number& a, const Number& b) {
     Number magnitude;
-    set_magnitude(a, magnitude);
+    Lanes::set_magnitude(a, magnitude);
     Flag is_met;
     Lanes::set(magnitude >= b, is_met);
     failures_ |= ~is_met;
@@ -173,7 +162,7 @@ class Player {
 
   [[gnu::always_inline]] static void set_whether_zero(const Number& x, Flag& result) {
     Number magnitude;
-    set_magnitude(x, magnitude);
+    Lanes::set_magnitude(x, magnitude);
     Lanes::set(magnitude <= Number{}, result);
   }
 

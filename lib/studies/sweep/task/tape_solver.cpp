@@ -117,12 +117,17 @@ void TapeSolver::load_axes(const StateWalk& walk, std::size_t lane, std::size_t 
 
 void TapeSolver::load(const StateWalk& walk, std::size_t lane, std::size_t count) {
   load_axes(walk, lane, count);
-  bool is_loaded = tapes_.rules->hold(walk.slots(), scratch_) && (!binds_states_ || rebind(walk));
-  is_loaded = is_loaded && (!has_combinations_ || decide_gears(lane));
-  for (std::size_t i = 0; is_loaded && i < others_.size(); ++i) {
-    is_loaded = load_other(tapes_.inputs[others_[i].input], others_[i].cell, walk, lane);
-  }
+  const bool is_loaded = !binds_states_ || bind(walk, lane);
   std::fill_n(is_loaded_.begin() + static_cast<std::ptrdiff_t>(lane), count, is_loaded ? 1 : 0);
+}
+
+// What follows from the place on the axes; false where the state must be analysed as a whole.
+bool TapeSolver::bind(const StateWalk& walk, std::size_t lane) {
+  return tapes_.rules->hold(walk.slots(), scratch_) && rebind(walk) &&
+         (!has_combinations_ || decide_gears(lane)) &&
+         std::ranges::all_of(others_, [&](const Load& one) {
+           return load_other(tapes_.inputs[one.input], one.cell, walk, lane);
+         });
 }
 
 bool TapeSolver::load_other(const SweepInput& input,
@@ -190,8 +195,12 @@ void TapeSolver::fill_columns(std::size_t i, std::span<SweepRow> rows) {
   columns.add(workspace_, taped.columns);
   fill_lanes(workspace_, taped.columns, from, cases);
   keep_clear(columns);
-  demand_clear_ends(taped.input_rates, taped.output_rates);
-  demand_clear_ends(taped.input_actions, taped.output_actions);
+  if (!taped.input_rates.empty() || !taped.output_rates.empty()) {
+    demand_clear_ends(taped.input_rates, taped.output_rates);
+  }
+  if (!taped.input_actions.empty() || !taped.output_actions.empty()) {
+    demand_clear_ends(taped.input_actions, taped.output_actions);
+  }
   if (!taped.ratios.empty() && !task_.gears[i]) {
     LaneMagnitudes ratios(1.0);
     ratios.add(workspace_, taped.ratios);
@@ -203,8 +212,10 @@ void TapeSolver::fill_columns(std::size_t i, std::span<SweepRow> rows) {
 }
 
 void TapeSolver::keep_clear(const LaneMagnitudes& magnitudes) {
-  for (std::size_t lane = 0; lane < workspace_.lanes(); ++lane) {
-    has_answer_[lane] = has_answer_[lane] != 0 && magnitudes.are_clear(lane) ? 1 : 0;
+  std::size_t lane = 0;
+  for (char& has_answer : has_answer_) {
+    const bool is_clear = magnitudes.are_clear(lane++);
+    has_answer = has_answer != 0 && is_clear ? 1 : 0;
   }
 }
 
@@ -212,12 +223,10 @@ void TapeSolver::keep_clear(const LaneMagnitudes& magnitudes) {
 // nothing: then the whole analysis decides.
 void TapeSolver::demand_clear_ends(std::span<const std::size_t> inputs,
                                    std::span<const std::size_t> outputs) {
-  if (!inputs.empty() || !outputs.empty()) {
-    LaneMagnitudes ends;
-    ends.add(workspace_, inputs);
-    ends.add(workspace_, outputs);
-    keep_clear(ends);
-  }
+  LaneMagnitudes ends;
+  ends.add(workspace_, inputs);
+  ends.add(workspace_, outputs);
+  keep_clear(ends);
 }
 
 bool TapeSolver::fill_cases(std::size_t lane, std::span<SweepRow> rows) {

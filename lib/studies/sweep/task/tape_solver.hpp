@@ -62,6 +62,7 @@ class TapeSolver {
   bool rebind(const StateWalk& walk);
   bool bind_whole(std::uint64_t state);
   void load_axes(const StateWalk& walk, std::size_t lane, std::size_t count);
+  bool bind(const StateWalk& walk, std::size_t lane);
   bool load_other(const SweepInput& input,
                   std::size_t cell,
                   const StateWalk& walk,
