@@ -1,6 +1,6 @@
 #include "cases/input_inertia.hpp"
 
-#include <utility>
+#include <algorithm>
 
 #include "core/index.hpp"
 #include "dynamics/equivalent_inertia.hpp"
@@ -11,20 +11,20 @@ namespace kinestat {
 
 namespace {
 
-// The drives of a case whose only drive rests, with this at unit speed: the inertia is a ratio of
-// energies, the same at any speed. Empty of other cases.
-std::vector<Primary> drives_off_rest(const Case& which) {
+// The drives of a case in which all rest, with the input, or the only one, at unit speed: the
+// inertia is a ratio of energies, the same at any speed. Empty of other cases.
+std::vector<Primary> drives_off_rest(const Case& which, int input) {
   std::vector<Primary> drives = which.motions;
-  Primary* resting = nullptr;
-  for (Primary& drive : drives) {
-    if (drive.value != 0.0 || (!drive.is_assumed && std::exchange(resting, &drive) != nullptr)) {
-      return {};
-    }
-  }
-  if (resting == nullptr) {
+  const auto is_drive = [](const Primary& one) { return !one.is_assumed; };
+  const auto of_input = std::ranges::find(drives, input, &Primary::index);
+  const auto first = std::ranges::find_if(drives, is_drive);
+  const bool is_alone = std::ranges::count_if(drives, is_drive) == 1;
+  const auto moved = of_input != drives.end() ? of_input : is_alone ? first : drives.end();
+  if (moved == drives.end() ||
+      std::ranges::any_of(drives, [](const Primary& one) { return one.value != 0.0; })) {
     return {};
   }
-  resting->value = 1.0;
+  moved->value = 1.0;
   return drives;
 }
 
@@ -42,7 +42,7 @@ std::optional<std::vector<double>> input_inertias(const Mechanism& mechanism,
   if (!freedom || !one.motion) {
     return std::nullopt;
   }
-  const std::vector<Primary> drives = drives_off_rest(one.which);
+  const std::vector<Primary> drives = drives_off_rest(one.which, *freedom);
   if (drives.empty()) {
     return equivalent_inertias(mechanism, *one.motion, *freedom);
   }

@@ -123,13 +123,12 @@ std::string completions_text(const PrimaryCheck& check, const KnownSide& side) {
   if (sets.empty()) {
     return {};
   }
-  return fmt::format(
-      "add to '{}:' {}{}{}",
-      side.key,
-      fmt::format(
-          "{}{}of ", is_single ? "a value" : "values", sets.size() == 1 ? " " : ", for example "),
-      fmt::join(sets, " or "),
-      may_be_idle ? ", 0 where nothing acts" : "");
+  return fmt::format("add to '{}:' {}{} of {}{}",
+                     side.key,
+                     is_single ? "a value" : "values",
+                     sets.size() == 1 ? "" : ", for example",
+                     fmt::join(sets, " or "),
+                     may_be_idle ? ", 0 where nothing acts" : "");
 }
 
 std::string circuits_text(const JudgedFile& file,

@@ -284,10 +284,10 @@ TransmissionEfficiency find_transmission_efficiency(const Mechanism& mechanism,
   if (solution.flow) {
     result.state = state_of(mechanism, solution, losses);
   }
-  const Case which = driven_back(solved.which);
-  const KinematicSolution motion = run_back(solved.motion);
-  const MeshLossLaws losses_back = find_mesh_loss_laws(mechanism, motion);
-  const LossyCase backward(mechanism, common, which, motion, losses_back.laws);
+  const Case case_back = driven_back(solved.which);
+  const KinematicSolution motion_back = run_back(solved.motion);
+  const MeshLossLaws losses_back = find_mesh_loss_laws(mechanism, motion_back);
+  const LossyCase backward(mechanism, common, case_back, motion_back, losses_back.laws);
   result.carrier_backward = backward.efficiency_of(backward.solve());
   return result;
 }

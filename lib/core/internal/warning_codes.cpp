@@ -157,9 +157,9 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "A body can turn or slide without moving any other body, such as a rod between two balls "
      "about its own axis. If a case does not give such a rate, its report omits it and has all "
      "others. In each step of a motion its couplings move as little as necessary, so the angle it "
-     "has "
-     "turned depends on the number of steps and on which of the couplings comes first, and is not "
-     "the integral of its velocity. All other positions are determined. A case may give the rate: "
+     "has turned depends on the number of steps and on which of the couplings comes first, and is "
+     "not the integral of its velocity. All other positions are determined. A case may give the "
+     "rate: "
      "velocities then agree with it."},
     {"W0507",
      done,
@@ -383,11 +383,13 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      done,
      "best linkage of a search is degenerate",
      "A search with 'vary' ranks linkages by their transmission angle between the positions. Where "
-     "nothing bounds the ratio of their lengths, it can run to two dyads that almost coincide: "
-     "they meet the positions, with a coupler or a ground of almost no length; a link of less than "
-     "a hundredth of the longest is reported. Where a full turn is required, it can run to a "
-     "linkage that folds flat elsewhere and may change its branch there; less than a degree is "
-     "reported. Give 'link_ratio', usually 5 to 12, or 'full_transmission_angle' in 'limits'."},
+     "nothing bounds the ratio of their lengths, it can run to two dyads that almost coincide, or "
+     "to a pivot far away: a link of less than a hundredth of the longest is reported. A linkage "
+     "that turns fully can fold flat elsewhere and change its branch there: less than a degree "
+     "from "
+     "a dead point is reported. Give 'link_ratio', usually 5 to 12, or 'full_transmission_angle' "
+     "in "
+     "'limits'."},
     {"W0901",
      done,
      "tolerance matches no value",

@@ -172,10 +172,13 @@ void mark_extremes(const MotionTable& motion, const Group& group, Chart& chart) 
   }
 }
 
-// Whether the column goes where a drive does, as a driven freedom and its body.
+// Whether the column is of a driven freedom, or of a body that turns with it.
 bool follows_drive(const MotionTable& motion, const MotionColumn& column, std::size_t at) {
   const std::vector<double> values = values_of(motion, at);
   for (std::size_t d = 0; d < at && motion.columns[d].quantity == kDriveColumn; ++d) {
+    if (column.element != motion.drives[d].freedom && !column.quantity.starts_with("rotation/")) {
+      continue;
+    }
     const std::vector<double> drive = values_of(motion, d);
     double largest = 0.0;
     double apart = 0.0;

@@ -79,8 +79,7 @@ std::string hint_of(const SynthesisAnalysis& analysis) {
                "the report has what comes nearest";
 }
 
-// Whether it does.
-bool warn_of_degenerate(const LinkageCandidate& best,
+void warn_of_degenerate(const LinkageCandidate& best,
                         const SynthesisAnalysis& analysis,
                         Diagnostics& found) {
   constexpr double kBuildable = 100.0;
@@ -98,7 +97,7 @@ bool warn_of_degenerate(const LinkageCandidate& best,
                     plane.length(best.longest),
                     fmt::arg("unit", units.text(QuantityKind::length))),
         "bound their ratio: 'limits: {link_ratio: 10}'");
-    return true;
+    return;
   }
   const double margin = best.best().full.margin();
   if (analysis.limits.full_transmission == 0.0 && best.best().turns_fully && margin < kFlat) {
@@ -110,9 +109,7 @@ bool warn_of_degenerate(const LinkageCandidate& best,
                     plane.angle(margin),
                     units.text(QuantityKind::angle)),
         "keep it away from there: 'limits: {full_transmission_angle: 20 deg}'");
-    return true;
   }
-  return false;
 }
 
 }  // namespace
@@ -130,13 +127,9 @@ void add_usability_findings(const SynthesisAnalysis& analysis, Diagnostics& foun
 }
 
 void warn_of_degenerate_best(const SynthesisAnalysis& analysis, Diagnostics& found) {
-  if (!analysis.selection) {
-    return;
-  }
-  for (const SynthesisTask& task : analysis.tasks) {
-    if (has_usable(task) && warn_of_degenerate(task.linkages.front(), analysis, found)) {
-      return;
-    }
+  const auto best = std::ranges::find_if(analysis.tasks, has_usable);
+  if (analysis.selection && best != analysis.tasks.end()) {
+    warn_of_degenerate(best->linkages.front(), analysis, found);
   }
 }
 

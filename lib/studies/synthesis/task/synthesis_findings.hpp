@@ -11,8 +11,8 @@ namespace kinestat {
 void add_usability_findings(const SynthesisAnalysis& analysis, Diagnostics& found);
 
 /// That the best linkage of a search is of no use, W0806: nothing bounds the ratio of its lengths,
-/// and one of its links is too short to build; or it turns fully, but folds almost flat on the way.
-/// The transmission angle between the positions alone may lead a search there.
+/// and one of its links is far shorter than another; or it turns fully, but folds almost flat on
+/// the way. The transmission angle between the positions alone may lead a search there.
 void warn_of_degenerate_best(const SynthesisAnalysis& analysis, Diagnostics& found);
 
 }  // namespace kinestat

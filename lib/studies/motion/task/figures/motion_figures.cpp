@@ -50,11 +50,15 @@ class FigureMaker {
 
   void run() {
     for (std::size_t c = 0; c < table_.columns.size(); ++c) {
-      table_.figures.push_back(
-          {.least = extreme(c, -1.0),
-           .greatest = extreme(c, 1.0),
-           .mean = mean(c, [](double low, double high) { return 0.5 * (low + high); }),
-           .rms = table_.duration ? root(mean(c, mean_square)) : std::nullopt});
+      const Growth growth = growth_of(c);
+      ColumnFigures& figures = table_.figures.emplace_back();
+      figures.least = growth.falls ? std::nullopt : extreme(c, -1.0);
+      figures.greatest = growth.grows ? std::nullopt : extreme(c, 1.0);
+      if (growth.falls || growth.grows) {
+        continue;
+      }
+      figures.mean = mean(c, [](double low, double high) { return 0.5 * (low + high); });
+      figures.rms = table_.duration ? root(mean(c, mean_square)) : std::nullopt;
     }
   }
 
@@ -78,9 +82,6 @@ class FigureMaker {
   }
 
   std::optional<ColumnExtreme> extreme(std::size_t column, double sign) {
-    if (is_unbounded(column, sign)) {
-      return std::nullopt;
-    }
     std::optional<ColumnExtreme> found;
     for (const std::vector<std::optional<double>>* place : places_) {
       const std::optional<double>& value = (*place)[column];
@@ -162,8 +163,8 @@ class FigureMaker {
         continue;
       }
       const std::optional<double> value =
-          low    ? middle_value(column, samples[i].step, samples[i + 1].step)
-          : high ? middle_value(column, samples[i + 1].step, samples[i].step)
+          low    ? value_before(column, samples[i].step, samples[i + 1].step, 0.5)
+          : high ? value_before(column, samples[i + 1].step, samples[i].step, 0.5)
                  : std::nullopt;
       if (!value) {
         return std::nullopt;
@@ -174,7 +175,23 @@ class FigureMaker {
            static_cast<double>(table_.rows.size() - 1);
   }
 
-  // Where a half, a quarter and an eighth of `left` of the way to an end without a value are left.
+  // So much of the way from a step with a value is left to the end, which has none.
+  std::optional<double> value_before(std::size_t column,
+                                     double from,
+                                     double end,
+                                     double left) const {
+    const double here = std::lerp(end, from, left);
+    return between_ ? between_(column, static_cast<std::size_t>(here), share_at_(here))
+                    : std::nullopt;
+  }
+
+  // Whether values grow without bound, or fall, towards a position that has none.
+  struct Growth {
+    bool falls = false;
+    bool grows = false;
+  };
+
+  // Where a half, a quarter and an eighth of `left` of the way are left.
   std::optional<std::array<double, 3>> values_towards(std::size_t column,
                                                       double from,
                                                       double end,
@@ -182,10 +199,7 @@ class FigureMaker {
     std::array<double, 3> values{};
     for (double& value : values) {
       left *= 0.5;
-      const double here = std::lerp(end, from, left);
-      const std::optional<double> found =
-          between_ ? between_(column, static_cast<std::size_t>(here), share_at_(here))
-                   : std::nullopt;
+      const std::optional<double> found = value_before(column, from, end, left);
       if (!found) {
         return std::nullopt;
       }
@@ -194,31 +208,35 @@ class FigureMaker {
     return values;
   }
 
-  // Values that grow without bound: each half of what is left adds more than the last.
-  static bool grow(const std::array<double, 3>& values) {
+  // They do where each half of what is left of the way adds more than the last, as near to the end
+  // as there are values.
+  void look_towards(std::size_t column, double from, double end, Growth& growth) const {
     constexpr double kGrows = 0.1;  // of the value
-    const double last = std::abs(values[2] - values[1]);
-    return last > std::abs(values[1] - values[0]) && last > kGrows * std::abs(values[2]);
-  }
-
-  // In the middle of the way to an end without a value. Empty where there is none, or where they
-  // grow without bound towards that end.
-  std::optional<double> middle_value(std::size_t column, double from, double end) const {
-    const auto values = values_towards(column, from, end, 1.0);
-    return values && !grow(*values) ? std::optional(values->front()) : std::nullopt;
-  }
-
-  // Whether the motion ends at a limit towards which the values grow without bound in that sense.
-  bool is_unbounded(std::size_t column, double sign) const {
-    const std::vector<MotionRow>& rows = table_.rows;
-    if (table_.end != MotionEnd::limited || rows.size() < 2 || rows.back().values[column] ||
-        !rows[rows.size() - 2].values[column]) {
-      return false;
+    for (const double left : {0x1p-20, 0x1p-14, 0x1p-8, 0x1p-2}) {
+      const auto values = values_towards(column, from, end, left);
+      if (!values) {
+        continue;
+      }
+      const auto [far, near, nearest] = *values;
+      const double last = nearest - near;
+      if (std::abs(last) > std::abs(near - far) && std::abs(last) > kGrows * std::abs(nearest)) {
+        (last > 0.0 ? growth.grows : growth.falls) = true;
+      }
+      return;
     }
-    constexpr double kNear = 0x1p-8;  // of a step
-    const auto end = static_cast<double>(rows.size() - 1);
-    const auto values = values_towards(column, end - 1.0, end, kNear);
-    return values && grow(*values) && sign * values->back() > 0.0;
+  }
+
+  Growth growth_of(std::size_t column) const {
+    Growth growth;
+    const std::vector<MotionRow>& rows = table_.rows;
+    for (std::size_t r = 0; r + 1 < rows.size(); ++r) {
+      const bool has_this = rows[r].values[column].has_value();
+      if (has_this != rows[r + 1].values[column].has_value()) {
+        const auto here = static_cast<double>(r);
+        look_towards(column, has_this ? here : here + 1.0, has_this ? here + 1.0 : here, growth);
+      }
+    }
+    return growth;
   }
 
   std::span<const double> shares_;

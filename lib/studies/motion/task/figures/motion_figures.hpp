@@ -33,9 +33,9 @@ struct FigurePlace {
 /// known. Extremes are those of the steps and of `corners`, which are in order, of positions at
 /// dead points too; in the columns that are climbed, which may be fewer than all, they are looked
 /// for between these. Means take the middle of an interval where one of its ends has no value, as
-/// friction has none where it turns round; there is no mean where values grow without bound there.
-/// `drive_at` answers where the first drive is at a share, in its unit, `share_at` the share at so
-/// many steps.
+/// friction has none where it turns round. Where values grow without bound towards a position that
+/// has none there is no mean, and no extreme in that sense. `drive_at` answers where the first
+/// drive is at a share, in its unit, `share_at` the share at so many steps.
 void add_figures(std::span<const double> shares,
                  std::span<const FigurePlace> corners,
                  const std::vector<std::optional<ClimbedColumn>>& climbed,
