@@ -175,7 +175,7 @@ void mark_extremes(const MotionTable& motion, const Group& group, Chart& chart) 
 // Whether the column is of a driven freedom, or of a body that turns with it.
 bool follows_drive(const MotionTable& motion, const MotionColumn& column, std::size_t at) {
   const std::vector<double> values = values_of(motion, at);
-  for (std::size_t d = 0; d < at && motion.columns[d].quantity == kDriveColumn; ++d) {
+  for (std::size_t d = 0; d < motion.drives.size(); ++d) {
     if (column.element != motion.drives[d].freedom && !column.quantity.starts_with("rotation/")) {
       continue;
     }
