@@ -56,7 +56,8 @@ SourceRange place_of(std::span<const YamlNode> pieces) {
 }  // namespace
 
 bool report_cut_value(const YamlNode& list, Diagnostics& found) {
-  for (std::size_t i = 0; i < list.items.size(); ++i) {
+  bool is_cut = false;
+  for (std::size_t i = 0; i < list.items.size();) {
     const std::span<const YamlNode> rest = std::span(list.items).subspan(i);
     const std::size_t count = count_pieces(rest);
     if (count > 1) {
@@ -65,10 +66,11 @@ bool report_cut_value(const YamlNode& list, Diagnostics& found) {
                   place_of(rest.first(count)),
                   fmt::format("'{}' is cut at its comma, which separates values of the list", text),
                   fmt::format("put it in quotes: \"{}\"", text));
-      return true;
+      is_cut = true;
     }
+    i += std::max<std::size_t>(count, 1);
   }
-  return false;
+  return is_cut;
 }
 
 bool report_loose_end(const YamlNode& node, Diagnostics& found) {

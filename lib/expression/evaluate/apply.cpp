@@ -41,7 +41,7 @@ Outcome apply_to_angle(Function function, const Quantity& a) {
   if (a.dimension != kAngleDimension) {
     return argument_fault(
         fmt::format("'{}' takes an angle, not {}", name_of(function), phrase_of(a.dimension)),
-        "write 30 deg or 0.52 rad");
+        "write 30 deg or 0.52 rad, here or where its value is given");
   }
   if (function == tan && is_pole(a.value)) {
     return value_fault("'tan' of an odd multiple of 90 deg does not exist",
@@ -57,7 +57,7 @@ Outcome to_angle(Function function, const Quantity& a) {
   using enum Function;
   if (function != atan && std::abs(a.value) > 1.0) {
     return value_fault(fmt::format("'{}' of {} does not exist", name_of(function), a.value),
-                       "its value lies from -1 to 1");
+                       "the value in brackets must lie from -1 to 1");
   }
   const double value = function == asin   ? std::asin(a.value)
                        : function == acos ? std::acos(a.value)
@@ -69,7 +69,7 @@ Outcome logarithm(Function function, const Quantity& a) {
   using enum Function;
   if (a.value <= 0.0) {
     return value_fault(fmt::format("'{}' of {} does not exist", name_of(function), a.value),
-                       "its value is greater than zero");
+                       "the value in brackets must be greater than zero");
   }
   return checked({function == log10 ? std::log10(a.value) : std::log(a.value), {}});
 }
@@ -82,7 +82,7 @@ Outcome square_root(const Quantity& a) {
   }
   if (a.value < 0.0) {
     return value_fault(fmt::format("'sqrt' of {} does not exist", a.value),
-                       "its value is not negative");
+                       "the value under the root must not be negative");
   }
   return checked({std::sqrt(a.value), {d.length / 2, d.mass / 2, d.time / 2, d.angle / 2}});
 }
@@ -131,7 +131,7 @@ Fault whole_fault(Function function, const Quantity& a, const Quantity& b) {
                                       "are rounded",
                                       name_of(function),
                                       is_first ? a.value : b.value),
-               .hint = "its values lie below 9007199254740992",
+               .hint = "its values must lie below 9007199254740992",
                .part = is_first ? Fault::Part::left : Fault::Part::right};
 }
 
@@ -140,7 +140,7 @@ Outcome remainder(const Quantity& a, const Quantity& b) {
   if (b.value == 0.0) {
     return Fault{.code = "E0316",
                  .message = "division by zero in 'mod'",
-                 .hint = "the second value is not zero",
+                 .hint = "the second value must not be zero",
                  .part = Fault::Part::right};
   }
   const bool are_whole = is_whole_double(a.value) && is_whole_double(b.value);

@@ -34,6 +34,15 @@ bool has_inertia(const MechanismDescription& description) {
          std::ranges::any_of(description.cases, &CaseDescription::has_inertia);
 }
 
+void warn_of_idle_centre(const BodyDescription& body, const SectionContext& context) {
+  context.found.warning("W0301",
+                        body.centre_of_mass->where,
+                        fmt::format("body '{}' has a centre of mass and no mass, so that neither "
+                                    "gravity nor acceleration acts there",
+                                    body.name.text),
+                        "add 'mass', or remove 'centre_of_mass'");
+}
+
 class MassBinder {
  public:
   MassBinder(const BodyDescription& body, const SectionContext& context)
@@ -261,6 +270,9 @@ std::vector<DescribedMass> bind_masses(const SectionContext& context) {
   std::vector<DescribedMass> masses;
   const std::vector<BodyDescription>& bodies = context.description.bodies;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (bodies[b].centre_of_mass && !bodies[b].mass) {
+      warn_of_idle_centre(bodies[b], context);
+    }
     if (bodies[b].mass || !bodies[b].inertia.empty()) {
       masses.push_back({.body = b, .mass = MassBinder(bodies[b], context).bind()});
     } else if (bodies[b].centre_of_mass) {

@@ -123,7 +123,8 @@ std::optional<SweepColumn> MotionColumnSearch::find(const Name& name) {
     }
     return std::nullopt;
   }
-  if (asked.figure == MotionFigure::rms && !plan_.schedule) {
+  const bool is_in_time = plan_.schedule || plan_.time_problem != TimeProblem::none;
+  if (asked.figure == MotionFigure::rms && !is_in_time) {
     found_.error("E0305",
                  name.where,
                  fmt::format("'{}' is a mean in time, and the motion has none", name.text),
