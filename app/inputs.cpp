@@ -13,22 +13,23 @@ struct InputsOptions {
 };
 
 void add_choice_options(CLI::App& command, InputsChoice& choice) {
-  add_repeated(command,
-               "--among",
-               choice.among,
-               "a freedom, action or actuator that may be given;\n"
-               "may be repeated; default: all",
-               "NAME");
+  add_names(command,
+            "--among",
+            choice.among,
+            "a freedom, action or actuator that may be given;\n"
+            "several with commas between them; default: all",
+            "NAME");
   add_flag(
       command,
       "--actuators",
       [&choice] { choice.only_actuators = true; },
       "only motions and actions of actuators may be given");
-  add_repeated(command,
-               "--with",
-               choice.required,
-               "one that every set must contain; may be repeated",
-               "NAME");
+  add_names(command,
+            "--with",
+            choice.required,
+            "one that every set must contain; several with\n"
+            "commas between them",
+            "NAME");
   add_repeated(command,
                "--judge",
                choice.judged,

@@ -34,14 +34,14 @@ void add_motion_choice(CLI::App& command, MotionChoice& choice) {
   with_value(command,
              command.add_option("--case", choice.label, "the case whose speeds and loads apply"),
              "CASE");
-  add_repeated(command,
-               "--report",
-               choice.report,
-               "what to report, instead of what the file says: a\n"
-               "word from 'kinestat help motion', an actuator, or\n"
-               "a column by its name, 'motor/action'; may be\n"
-               "repeated",
-               "QUANTITY");
+  add_names(command,
+            "--report",
+            choice.report,
+            "what to report, instead of what the file says: a\n"
+            "word from 'kinestat help motion', an actuator, or\n"
+            "a column by its name, 'motor/action'; several with\n"
+            "commas between them",
+            "QUANTITY");
 }
 
 }  // namespace

@@ -30,14 +30,14 @@ void add_choices(CLI::App& command, PlotChoice& choice) {
              command.add_option(
                  "--drive", choice.drive, "the driving actuator, instead of the one in the file"),
              "ACTUATOR");
-  add_repeated(command,
-               "--report",
-               choice.report,
-               "what charts of a motion show, instead of what the\n"
-               "file says: a word from 'kinestat help motion', an\n"
-               "actuator, or a column by its name, 'motor/action';\n"
-               "may be repeated",
-               "QUANTITY");
+  add_names(command,
+            "--report",
+            choice.report,
+            "what charts of a motion show, instead of what the\n"
+            "file says: a word from 'kinestat help motion', an\n"
+            "actuator, or a column by its name, 'motor/action';\n"
+            "several with commas between them",
+            "QUANTITY");
   add_choice<PictureForm>(
       command,
       "--emit",

@@ -12,21 +12,22 @@ struct SensitivityOptions {
 };
 
 void add_choice_options(CLI::App& command, SensitivityChoice& choice) {
-  add_repeated(command,
-               "--of",
-               choice.values,
-               "a result: ratio, torque_ratio, a freedom d.wz, an\n"
-               "action c.Rx, or a path in the JSON report below\n"
-               "the case; may be repeated; default: ratios, and\n"
-               "the rates and actions solved for actuators, or all\n"
-               "rates and actions if there are no actuators",
-               "VALUE");
-  add_repeated(command,
-               "--by",
-               choice.parameters,
-               "differentiate only by this parameter; may be\n"
-               "repeated; default: all",
-               "PARAMETER");
+  add_names(command,
+            "--of",
+            choice.values,
+            "a result: ratio, torque_ratio, a freedom d.wz, an\n"
+            "action c.Rx, or a path in the JSON report below\n"
+            "the case; several with commas between them;\n"
+            "default: ratios, and the rates and actions solved\n"
+            "for actuators, or all rates and actions if there\n"
+            "are no actuators",
+            "VALUE");
+  add_names(command,
+            "--by",
+            choice.parameters,
+            "differentiate only by this parameter; several with\n"
+            "commas between them; default: all",
+            "PARAMETER");
   with_value(
       command, command.add_option("--case", choice.case_label, "one case; default: all"), "CASE");
 }

@@ -20,13 +20,14 @@ void add_simulate(CLI::App& command, Job& job) {
   add_curves(command, files.analyse.load);
   add_format(command, files);
   add_layout(command, files);
-  add_repeated(command,
-               "--report",
-               flags->report,
-               "what to report, instead of what the file says: a\n"
-               "word from 'kinestat help simulation', an actuator,\n"
-               "or a column by its name, 'a.Rx'; may be repeated",
-               "QUANTITY");
+  add_names(command,
+            "--report",
+            flags->report,
+            "what to report, instead of what the file says: a\n"
+            "word from 'kinestat help simulation', an actuator,\n"
+            "or a column by its name, 'a.Rx'; several with\n"
+            "commas between them",
+            "QUANTITY");
   add_strict(command, files);
   add_quiet(command, files);
   run_when_chosen(command, job, [flags] {

@@ -12,15 +12,15 @@ struct ToleranceOptions {
 };
 
 void add_choice_options(CLI::App& command, ToleranceChoice& choice) {
-  add_repeated(command,
-               "--of",
-               choice.positions,
-               "the position to watch: a freedom d.wz, an\n"
-               "actuator, a traced point P, a body, or a component\n"
-               "of these two, P/at/x; may be repeated; default:\n"
-               "actuators that are not held and traced points, or\n"
-               "all freedoms if there are none",
-               "POSITION");
+  add_names(command,
+            "--of",
+            choice.positions,
+            "the position to watch: a freedom d.wz, an\n"
+            "actuator, a traced point P, a body, or a component\n"
+            "of these two, P/at/x; several with commas between\n"
+            "them; default: actuators that are not held and\n"
+            "traced points, or all freedoms if there are none",
+            "POSITION");
   with_value(command,
              command.add_option("--place",
                                 choice.place,

@@ -45,13 +45,34 @@ CLI::Option& with_value(CLI::App& command, CLI::Option* option, const std::strin
   return *option->type_name(type);
 }
 
+namespace {
+
+CLI::Option& repeated_option(CLI::App& command,
+                             const std::string& name,
+                             std::vector<std::string>& values,
+                             const std::string& description,
+                             const std::string& type) {
+  CLI::Option& option = with_value(command, command.add_option(name, values, description), type);
+  option.expected(1)->take_all()->allow_extra_args(false);
+  return option;
+}
+
+}  // namespace
+
 void add_repeated(CLI::App& command,
                   const std::string& name,
                   std::vector<std::string>& values,
                   const std::string& description,
                   const std::string& type) {
-  CLI::Option& option = with_value(command, command.add_option(name, values, description), type);
-  option.expected(1)->take_all()->allow_extra_args(false);
+  repeated_option(command, name, values, description, type);
+}
+
+void add_names(CLI::App& command,
+               const std::string& name,
+               std::vector<std::string>& values,
+               const std::string& description,
+               const std::string& type) {
+  repeated_option(command, name, values, description, type).delimiter(',');
 }
 
 void add_flag(CLI::App& command,

@@ -79,6 +79,13 @@ void add_repeated(CLI::App& command,
                   const std::string& description,
                   const std::string& type);
 
+/// Likewise one that takes names, which may stand in one value with commas between them.
+void add_names(CLI::App& command,
+               const std::string& name,
+               std::vector<std::string>& values,
+               const std::string& description,
+               const std::string& type);
+
 /// Declares a flag, which takes no value.
 void add_flag(CLI::App& command,
               const std::string& names,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dynamics/spring_force.hpp"
+#include "mechanism/springs/spring_quantities.hpp"
 #include "record/record.hpp"
 
 namespace kinestat {
@@ -13,11 +14,7 @@ struct SpringView {
 
   const Spring& spring() const { return mechanism.springs[index]; }
 
-  /// Whether it is about a freedom that turns.
-  bool turns() const {
-    return spring().is_of_freedom() &&
-           mechanism.topology.freedoms[static_cast<std::size_t>(spring().freedom)].is_rotation;
-  }
+  bool turns() const { return is_about_turn(spring(), mechanism.topology); }
 };
 
 const Record<SpringView>& spring_record();

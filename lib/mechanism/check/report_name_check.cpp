@@ -19,8 +19,8 @@ namespace {
 
 constexpr std::string_view kMotionSection = "motion";
 
-// What has columns in a motion under its own name: its bodies, loads and traced points, and the
-// whole.
+// What has columns in a motion under its own name: its bodies, loads, springs and traced points,
+// and the whole.
 std::vector<std::string> elements_of_motion(const SectionContext& context) {
   const auto bodies = context.names.bodies.names();
   std::vector<std::string> all(bodies.begin(), bodies.end());
@@ -39,6 +39,9 @@ std::vector<std::string> elements_of_motion(const SectionContext& context) {
     if (body.mass && context.description.gravity) {
       all.push_back(std::string(kWeightPrefix) + body.name.text);
     }
+  }
+  for (const SpringDescription& spring : context.description.springs) {
+    all.push_back(std::string(kSpringPrefix) + spring.name.text);
   }
   const std::vector<TracePoint>& trace = context.description.motion->trace;
   for (std::size_t i = 0; i < trace.size(); ++i) {
@@ -190,7 +193,10 @@ void check_report_names(const std::vector<Name>& names,
           plain_list(words),
           section == kMotionSection ? "; or a column that the motion has, for example motor/action"
                                     : "");
-      const std::string other = otherwise_called(name.text, words);
+      const auto whole = std::ranges::find_if(
+          guesses, [&](const std::string& one) { return one.ends_with("." + name.text); });
+      const std::string other = whole != guesses.end() ? fmt::format("did you mean '{}'? ", *whole)
+                                                       : otherwise_called(name.text, words);
       context.found.error("E0313",
                           name.where,
                           fmt::format("{} cannot hold '{}'", role, name.text),

@@ -13,6 +13,7 @@
 #include "core/axis_name.hpp"
 #include "math/numbers/zero_within_bound.hpp"
 #include "mechanism/label_kind.hpp"
+#include "mechanism/springs/spring_quantities.hpp"
 #include "studies/motion/task/dynamic_columns.hpp"
 #include "studies/motion/task/motion_column_choice.hpp"
 #include "studies/motion/task/quotient_columns.hpp"
@@ -77,6 +78,7 @@ class ReadingList {
     add_velocities();
     add_accelerations();
     add_actions();
+    add_springs();
     add_powers();
     add_losses();
     if (report().dynamics && plan_.which >= 0 && which().has_inertia()) {
@@ -305,6 +307,25 @@ class ReadingList {
               return i < magnitudes.size() ? magnitudes[i] : std::nullopt;
             });
       }
+    }
+  }
+
+  void add_springs() {
+    for (std::size_t i = 0; report().action && i < mechanism_.springs.size(); ++i) {
+      const Spring& spring = mechanism_.springs[i];
+      const SpringQuantities& quantities = quantities_of(spring, topology_);
+      const auto add_state = [&](const char* quantity, QuantityKind kind, double SpringState::*at) {
+        add(std::string(kSpringPrefix) + spring.name,
+            quantity,
+            kind,
+            [i, at](const MotionPosition& position) -> std::optional<double> {
+              return position.solved && i < position.solved->springs.size()
+                         ? std::optional(position.solved->springs[i].*at)
+                         : std::nullopt;
+            });
+      };
+      add_state(quantities.position, quantities.position_kind, &SpringState::position);
+      add_state(quantities.action, quantities.action_kind, &SpringState::force);
     }
   }
 
