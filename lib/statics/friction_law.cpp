@@ -97,7 +97,7 @@ std::vector<PressingPartOf<Scalar>> edges(const SlidingOf<Scalar>& s,
 // The couple across the axis about the place of the coupling.
 template <class Scalar>
 IgnoredPartOf<Scalar> tilting_part(const SlidingOf<Scalar>& s, const Vec3Of<Scalar>& axis) {
-  IgnoredPartOf<Scalar> result{.reaction = Reaction::tilting};
+  IgnoredPartOf<Scalar> result{.reaction = Reaction::tilting, .beside = s.friction.beside};
   result.part.template leftCols<3>() = across<Scalar>(axis);
   result.part.template rightCols<3>() = -across<Scalar>(axis) * cross_matrix<Scalar>(s.at);
   return result;
@@ -130,10 +130,14 @@ void add_across(const SlidingOf<Scalar>& s,
                 const Scalar& weight,
                 FrictionLawOf<Scalar>& law) {
   if (s.friction.length) {
-    std::ranges::move(edges(s, axis, weight), std::back_inserter(law.parts));
+    for (PressingPartOf<Scalar>& edge : edges(s, axis, weight)) {
+      edge.beside = s.friction.beside;
+      law.parts.push_back(std::move(edge));
+    }
     return;
   }
   law.parts.push_back(force_part(across<Scalar>(axis), weight));
+  law.parts.back().beside = s.friction.beside;
   if (value_of(weight) > 0.0) {
     law.ignored.push_back(tilting_part(s, axis));
   }
@@ -185,7 +189,8 @@ FrictionLawOf<Scalar> journal(const SlidingOf<Scalar>& s) {
   if (value_of(s.friction.thrust_radius) > 0.0) {
     law.parts.push_back(axial_part(axis, Scalar(mu * s.friction.thrust_radius)));
   } else {
-    law.ignored.push_back({Reaction::axial, axial_part(axis, Scalar(0.0)).part});
+    law.ignored.push_back(
+        {.reaction = Reaction::axial, .part = axial_part(axis, Scalar(0.0)).part});
   }
   return law;
 }
@@ -234,7 +239,8 @@ FrictionLawOf<Scalar> guide(const SlidingOf<Scalar>& s) {
   if (value_of(s.friction.radius) > 0.0) {
     law.parts.push_back(torsion_part(s, axis, Scalar(mu / s.friction.radius)));
   } else if (value_of(mu) > 0.0) {
-    law.ignored.push_back({Reaction::torsion, torsion_part(s, axis, Scalar(0.0)).part});
+    law.ignored.push_back(
+        {.reaction = Reaction::torsion, .part = torsion_part(s, axis, Scalar(0.0)).part});
   }
   return law;
 }

@@ -17,6 +17,7 @@ namespace kinestat {
 template <class Scalar>
 struct PressingPartOf {
   std::optional<CouplingId> of;  ///< the coupling whose wrench presses; empty: the law's own
+  std::vector<CountedCoupling> beside = {};  ///< whose wrenches are added to that
   Eigen::Matrix<Scalar, 3, 6> part = Eigen::Matrix<Scalar, 3, 6>::Zero();
   Scalar weight = 0.0;
   Scalar weight_if_negative = 0.0;  ///< of the first component, the others being zero
@@ -40,10 +41,11 @@ enum class Reaction {
   torsion,  ///< couple about the axis of a guide without radius
 };
 
-/// A reaction that is ignored; its size is |part · wrench of the coupling|.
+/// A reaction that is ignored; its size is |part · wrench of the coupling with those `beside`|.
 template <class Scalar>
 struct IgnoredPartOf {
   Reaction reaction = Reaction::axial;
+  std::vector<CountedCoupling> beside = {};
   Eigen::Matrix<Scalar, 3, 6> part = Eigen::Matrix<Scalar, 3, 6>::Zero();
 };
 

@@ -8,6 +8,7 @@
 #include "cases/report/case_text.hpp"
 #include "cases/report/ratio_in_units.hpp"
 #include "core/tolerance.hpp"
+#include "mechanism/gears/central_hinge.hpp"
 #include "mechanism/gears/planet_load.hpp"
 #include "mechanism/label_kind.hpp"
 #include "report/number_format.hpp"
@@ -219,14 +220,26 @@ LargestActions largest_actions(const Mechanism& mechanism, const CaseAnalysis& o
     if (!wrench) {
       continue;
     }
-    const auto size = [&](const Vec3& vector) {
-      return central[e] ? std::abs(vector.dot(central[e]->axis)) : vector.norm();
-    };
-    const Vec3 moment = moment_at(*wrench, mechanism.geometry.points[e]).zeroed();
+    BoundedWrench with_planets = *wrench;
+    for (std::size_t i = 0; central[e] && i < central[e]->planets.size(); ++i) {
+      const CountedCoupling& planet = central[e]->planets[i];
+      if (const auto other = bounded_wrench(*one.action, planet.coupling)) {
+        const BoundedNumber sign{.value = planet.sign, .bound = 0.0};
+        with_planets = with_planets +
+                       BoundedWrench{.moment = sign * other->moment, .force = sign * other->force};
+      }
+    }
+    const Vec3& point = mechanism.geometry.points[e];
+    const double force =
+        borne(central[e], wrench->force.zeroed(), with_planets.force.zeroed()).norm();
+    const double moment =
+        borne(
+            central[e], moment_at(*wrench, point).zeroed(), moment_at(with_planets, point).zeroed())
+            .norm();
     const double share = most_loaded_share(mechanism, coupling);
-    count(share * size(wrench->force.zeroed()), coupling.name, largest.force);
+    count(share * force, coupling.name, largest.force);
     if (!mechanism.is_unplaced[e]) {
-      count(share * size(moment), coupling.name, largest.moment);
+      count(share * moment, coupling.name, largest.moment);
     }
     largest.is_per_planet = largest.is_per_planet || share < 1.0;
     largest.has_central_hinges = largest.has_central_hinges || central[e];

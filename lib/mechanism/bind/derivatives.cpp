@@ -99,6 +99,7 @@ class DerivativeBinder {
                                                     : friction_of(friction.coupling));
       result.frictions.back().planets = friction.planets;
       result.frictions.back().is_balanced = friction.is_balanced;
+      result.frictions.back().beside = friction.beside;
     }
   }
 

@@ -13,6 +13,12 @@
 
 namespace kinestat {
 
+/// A coupling whose wrench counts with that sign in a sum.
+struct CountedCoupling {
+  CouplingId coupling;
+  double sign = 1.0;
+};
+
 /// The friction of a cable on a pulley: the tension of the segment towards which the cable runs is
 /// `ratio` times that of the other. On a drum there is only one segment.
 struct CableFriction {
@@ -54,6 +60,8 @@ struct CouplingFrictionOf {
   std::vector<CableFriction> cables;  ///< over the pulley that turns on the coupling
   int planets = 1;  ///< number of equal planets that are drawn as one; tau and c are of one bearing
   bool is_balanced = false;  ///< only equal planets press across the axis; their forces cancel
+  std::vector<CountedCoupling> beside;  ///< their wrenches, added to its own, leave what it bears
+                                        ///< across the axis without what of equal planets cancels
   SourceRange where;
 };
 

@@ -39,6 +39,18 @@ Vec6 passive_wrench(const Mechanism& mechanism, CouplingId id, const VecX& magni
   return sum;
 }
 
+// What presses, or what is ignored: the wrench of a coupling with those beside it.
+Vec6 pressing_wrench(const Mechanism& mechanism,
+                     CouplingId of,
+                     const std::vector<CountedCoupling>& beside,
+                     const VecX& magnitudes) {
+  Vec6 sum = passive_wrench(mechanism, of, magnitudes);
+  for (const CountedCoupling& other : beside) {
+    sum += other.sign * passive_wrench(mechanism, other.coupling, magnitudes);
+  }
+  return sum;
+}
+
 }  // namespace
 
 std::vector<IgnoredReaction> ignored_reactions(const Mechanism& mechanism,
@@ -56,7 +68,8 @@ std::vector<IgnoredReaction> ignored_reactions(const Mechanism& mechanism,
   const Vec6 wrench = passive_wrench(mechanism, law.coupling, known);
   const double force = wrench.tail<3>().norm() + wrench.head<3>().norm() / length;
   for (const IgnoredPart& one : law.ignored) {
-    const double size = (one.part * wrench).norm();
+    const double size =
+        (one.part * pressing_wrench(mechanism, law.coupling, one.beside, known)).norm();
     const bool is_couple = one.reaction != Reaction::axial;
     if (size > kNoReaction * force * (is_couple ? length : 1.0)) {
       found.push_back({.coupling = law.coupling, .reaction = one.reaction, .size = size});
@@ -107,8 +120,7 @@ Vec3 FrictionSystem::slope(std::size_t law, std::size_t part, std::size_t fricti
   std::optional<Vec3>& known = slopes_[law][part][friction];
   if (!known) {
     const PressingPart& pressing = laws_[law].parts[part];
-    known = pressing.part *
-            coupling_wrench(pressing.of.value_or(laws_[law].coupling), response(friction));
+    known = pressing_force(pressing, laws_[law], response(friction));
   }
   return *known;
 }
@@ -134,8 +146,11 @@ std::vector<BodyWrench> FrictionSystem::pair_of(const FrictionLaw& law, double m
           {.body = bodies.tail, .wrench = -magnitude * law.unit}};
 }
 
-Vec6 FrictionSystem::coupling_wrench(CouplingId id, const VecX& magnitudes) const {
-  return passive_wrench(mechanism_, id, magnitudes);
+Vec3 FrictionSystem::pressing_force(const PressingPart& part,
+                                    const FrictionLaw& law,
+                                    const VecX& magnitudes) const {
+  return part.part *
+         pressing_wrench(mechanism_, part.of.value_or(law.coupling), part.beside, magnitudes);
 }
 
 bool FrictionSystem::needs_open_action(const FrictionLaw& law) const {
@@ -143,7 +158,10 @@ bool FrictionSystem::needs_open_action(const FrictionLaw& law) const {
     const CouplingId owner = mechanism_.topology.actions[static_cast<std::size_t>(a)].coupling;
     const Vec6 screw = mechanism_.geometry.actions[static_cast<std::size_t>(a)].coordinates();
     return std::ranges::any_of(law.parts, [&](const PressingPart& part) {
-      return owner == part.of.value_or(law.coupling) &&
+      const bool presses =
+          owner == part.of.value_or(law.coupling) ||
+          std::ranges::find(part.beside, owner, &CountedCoupling::coupling) != part.beside.end();
+      return presses &&
              (part.part * screw).norm() > kCancellation * screw.norm() * part.part.norm();
     });
   });
@@ -174,7 +192,7 @@ void FrictionSystem::find_open(std::vector<int> undetermined) {
 
 Vec3 FrictionSystem::pressing_of(std::size_t law, std::size_t part, const VecX& actions) const {
   const PressingPart& pressing = laws_[law].parts[part];
-  return pressing.part * coupling_wrench(pressing.of.value_or(laws_[law].coupling), actions);
+  return pressing_force(pressing, laws_[law], actions);
 }
 
 FrictionFunction FrictionSystem::function_of(std::size_t i,
@@ -184,8 +202,7 @@ FrictionFunction FrictionSystem::function_of(std::size_t i,
     const PressingPart& part = laws_[i].parts[p];
     PressingForce force;
     force.part = &part;
-    force.constant =
-        part.part * coupling_wrench(part.of.value_or(laws_[i].coupling), frictionless_);
+    force.constant = pressing_force(part, laws_[i], frictionless_);
     force.slopes.resize(3, static_cast<Eigen::Index>(chosen.size()));
     for (std::size_t j = 0; j < chosen.size(); ++j) {
       force.slopes.col(static_cast<Eigen::Index>(j)) = slope(i, p, chosen[j]);

@@ -66,7 +66,9 @@ class FrictionSystem {
  private:
   Vec3 slope(std::size_t law, std::size_t part, std::size_t friction) const;
   std::vector<BodyWrench> pair_of(const FrictionLaw& law, double magnitude) const;
-  Vec6 coupling_wrench(CouplingId id, const VecX& magnitudes) const;
+  Vec3 pressing_force(const PressingPart& part,
+                      const FrictionLaw& law,
+                      const VecX& magnitudes) const;
   bool needs_open_action(const FrictionLaw& law) const;
   void leave_open(StaticSolution& solution) const;
   void add_friction(const ChosenFrictions& frictions, StaticSolution& solution) const;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "couplings/kinds.hpp"
+#include "mechanism/gears/central_hinge.hpp"
 #include "mechanism/gears/planet_load.hpp"
 #include "power/efficiency.hpp"
 #include "studies/duty/state_finder.hpp"
@@ -61,8 +62,8 @@ struct GearSum {
 struct BearingSum {
   BearingDuty duty;
   int freedom = 0;
-  std::optional<Vec3> central_axis = {};  ///< along which alone its force counts
-  double share = 1.0;                     ///< likewise
+  std::optional<CentralHinge> central = {};
+  double share = 1.0;  ///< likewise
   WearSum wear;
 };
 
@@ -217,15 +218,13 @@ class DutySum {
       if (!kind.is_hinge || kind.engages || coupling.action_count == 0) {
         continue;
       }
-      const std::optional<CentralHinge>& hinge = central[static_cast<std::size_t>(e)];
-      bearings_.push_back(
-          {.duty = {.bearing = CouplingId{e},
-                    .planets = planets_of(mechanism_, coupling),
-                    .wear = {}},
-           .freedom = coupling.first_freedom,
-           .central_axis = hinge && !hinge->bears_more ? std::optional(hinge->axis) : std::nullopt,
-           .share = most_loaded_share(mechanism_, coupling),
-           .wear = WearSum(plan_.bearing_exponent)});
+      bearings_.push_back({.duty = {.bearing = CouplingId{e},
+                                    .planets = planets_of(mechanism_, coupling),
+                                    .wear = {}},
+                           .freedom = coupling.first_freedom,
+                           .central = central[static_cast<std::size_t>(e)],
+                           .share = most_loaded_share(mechanism_, coupling),
+                           .wear = WearSum(plan_.bearing_exponent)});
     }
   }
 
@@ -247,10 +246,11 @@ class DutySum {
     }
     for (BearingSum& bearing : bearings_) {
       const double rate = state.rates[static_cast<std::size_t>(bearing.freedom)];
-      const Vec3& bears = state.forces[static_cast<std::size_t>(bearing.duty.bearing.value)];
-      const double force =
-          bearing.central_axis ? std::abs(bears.dot(*bearing.central_axis)) : bears.norm();
-      bearing.wear.add(std::abs(rate) * t / kTurn, force * bearing.share);
+      const Vec3 force =
+          borne_force(bearing.central, bearing.duty.bearing, [&](CouplingId coupling) {
+            return state.forces[static_cast<std::size_t>(coupling.value)];
+          });
+      bearing.wear.add(std::abs(rate) * t / kTurn, force.norm() * bearing.share);
     }
   }
 

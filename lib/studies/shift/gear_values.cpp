@@ -5,6 +5,7 @@
 
 #include "core/tolerance.hpp"
 #include "couplings/kinds.hpp"
+#include "mechanism/gears/central_hinge.hpp"
 #include "mechanism/gears/planet_load.hpp"
 #include "power/rate_ratio.hpp"
 #include "studies/shift/shift_solution.hpp"
@@ -77,8 +78,7 @@ class GearReader {
     values_.ratios.push_back(std::move(ratios));
   }
 
-  // Of several equal planets the most loaded one counts; central hinges count along their axis, as
-  // across it equal planets cancel, which the solution does not know.
+  // Of several equal planets the most loaded one counts; of central hinges what these leave.
   std::optional<LoadedCoupling> most_loaded(bool (*counts)(CouplingType)) const {
     std::optional<LoadedCoupling> most;
     if (!has_actions()) {
@@ -90,9 +90,13 @@ class GearReader {
       if (!counts(coupling.type) || !gear_.action->wrenches[e]) {
         continue;
       }
-      const Vec3& bears = gear_.action->wrenches[e]->force;
-      const double size = central[e] ? std::abs(bears.dot(central[e]->axis)) : bears.norm();
-      const double force = size * most_loaded_share(gear_.mechanism, coupling);
+      const Vec3 bears =
+          borne_force(central[e], CouplingId{static_cast<int>(e)}, [&](CouplingId other) {
+            const std::optional<Wrench>& wrench =
+                gear_.action->wrenches[static_cast<std::size_t>(other.value)];
+            return wrench ? wrench->force : Vec3(Vec3::Zero());
+          });
+      const double force = bears.norm() * most_loaded_share(gear_.mechanism, coupling);
       // Of equal ones the first: rounding decides nothing.
       if (force > (most ? most->force * (1.0 + kSameValue) : 0.0)) {
         most = {.name = coupling.name, .force = force};

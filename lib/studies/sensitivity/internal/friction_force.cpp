@@ -15,17 +15,23 @@ namespace {
 
 using MagnitudeOf = std::function<Dual(std::size_t)>;
 
-// part · wrench of the coupling, its actions having these magnitudes.
+// part · wrench of the coupling with those beside it, the actions having these magnitudes.
 Vec3Of<Dual> pressing_force(const DualCase& values,
                             const FrictionLawOf<Dual>& law,
                             const PressingPartOf<Dual>& part,
                             const MagnitudeOf& magnitude_of) {
-  const CouplingTopology& coupling = values.topology().coupling(law.coupling);
   Vec3Of<Dual> sum = Vec3Of<Dual>::Zero();
-  for (int i = 0; i < coupling.action_count; ++i) {
-    const auto a = static_cast<std::size_t>(coupling.first_action + i);
-    const Vec3Of<Dual> share = part.part * values.unit_action(a).coordinates();
-    sum += magnitude_of(a) * share;
+  const auto add = [&](CouplingId id, double sign) {
+    const CouplingTopology& coupling = values.topology().coupling(id);
+    for (int i = 0; i < coupling.action_count; ++i) {
+      const auto a = static_cast<std::size_t>(coupling.first_action + i);
+      const Vec3Of<Dual> share = part.part * values.unit_action(a).coordinates();
+      sum += sign * magnitude_of(a) * share;
+    }
+  };
+  add(law.coupling, 1.0);
+  for (const CountedCoupling& other : part.beside) {
+    add(other.coupling, other.sign);
   }
   return sum;
 }

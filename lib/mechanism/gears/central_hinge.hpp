@@ -1,0 +1,49 @@
+// The hinges on the axis of planets, which several equal planets press from all sides.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "mechanism/couplings/coupling_friction.hpp"
+#include "mechanism/mechanism.hpp"
+
+namespace kinestat {
+
+/// A hinge on the axis of carriers of several equal planets, or of suns and rings that mesh with
+/// them. Equal planets at equal angles press it from all sides, so that their forces across the
+/// axis and their moments across it cancel; but as drawn, it bears those of one planet in the place
+/// of all. Axial forces and moments about the axis add up.
+struct CentralHinge {
+  enum class Across {
+    nothing,  ///< only planets press the bodies that it carries
+    rest,     ///< what it bears with the wrenches of `planets` added
+    shared    ///< as drawn: further hinges share what it bears
+  };
+
+  Vec3 axis = Vec3::UnitZ();  ///< a unit vector, as drawn
+  Across across = Across::nothing;
+  std::vector<CountedCoupling> planets;  ///< the meshes by which planets press what it carries
+};
+
+/// Finds the central hinge of each coupling; empty for couplings that are none.
+std::vector<std::optional<CentralHinge>> find_central_hinges(const Mechanism& mechanism);
+
+/// What a coupling bears, a force or a moment about its point, of a central hinge without what
+/// cancels: `own` along the axis, and across it `with_planets`, its own and those of `planets`.
+Vec3 borne(const std::optional<CentralHinge>& hinge, const Vec3& own, const Vec3& with_planets);
+
+/// The force that a coupling bears [N]; `force_of` gives those of all couplings as drawn, of tail
+/// on head.
+template <class ForceOf>
+Vec3 borne_force(const std::optional<CentralHinge>& hinge,
+                 CouplingId coupling,
+                 const ForceOf& force_of) {
+  const Vec3 own = force_of(coupling);
+  Vec3 with_planets = own;
+  for (std::size_t i = 0; hinge && i < hinge->planets.size(); ++i) {
+    with_planets += hinge->planets[i].sign * force_of(hinge->planets[i].coupling);
+  }
+  return borne(hinge, own, with_planets);
+}
+
+}  // namespace kinestat
