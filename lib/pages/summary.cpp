@@ -127,7 +127,13 @@ void add_cases(const Analysis& analysis, bool moves, Sentences& sentences) {
                 "Of {} cases {} solved; not so: {}.", count, counted(solved, "is", "are"), list));
 }
 
+// Of teeth; power that runs around a linkage is nothing to look at.
 void add_circulation(const Analysis& analysis, Sentences& sentences) {
+  const bool meshes = std::ranges::any_of(
+      analysis.mechanism.topology.couplings, has_teeth, &CouplingTopology::type);
+  if (!meshes) {
+    return;
+  }
   std::vector<std::string> labels;
   for (const CaseAnalysis& one : analysis.cases) {
     if (one.power_graph && !one.power_graph->circulating.empty()) {

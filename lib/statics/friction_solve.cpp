@@ -78,7 +78,7 @@ std::optional<StaticSolution> solve_tied(const Mechanism& mechanism,
   }
   std::vector<FrictionLaw> rest(given.laws.begin(), given.laws.end());
   for (FrictionLaw& law : rest) {
-    if (is_tied(mechanism, law)) {
+    if (is_tied(mechanism, given.primaries, law)) {
       law.parts.clear();
     }
   }
@@ -99,7 +99,7 @@ std::optional<StaticSolution> solve_tied(const Mechanism& mechanism,
   for (std::size_t i = 0; i < given.laws.size(); ++i) {
     const FrictionLaw& law = given.laws[i];
     FrictionAction& friction = solution.friction[i];
-    if (is_tied(mechanism, law)) {
+    if (is_tied(mechanism, given.primaries, law)) {
       friction.magnitude = drag_of(law.parts.front(), mechanism.topology, solution);
       if (friction.magnitude < 0.0) {
         return std::nullopt;

@@ -33,4 +33,11 @@ for report in "$reports"/*.report.json; do
     status=1
   fi
 done
+for kept in "$golden"/*.report.json; do
+  name=$(basename "$kept")
+  if [ ! -e "$reports/$name" ]; then
+    echo "$name: no model gives this report; remove it if the model is gone"
+    status=1
+  fi
+done
 exit "$status"

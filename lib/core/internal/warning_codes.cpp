@@ -111,7 +111,8 @@ constexpr auto kWarningCodes = std::to_array<Code>({
     {"W0315",
      done,
      "friction counts forces of planets that cancel",
-     "Equal planets press a central bearing from all sides, so that their radial forces cancel, and "
+     "Equal planets press a central bearing from all sides, so that their radial forces cancel, "
+     "and "
      "its friction counts only what else presses it. The mechanism has one planet in the place of "
      "all, and its radial force is taken out of what the bearing bears; but here a second bearing "
      "of the same shaft shares it, and the part of each is not known, so that friction is too "

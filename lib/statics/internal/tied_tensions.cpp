@@ -17,11 +17,12 @@ struct SlippingPulley {
 };
 
 std::vector<SlippingPulley> find_slipping_pulleys(const Mechanism& mechanism,
+                                                  std::span<const Primary> primaries,
                                                   std::span<const FrictionLaw> laws) {
   const Topology& topology = mechanism.topology;
   std::vector<SlippingPulley> pulleys;
   for (const FrictionLaw& law : laws) {
-    if (is_tied(mechanism, law)) {
+    if (is_tied(mechanism, primaries, law)) {
       const PressingPart& part = law.parts.front();
       pulleys.push_back({.law = &law,
                          .ahead = topology.coupling(*part.of).first_action,
@@ -101,7 +102,9 @@ bool is_end(int action, TiedTo to, const std::vector<SlippingPulley>& pulleys) {
 
 }  // namespace
 
-bool is_tied(const Mechanism& mechanism, const FrictionLaw& law) {
+bool is_tied(const Mechanism& mechanism,
+             std::span<const Primary> primaries,
+             const FrictionLaw& law) {
   const bool is_cable_alone =
       law.parts.size() == 1 && law.parts.front().slack.has_value() && law.constant == 0.0;
   if (!is_cable_alone) {
@@ -112,12 +115,13 @@ bool is_tied(const Mechanism& mechanism, const FrictionLaw& law) {
     return contact.slips == law.coupling;
   });
   const Topology& topology = mechanism.topology;
-  const bool is_driven =
+  const bool is_held =
       std::ranges::any_of(topology.actuators, [&](const ActuatorTopology& actuator) {
         const auto freedom = static_cast<std::size_t>(actuator.freedom);
-        return topology.freedoms[freedom].coupling == law.coupling;
+        return topology.freedoms[freedom].coupling == law.coupling &&
+               std::ranges::find(primaries, actuator.action, &Primary::index) == primaries.end();
       });
-  return slips && !is_driven;
+  return slips && !is_held;
 }
 
 std::vector<TiedTension> find_ties(const Mechanism& mechanism,
@@ -125,7 +129,7 @@ std::vector<TiedTension> find_ties(const Mechanism& mechanism,
                                    std::span<const FrictionLaw> laws,
                                    TiedTo to) {
   const Topology& topology = mechanism.topology;
-  const std::vector<SlippingPulley> pulleys = find_slipping_pulleys(mechanism, laws);
+  const std::vector<SlippingPulley> pulleys = find_slipping_pulleys(mechanism, primaries, laws);
   std::vector<int> roots;
   for (const Primary& primary : primaries) {
     roots.push_back(primary.index);

@@ -14,8 +14,10 @@ namespace kinestat {
 enum class TiedTo { least, greatest };
 
 /// Whether the friction is that of a cable which slips on a pulley and that nothing else holds
-/// back: then the tension behind is a share of that ahead.
-bool is_tied(const Mechanism& mechanism, const FrictionLaw& law);
+/// back, unless by a known action: then the tension behind is a share of that ahead.
+bool is_tied(const Mechanism& mechanism,
+             std::span<const Primary> primaries,
+             const FrictionLaw& law);
 
 /// The tensions that cables of these laws tie to one of them, or to one that is a primary. None
 /// where cables close a circle of slip, or two tensions of one are primaries.

@@ -135,7 +135,8 @@ CaseFindings told_of_row(const CaseFindings& said,
           "W0508",
           one.where,
           fmt::format("case '{}': friction has no direction while the drives rest", table.label),
-          "at rest it may be anything up to its limit: these rows have no actions");
+          "at rest it may be anything up to its limit: these rows have no actions; means, RMS and "
+          "energies count none there");
     } else if (row.status != kDeadPointEvent) {
       told.add(one);
     }

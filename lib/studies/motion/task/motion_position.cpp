@@ -277,6 +277,20 @@ void MotionPositions::solve_passes(const Configuration& configuration,
     position.solved = solve_row(moved_, judged, known);
   }
   position.solved->inertia_obstacle = obstacle;
+  solve_at_rest(judged, known, position);
+}
+
+void MotionPositions::solve_at_rest(const Case& which,
+                                    const KnownState& known,
+                                    MotionPosition& position) {
+  const auto rests = [](const std::optional<double>& rate) { return rate == 0.0; };
+  const std::optional<StaticSolution>& action = position.solved->action;
+  if (now_ && action && action->status == SolveStatus::at_rest && position.has_speeds() &&
+      std::ranges::all_of(position.state.rates, rests)) {
+    const std::vector<CouplingFriction> frictions = std::exchange(moved_.frictions, {});
+    position.without_friction = solve_row(moved_, which, known);
+    moved_.frictions = frictions;
+  }
 }
 
 }  // namespace kinestat

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cases/analysis.hpp"
+#include "cases/case_passes.hpp"
 #include "core/motion_tolerance.hpp"
 #include "studies/motion/motion_state.hpp"
 #include "studies/motion/task/case_speeds.hpp"
@@ -34,6 +35,8 @@ struct MotionPosition {
   SpeedsKnown speeds = SpeedsKnown::not_by_state;  ///< what the case says of them
   std::optional<CaseAnalysis> solved;              ///< the passes of the case; its motion alone
                                                    ///< where velocities are missing
+  std::optional<CaseAnalysis> without_friction;    ///< of drives at rest, where friction has no
+                                                   ///< direction: what acts if there is none
   std::optional<double> transmission_angle;        ///< [rad]
 
   /// The state has those of the case.
@@ -79,6 +82,7 @@ class MotionPositions {
   void solve_passes(const Configuration& configuration,
                     const GivenSpeeds& speeds,
                     MotionPosition& position);
+  void solve_at_rest(const Case& which, const KnownState& known, MotionPosition& position);
   bool has_own_rank() const;
   bool has_motion_of_state(const Case& which) const;
   bool loads_by_speed(const Case& which) const;

@@ -239,8 +239,20 @@ class TableMaker {
           is_left_out && !row.lacks_accelerations && is_rate_of_rate(reading.kind);
     }
     table_.rows.push_back(std::move(row));
+    if (position.without_friction) {
+      add_at_rest(p, position);
+    }
     poles_.look(readings_, position);
     sliding_.push_back(sliding_at(mechanism_, position));
+  }
+
+  void add_at_rest(int p, MotionPosition position) {
+    position.solved = std::move(position.without_friction);
+    const double share = solution_.shares[static_cast<std::size_t>(p)];
+    at_rest_.push_back({.step = static_cast<double>(p),
+                        .share = share,
+                        .values = values_at(position, share, is_any),
+                        .is_at_rest = true});
   }
 
   // A driven freedom stands where its drive does.
@@ -265,11 +277,11 @@ class TableMaker {
   }
 
   std::vector<double> drives_at(double share) const {
-    std::vector<double> values;
+    std::vector<double> all;
     for (const PlannedDrive& drive : plan_.drives) {
-      values.push_back(in_unit(kind_of(drive), solution_.drive_at(values.size(), share)));
+      all.push_back(in_unit(kind_of(drive), solution_.drive_at(all.size(), share)));
     }
-    return values;
+    return all;
   }
 
   // How uncertain the position of the first drive is at a share that is uncertain by so much.
@@ -281,28 +293,17 @@ class TableMaker {
     return in_unit(kind_of(drive), std::abs(step < 0 ? by * drive.from : reach));
   }
 
-  static std::string kind_of(const SpecialPosition& special) {
+  // The kind of the event, and the element that it is of.
+  std::pair<std::string_view, std::string> event_of(const SpecialPosition& special) const {
     switch (special.kind) {
       case SpecialKind::limit:
-        return std::string(kLimitEvent);
+        return {kLimitEvent, table_.drives.front().name};
       case SpecialKind::lift_off:
-        return std::string(kLiftOffEvent);
+        return {kLiftOffEvent, mechanism_.contacts[static_cast<std::size_t>(special.contact)].name};
       case SpecialKind::change_point:
-        return std::string(kSingularEvent);
+        return {kSingularEvent, ""};
     }
-    return "";
-  }
-
-  std::string element_of(const SpecialPosition& special) const {
-    switch (special.kind) {
-      case SpecialKind::limit:
-        return table_.drives.front().name;
-      case SpecialKind::lift_off:
-        return mechanism_.contacts[static_cast<std::size_t>(special.contact)].name;
-      case SpecialKind::change_point:
-        return "";
-    }
-    return "";
+    return {};
   }
 
   static bool is_place(const MotionColumn& column) {
@@ -310,11 +311,14 @@ class TableMaker {
            column.quantity.starts_with("rotation/");
   }
 
+  static bool is_any(const MotionColumn& /*column*/) { return true; }
+
   // Of the columns that are wanted, beside the drives.
   template <class IsWanted>
   std::vector<std::optional<double>> values_at(const MotionPosition& position,
-                                               const std::vector<double>& drives,
+                                               double share,
                                                const IsWanted& is_wanted) const {
+    const std::vector<double> drives = drives_at(share);
     std::vector<std::optional<double>> values(drives.begin(), drives.end());
     for (const MotionReading& reading : readings_) {
       const std::optional<double> value =
@@ -332,8 +336,7 @@ class TableMaker {
     if (point.step < 0 || readings_.empty()) {
       return {};
     }
-    return values_at(
-        positions.at(point.configuration, point.share), drives_at(point.share), is_place);
+    return values_at(positions.at(point.configuration, point.share), point.share, is_place);
   }
 
   void add_events() {
@@ -362,10 +365,11 @@ class TableMaker {
       for (std::size_t d = 0; d < plan_.drives.size(); ++d) {
         drive.push_back(in_unit(kind_of(plan_.drives[d]), special.drive_values[d]));
       }
+      const auto [kind, element] = event_of(special);
       placed.push_back(
           {.share = special.share,
-           .event = {.kind = kind_of(special),
-                     .element = element_of(special),
+           .event = {.kind = std::string(kind),
+                     .element = element,
                      .step = special.step,
                      .drive = std::move(drive),
                      .uncertainty = uncertainty(special.share, special.uncertainty, special.step),
@@ -382,7 +386,7 @@ class TableMaker {
     const auto drive_at = [this](double share) { return drives_at(share).front(); };
     const auto share_at = [this](double step) { return share_at_step(motion_, step); };
     if (readings_.empty() || (!scope_.extremes && table_.columns.size() > kMostClimbed)) {
-      add_figures(solution_.shares, {}, {}, {}, drive_at, share_at, table_);
+      add_figures(solution_.shares, at_rest_, {}, {}, drive_at, share_at, table_);
       return;
     }
     table_.looks_between_steps = true;
@@ -400,13 +404,14 @@ class TableMaker {
     MotionPositions positions(mechanism_, plan_, motion_.network, motion_.drawn, detail_);
     WayBetween way(motion_.network, solution_);
     const std::size_t first = table_.drives.size();
-    const std::vector<FigurePlace> corners = find_curve_corners(
+    std::vector<FigurePlace> places = find_curve_corners(
         mechanism_, motion_, detail_, [this](const auto& position, double share) {
-          return values_at(position, drives_at(share), [](const MotionColumn&) { return true; });
+          return values_at(position, share, is_any);
         });
+    std::ranges::move(at_rest_, std::back_inserter(places));
     add_figures(
         solution_.shares,
-        corners,
+        places,
         climbed,
         [&](std::size_t column, std::size_t row, double share) -> std::optional<double> {
           if (share <= solution_.shares[row]) {
@@ -476,6 +481,7 @@ class TableMaker {
   std::vector<int> driven_;               // of each reading the drive whose position it is, or -1
   std::vector<FrictionSliding> sliding_;  // of each row
   std::vector<CaseFindings> said_;        // likewise
+  std::vector<FigurePlace> at_rest_;      // of the rows at rest
   UnboundedQuotients poles_;
   MotionTable table_;
 };

@@ -74,7 +74,9 @@ class ActuatorFinder {
   }
 
   std::optional<std::vector<CycleValue>> read(const MotionPosition& at) const {
-    const CaseAnalysis* const solved = at.solved ? &*at.solved : nullptr;
+    const CaseAnalysis* const solved = at.without_friction ? &*at.without_friction
+                                       : at.solved         ? &*at.solved
+                                                           : nullptr;
     if (solved == nullptr || !solved->dynamics || !solved->power || !solved->action ||
         solved->action->magnitudes.empty() || at.state.rates.empty()) {
       return std::nullopt;

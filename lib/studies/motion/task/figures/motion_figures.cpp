@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/tolerance.hpp"
 #include "math/numbers/zero_within_bound.hpp"
@@ -15,7 +16,7 @@ namespace {
 class FigureMaker {
  public:
   FigureMaker(std::span<const double> shares,
-              std::span<const FigurePlace> corners,
+              std::span<const FigurePlace> places,
               const std::vector<std::optional<ClimbedColumn>>& climbed,
               const BetweenSteps& between,
               const std::function<double(double)>& drive_at,
@@ -31,11 +32,13 @@ class FigureMaker {
       const auto step = static_cast<double>(r);
       samples_.push_back({.step = step, .share = shares[r], .values = &table.rows[r].values});
     }
-    for (const FigurePlace& corner : corners) {
-      samples_.push_back({.step = corner.step,
-                          .share = corner.share,
-                          .values = &corner.values,
-                          .is_corner = true});
+    for (const FigurePlace& place : places) {
+      if (place.is_at_rest) {
+        samples_[static_cast<std::size_t>(place.step)].at_rest = &place.values;
+      } else {
+        samples_.push_back(
+            {.step = place.step, .share = place.share, .values = &place.values, .is_corner = true});
+      }
     }
     std::ranges::stable_sort(samples_, {}, &Sample::step);
     for (const Sample& sample : samples_) {
@@ -67,6 +70,7 @@ class FigureMaker {
     double step = 0.0;
     double share = 0.0;
     const std::vector<std::optional<double>>* values = nullptr;
+    const std::vector<std::optional<double>>* at_rest = nullptr;  // without friction
     bool is_corner = false;
   };
 
@@ -162,6 +166,10 @@ class FigureMaker {
         add(*low, *high, width);
         continue;
       }
+      if (const auto rests = values_at_rest(column, samples[i], samples[i + 1])) {
+        add(rests->first, rests->second, width);
+        continue;
+      }
       const std::optional<double> value =
           low    ? value_before(column, samples[i].step, samples[i + 1].step, 0.5)
           : high ? value_before(column, samples[i + 1].step, samples[i].step, 0.5)
@@ -173,6 +181,19 @@ class FigureMaker {
     }
     return zero_within_bound(sum, kCancellation * size) /
            static_cast<double>(table_.rows.size() - 1);
+  }
+
+  // Of two steps between which the drives rest, where only the direction of friction is open.
+  static std::optional<std::pair<double, double>> values_at_rest(std::size_t column,
+                                                                 const Sample& low,
+                                                                 const Sample& high) {
+    if (low.at_rest == nullptr || high.at_rest == nullptr || (*low.values)[column] ||
+        (*high.values)[column]) {
+      return std::nullopt;
+    }
+    const std::optional<double>& first = (*low.at_rest)[column];
+    const std::optional<double>& second = (*high.at_rest)[column];
+    return first && second ? std::optional(std::pair(*first, *second)) : std::nullopt;
   }
 
   // So much of the way from a step with a value is left to the end, which has none.
@@ -252,13 +273,13 @@ class FigureMaker {
 }  // namespace
 
 void add_figures(std::span<const double> shares,
-                 std::span<const FigurePlace> corners,
+                 std::span<const FigurePlace> places,
                  const std::vector<std::optional<ClimbedColumn>>& climbed,
                  const BetweenSteps& between,
                  const std::function<double(double share)>& drive_at,
                  const std::function<double(double step)>& share_at,
                  MotionTable& table) {
-  FigureMaker(shares, corners, climbed, between, drive_at, share_at, table).run();
+  FigureMaker(shares, places, climbed, between, drive_at, share_at, table).run();
 }
 
 }  // namespace kinestat
