@@ -16,6 +16,9 @@ inline constexpr std::string_view kUnbalanced = "unbalanced";
 inline constexpr std::string_view kSelfLocking = "self_locking";
 inline constexpr std::string_view kUnknownLoad = "unknown_load";
 
+/// The words that impossible_status may give.
+inline constexpr std::array kImpossibleStatuses = {kCableSlack, kContactPulls, kCableSlips};
+
 /// The words that case_status may give besides those of SolveStatus.
 inline constexpr std::array kCaseStatuses = {
     kAmbiguous, kCableSlack, kContactPulls, kCableSlips, kUnbalanced, kSelfLocking, kUnknownLoad};

@@ -154,7 +154,7 @@ class PageBuilder {
                               .mechanism = analysis.mechanism,
                               .plan = duty->plan,
                               .duty = duty->solution,
-                              .found = &found};
+                              .found = &page_.found};
     page_.duty = {.blocks = duty_blocks(view), .maps = map_duty(analysis.mechanism, duty->plan)};
     add_data("duty", make_duty_report(view, kForms));
   }

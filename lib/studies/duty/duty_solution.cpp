@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "cases/case_status.hpp"
 #include "couplings/kinds.hpp"
 #include "mechanism/gears/central_hinge.hpp"
 #include "mechanism/gears/planet_load.hpp"
@@ -97,10 +98,11 @@ class DutySum {
     result_.points.push_back({.status = DutyStatus::unanswered, .energy = {.duration = duration}});
   }
 
-  void add(const DutyPoint& point, const DutyState& state) {
+  void add(const DutyPoint& point, const DutyState& state, std::string_view impossible) {
     DutyPointState one{
         .status = state.drives_from_both_ends ? DutyStatus::both_ends : DutyStatus::solved,
-        .energy = {.duration = point.duration}};
+        .energy = {.duration = point.duration},
+        .impossible = impossible};
     const double t = point.duration;
     double sum = 0.0;
     double largest = 0.0;
@@ -215,7 +217,10 @@ class DutySum {
     for (int e = 0; e < topology.coupling_count(); ++e) {
       const CouplingTopology& coupling = topology.couplings[static_cast<std::size_t>(e)];
       const CouplingKind& kind = kind_of(coupling.type);
-      if (!kind.is_hinge || kind.engages || coupling.action_count == 0) {
+      const bool is_of_cable =
+          std::ranges::find(mechanism_.contacts, CouplingId{e}, &CableContact::slips) !=
+          mechanism_.contacts.end();
+      if (!kind.is_hinge || kind.engages || coupling.action_count == 0 || is_of_cable) {
         continue;
       }
       bearings_.push_back({.duty = {.bearing = CouplingId{e},
@@ -284,11 +289,21 @@ std::optional<double> DutyEnergy::efficiency() const {
   return given > 0.0 ? std::optional(taken / given) : std::nullopt;
 }
 
-DutySolution solve_duty(const Mechanism& mechanism, const DutyPlan& plan) {
+DutySolution solve_duty(const Mechanism& mechanism,
+                        const DutyPlan& plan,
+                        const OnPointAnalysis& on_analysis) {
   const std::vector<Mesh> meshes = find_meshes(mechanism.topology, mechanism.geometry);
   DutySum sum(mechanism, plan, meshes);
   std::map<std::size_t, StateFinder> finders;
   std::vector<UnansweredCase> unanswered;
+  std::size_t now = 0;
+  std::string_view impossible;
+  const OnAnalysis look = [&](const CaseAnalysis& analysis) {
+    impossible = impossible_status(mechanism, analysis);
+    if (on_analysis) {
+      on_analysis(now, analysis);
+    }
+  };
   for (std::size_t i = 0; i < plan.points.size(); ++i) {
     const DutyPoint& point = plan.points[i];
     if (std::ranges::all_of(point.motions, [](double motion) { return motion == 0.0; })) {
@@ -296,9 +311,11 @@ DutySolution solve_duty(const Mechanism& mechanism, const DutyPlan& plan) {
       continue;
     }
     StateFinder& finder =
-        finders.try_emplace(point.which, mechanism, point.which, meshes).first->second;
+        finders.try_emplace(point.which, mechanism, point.which, meshes, look).first->second;
+    impossible = {};
+    now = i;
     if (const std::optional<DutyState> state = finder.find(point)) {
-      sum.add(point, *state);
+      sum.add(point, *state, impossible);
       continue;
     }
     sum.add_unanswered(point.duration);

@@ -1,7 +1,9 @@
 // What a duty asks of a mechanism: energies, and the wear of gears and bearings.
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "cases/analysis.hpp"
@@ -30,7 +32,9 @@ enum class DutyStatus {
 struct DutyPointState {
   DutyStatus status = DutyStatus::solved;
   DutyEnergy energy;
-  double balance_residual = 0.0;  ///< |given - taken - lost| relative to the largest power
+  double balance_residual = 0.0;     ///< |given - taken - lost| relative to the largest power
+  std::string_view impossible = {};  ///< why the mechanism cannot have the answer, by
+                                     ///< `impossible_status`; otherwise empty
 };
 
 /// How a gear or bearing is used. `equivalent` is the constant load that, in as many revolutions,
@@ -99,6 +103,12 @@ struct DutySolution {
   double balance_residual = 0.0;  ///< the largest of all points
 };
 
-DutySolution solve_duty(const Mechanism& mechanism, const DutyPlan& plan);
+/// Called with each whole analysis that answers for a point of the plan; many points are solved
+/// without one, all of whose motions have the senses of an analysis before.
+using OnPointAnalysis = std::function<void(std::size_t point, const CaseAnalysis&)>;
+
+DutySolution solve_duty(const Mechanism& mechanism,
+                        const DutyPlan& plan,
+                        const OnPointAnalysis& on_analysis = {});
 
 }  // namespace kinestat

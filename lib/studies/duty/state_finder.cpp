@@ -26,10 +26,14 @@ Case case_at(Case which, std::span<const double> motions, std::span<const double
 
 }  // namespace
 
-ClosedCase::ClosedCase(const Mechanism& mechanism, Case which, std::span<const Mesh> meshes)
+ClosedCase::ClosedCase(const Mechanism& mechanism,
+                       Case which,
+                       std::span<const Mesh> meshes,
+                       OnAnalysis on_analysis)
     : mechanism_(mechanism),
       which_(std::move(which)),
       meshes_(meshes),
+      on_analysis_(std::move(on_analysis)),
       motions_(mechanism, which_),
       is_plain_(motions_.is_solved() && has_plain_statics(mechanism) && !which_.has_inertia()) {}
 
@@ -50,7 +54,11 @@ std::optional<DutyState> ClosedCase::find(std::span<const double> motions,
       }
     }
   }
-  return find_anew(case_at(which_, motions, actions), motions, actions);
+  std::optional<DutyState> state = find_anew(case_at(which_, motions, actions), motions, actions);
+  if (state) {
+    on_analysis_(last_);
+  }
+  return state;
 }
 
 std::optional<DutyState> ClosedCase::find_anew(Case there,
@@ -73,8 +81,12 @@ std::optional<DutyState> ClosedCase::find_anew(Case there,
 
 StateFinder::StateFinder(const Mechanism& mechanism,
                          std::size_t which,
-                         std::span<const Mesh> meshes)
-    : mechanism_(mechanism), meshes_(meshes), drawn_(mechanism, mechanism.cases[which], meshes) {}
+                         std::span<const Mesh> meshes,
+                         const OnAnalysis& on_analysis)
+    : mechanism_(mechanism),
+      meshes_(meshes),
+      on_analysis_(on_analysis),
+      drawn_(mechanism, mechanism.cases[which], meshes, on_analysis) {}
 
 std::optional<DutyState> StateFinder::find(const DutyPoint& point) {
   if (by_converter_) {
@@ -133,8 +145,9 @@ void StateFinder::add_converter(const ConverterSearch& search) {
   if (open.actions[deciding].index != search.action || converter->coupling != search.coupling) {
     return;
   }
-  ByConverter one{.deciding = deciding,
-                  .closed = std::make_unique<ClosedCase>(mechanism_, *search.which, meshes_)};
+  ByConverter one{
+      .deciding = deciding,
+      .closed = std::make_unique<ClosedCase>(mechanism_, *search.which, meshes_, on_analysis_)};
   one.slips =
       std::make_unique<SlipFinder>(mechanism_, one.closed->which(), search, one.closed->motions());
   if (one.closed->is_plain() && one.slips->is_able()) {

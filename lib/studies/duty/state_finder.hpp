@@ -1,6 +1,7 @@
 // The states of one case at points of a duty.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -12,11 +13,17 @@
 
 namespace kinestat {
 
+/// Called with each whole analysis that answers for a point.
+using OnAnalysis = std::function<void(const CaseAnalysis&)>;
+
 /// A case whose motions determine all others, whatever the senses in which it moves.
 class ClosedCase {
  public:
   /// All must outlive it.
-  ClosedCase(const Mechanism& mechanism, Case which, std::span<const Mesh> meshes);
+  ClosedCase(const Mechanism& mechanism,
+             Case which,
+             std::span<const Mesh> meshes,
+             OnAnalysis on_analysis);
   ClosedCase(const ClosedCase&) = delete;
   ClosedCase& operator=(const ClosedCase&) = delete;
 
@@ -41,6 +48,7 @@ class ClosedCase {
   const Mechanism& mechanism_;
   Case which_;
   std::span<const Mesh> meshes_;
+  OnAnalysis on_analysis_;
   CaseMotions motions_;
   bool is_plain_ = false;
   std::vector<std::unique_ptr<DutyCase>> known_;  // the last used first
@@ -51,7 +59,10 @@ class ClosedCase {
 class StateFinder {
  public:
   /// All must outlive it.
-  StateFinder(const Mechanism& mechanism, std::size_t which, std::span<const Mesh> meshes);
+  StateFinder(const Mechanism& mechanism,
+              std::size_t which,
+              std::span<const Mesh> meshes,
+              const OnAnalysis& on_analysis);
 
   /// Empty where there is no answer.
   std::optional<DutyState> find(const DutyPoint& point);
@@ -73,6 +84,7 @@ class StateFinder {
 
   const Mechanism& mechanism_;
   std::span<const Mesh> meshes_;
+  OnAnalysis on_analysis_;
   ClosedCase drawn_;
   std::optional<ByConverter> by_converter_;  ///< empty where its points are analysed each
   bool has_tried_converter_ = false;

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "cases/case_status.hpp"
 #include "core/diagnostic.hpp"
 #include "report/report_keys.hpp"
 
@@ -115,6 +116,12 @@ const Record<ElementDuty>& element_record() {
   return record;
 }
 
+std::vector<std::string> point_statuses() {
+  std::vector<std::string> words(kStatusWords.begin(), kStatusWords.end());
+  words.insert(words.end(), kImpossibleStatuses.begin(), kImpossibleStatuses.end());
+  return words;
+}
+
 const Record<ItemView<DutyPointState>>& point_record() {
   using View = ItemView<DutyPointState>;
   static const Record<View> record("One point of the duty.", [](Record<View>& keys) {
@@ -123,10 +130,13 @@ const Record<ItemView<DutyPointState>>& point_record() {
       return v.of.mechanism.cases[v.of.plan.points[index].which].label;
     });
     keys.word("status",
-              {kStatusWords.begin(), kStatusWords.end()},
+              point_statuses(),
               "at_rest: nothing moves; both_ends: losses take more than the inputs supply, and the "
-              "outputs drive too; unanswered: the analysis of the case has no result either.",
-              [](const View& v) { return word_of(v.item.status); });
+              "outputs drive too; unanswered: the analysis of the case has no result either; the "
+              "others: solved, but a cable would have to push, or slip, or surfaces to pull.",
+              [](const View& v) {
+                return v.item.impossible.empty() ? word_of(v.item.status) : v.item.impossible;
+              });
     keys.include(energy_record(), [](const View& v) -> const DutyEnergy& { return v.item.energy; });
     keys.number("balance_residual",
                 Bare::ratio,

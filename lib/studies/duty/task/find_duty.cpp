@@ -1,8 +1,12 @@
 #include "studies/duty/task/find_duty.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "core/text.hpp"
 #include "io/read_file.hpp"
 #include "mechanism/duty/duty_table.hpp"
 
@@ -64,6 +68,49 @@ void add_unanswered(const JudgedFile& file, const DutySolution& duty, Diagnostic
   }
 }
 
+// What an analysis says of points that have an answer: each finding where it is worst, with the
+// number of points that were analysed and have it.
+class PointFindings {
+ public:
+  void add(std::size_t point, const CaseFindings& findings) {
+    for (const CaseFinding& one : findings.items()) {
+      const auto at = std::ranges::find_if(held_, [&](const Held& other) {
+        return other.worst.code == one.code && other.worst.where == one.where &&
+               other.worst.element == one.element;
+      });
+      if (at == held_.end()) {
+        held_.push_back({.worst = one, .point = point});
+        continue;
+      }
+      ++at->count;
+      if (one.size > at->worst.size) {
+        at->worst = one;
+        at->point = point;
+      }
+    }
+  }
+
+  void tell(Diagnostics& found) const {
+    for (const Held& one : held_) {
+      CaseFinding told = one.worst;
+      told.message +=
+          one.count == 1
+              ? fmt::format(" (point {})", one.point)
+              : fmt::format(" (point {}, and {} more)", one.point, counted(one.count - 1, "point"));
+      kinestat::add(told, found);
+    }
+  }
+
+ private:
+  struct Held {
+    CaseFinding worst;
+    std::size_t point = 0;  // index, as in the report
+    int count = 1;
+  };
+
+  std::vector<Held> held_;
+};
+
 }  // namespace
 
 std::optional<FoundDuty> find_duty(const std::string& path,
@@ -83,7 +130,12 @@ std::optional<FoundDuty> find_duty(const std::string& path,
   if (!plan) {
     return std::nullopt;
   }
-  DutySolution solution = solve_duty(file.mechanism, *plan);
+  PointFindings points;
+  DutySolution solution =
+      solve_duty(file.mechanism, *plan, [&](std::size_t point, const CaseAnalysis& analysis) {
+        points.add(point, find_case_findings(file, analysis));
+      });
+  points.tell(found);
   add_unanswered(file, solution, found);
   return FoundDuty{.plan = *std::move(plan), .solution = std::move(solution)};
 }
