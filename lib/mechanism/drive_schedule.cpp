@@ -252,7 +252,14 @@ double DriveSchedule::time_of(double share) const {
   }
   double low = 0.0;
   double high = 1.0;
-  for (double middle = 0.5; low < middle && middle < high; middle = 0.5 * (low + high)) {
+  // With a steady speed the time is the share but for rounding.
+  const double rounding = 8.0 * kEpsilon * share;
+  if (share_at(share - rounding) < share && share_at(share + rounding) >= share) {
+    low = share - rounding;
+    high = share + rounding;
+  }
+  for (double middle = 0.5 * (low + high); low < middle && middle < high;
+       middle = 0.5 * (low + high)) {
     (share_at(middle) < share ? low : high) = middle;
   }
   return high;
