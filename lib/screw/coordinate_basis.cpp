@@ -53,6 +53,29 @@ Mat6X in_units(const Mat6X& screws, ScrewKind kind, const Vec6& unit) {
   return result;
 }
 
+// Whether the columns surely span everything: as many of them as there are rows stand out from
+// those before by a tenth of the longest. Then no pivot of `orthonormal_range` is less than 1e-7 of
+// its first, far above what counts as zero.
+bool surely_span_all(const MatX& columns) {
+  constexpr double kStandsOut = 0.1;
+  const double least = kStandsOut * columns.colwise().norm().maxCoeff();
+  Eigen::Matrix<double, 6, 6> basis;
+  Vec6 rest = Vec6::Zero();
+  const Eigen::Index rows = columns.rows();
+  Eigen::Index rank = 0;
+  for (Eigen::Index c = 0; c < columns.cols() && rank < rows; ++c) {
+    rest.head(rows) = columns.col(c);
+    for (Eigen::Index k = 0; k < rank; ++k) {
+      rest -= rest.dot(basis.col(k)) * basis.col(k);
+    }
+    const double norm = rest.norm();
+    if (norm > least) {
+      basis.col(rank++) = rest / norm;
+    }
+  }
+  return rank == rows;
+}
+
 }  // namespace
 
 bool CoordinateBasis::holds(const Vec6& screw) const {
@@ -67,7 +90,11 @@ CoordinateBasis find_minimal_basis(const Mat6X& screws, ScrewKind kind, double l
     return from_coordinates({}, unit);  // Eigen must not take a row of nothing
   }
   std::vector<int> rows = nonzero_rows(screws);
-  const MatX span = orthonormal_range(in_units(screws, kind, unit)(rows, Eigen::all));
+  const MatX columns = in_units(screws, kind, unit)(rows, Eigen::all);
+  if (surely_span_all(columns)) {
+    return from_coordinates(std::move(rows), unit);
+  }
+  const MatX span = orthonormal_range(columns);
   if (span.cols() == span.rows()) {
     return from_coordinates(std::move(rows), unit);
   }
