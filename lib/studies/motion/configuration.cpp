@@ -6,6 +6,7 @@
 
 #include "core/index.hpp"
 #include "studies/motion/internal/closure_system.hpp"
+#include "studies/motion/internal/freedom_places.hpp"
 
 namespace kinestat {
 
@@ -20,10 +21,6 @@ auto with_system(const MotionNetwork& network, const Task& task) {
   }
   ClosureSystem<SpatialFrames> system(network);
   return task(system);
-}
-
-double unit_of(const MotionNetwork& network, bool is_turn) {
-  return is_turn ? 1.0 : network.length;
 }
 
 }  // namespace
@@ -67,40 +64,10 @@ std::vector<double> body_turns(const MotionNetwork& network, const Configuration
 std::vector<std::optional<double>> freedom_positions(const MotionNetwork& network,
                                                      const Mechanism& mechanism,
                                                      const Configuration& configuration) {
-  std::vector<std::optional<double>> result(mechanism.topology.freedoms.size());
-  std::vector<double> by_rate(at(network.rate_count), 0.0);
-  for (const MotionJoint& joint : network.joints) {
-    if (joint.coordinate < 0 || joint.motion.kind == ElementaryKind::ball) {
-      continue;
-    }
-    const double value = configuration.coordinates[at(joint.coordinate)];
-    by_rate[at(joint.rate)] = value;
-    if (joint.freedom >= 0) {
-      result[at(joint.freedom)] =
-          value * unit_of(network, joint.motion.kind == ElementaryKind::turn);
-    }
-  }
-  with_system(network, [&]<class Frames>(ClosureSystem<Frames>& system) {
+  return with_system(network, [&](auto& system) {
     system.evaluate(configuration.coordinates, configuration.angles);
-    for (const MeasuredFreedom& one : network.measures) {
-      result[at(one.freedom)] = one.measure.is_turn
-                                    ? configuration.angles[at(one.angle)]
-                                    : network.length * system.template position<double>(
-                                                           system.in_sizes(one), system.frames());
-    }
+    return freedom_positions_of(system, network, mechanism, configuration);
   });
-  for (const RollingRow& rolling : network.rollings) {
-    const CouplingTopology& coupling = mechanism.topology.coupling(rolling.coupling);
-    if (coupling.freedom_count != 1) {
-      continue;
-    }
-    double sum = 0.0;
-    for (std::size_t i = 0; i < rolling.rates.size(); ++i) {
-      sum += rolling.freedom_factors[i] * by_rate[at(rolling.rates[i])];
-    }
-    result[at(coupling.first_freedom)] = sum;
-  }
-  return result;
 }
 
 std::vector<double> contact_arcs(const MotionNetwork& network, const Configuration& configuration) {

@@ -9,8 +9,8 @@
 #include "core/index.hpp"
 #include "core/motion_tolerance.hpp"
 #include "core/tolerance.hpp"
-#include "math/numbers/zero_within_bound.hpp"
 #include "studies/motion/internal/closure_system.hpp"
+#include "studies/motion/internal/freedom_places.hpp"
 #include "studies/motion/internal/joint_errors.hpp"
 #include "studies/motion/internal/motion_limits.hpp"
 #include "studies/motion/internal/pivoted_qr.hpp"
@@ -69,10 +69,6 @@ MovingTwist twist_of(const SpatialFrames::Frame<Jet>& f, double length) {
                    .linear = length * (bend - angular_rate.cross(shift) - angular.cross(speed))}};
 }
 
-Vec3 settled_rates(const Vec3& value, double bound, double rounding) {
-  return value.unaryExpr([&](double x) { return settled_rate(x, bound, rounding); });
-}
-
 // Makes zero what the bounds do not tell from it, as far as they are rounding.
 void settle(const Topology& topology, MotionState& state) {
   const StateBounds& all = state.bounds;
@@ -117,6 +113,11 @@ class StateSolver {
                        StateDetail detail) {
     stand_in(configuration);
     return solve(speeds, detail, false);
+  }
+
+  std::vector<std::optional<double>> freedom_positions_in(const Configuration& configuration) {
+    stand_in(configuration);
+    return freedom_positions_of(system_, network_, mechanism_, configuration);
   }
 
   MotionState solve_bounded_in(const Configuration& configuration,
@@ -441,60 +442,18 @@ MotionState MotionStates::solve(const Configuration& configuration,
                          : solver_->spatial->solve_in(configuration, speeds, detail);
 }
 
+std::vector<std::optional<double>> MotionStates::freedom_positions(
+    const Configuration& configuration) {
+  return solver_->planar ? solver_->planar->freedom_positions_in(configuration)
+                         : solver_->spatial->freedom_positions_in(configuration);
+}
+
 MotionState MotionStates::solve_bounded(const Configuration& configuration,
                                         const GivenSpeeds& speeds,
                                         StateDetail detail) {
   KINESTAT_EXPECTS(speeds.drives.size() == drive_count_);
   return solver_->planar ? solver_->planar->solve_bounded_in(configuration, speeds, detail)
                          : solver_->spatial->solve_bounded_in(configuration, speeds, detail);
-}
-
-Vec3 point_position(const MotionState& state,
-                    BodyId body,
-                    const Vec3& drawn,
-                    const LocalOrigin& origin) {
-  const std::size_t b = at(body.value);
-  const Vec3 position = state.poses[b].point(drawn);
-  const Vec3 in_world = origin.in_world(position);
-  if (state.bounds.bodies.empty()) {
-    return in_world;
-  }
-  const double bound = position_bound(state.bounds.bodies[b], position, position);
-  return in_world.binaryExpr(origin.place(), [&](double x, double shift) {
-    return zero_within_bound(x, bound + kEpsilon * std::abs(shift));
-  });
-}
-
-BoundedRate point_velocity(const MotionState& state, BodyId body, const Vec3& drawn) {
-  const std::size_t b = at(body.value);
-  if (state.twists.empty()) {
-    return {};
-  }
-  const Vec3 arm = state.poses[b].point(drawn);
-  const Vec3 velocity = velocity_at(state.twists[b], arm);
-  if (state.bounds.bodies.empty()) {
-    return {.value = velocity};
-  }
-  const double bound = velocity_bound(state.bounds.bodies[b], arm, arm, state.twists[b]);
-  const double rounding = state.bounds.rate_rounding * (state.bounds.reach + arm.norm());
-  return {.value = settled_rates(velocity, bound, rounding), .bound = bound};
-}
-
-BoundedRate point_acceleration(const MotionState& state, BodyId body, const Vec3& drawn) {
-  const std::size_t b = at(body.value);
-  if (state.twists.empty() || state.twist_rates.empty()) {
-    return {};
-  }
-  const Vec3 arm = state.poses[b].point(drawn);
-  const Vec3 acceleration = velocity_at(state.twist_rates[b], arm) +
-                            state.twists[b].angular.cross(velocity_at(state.twists[b], arm));
-  if (state.bounds.bodies.empty()) {
-    return {.value = acceleration};
-  }
-  const double bound =
-      acceleration_bound(state.bounds.bodies[b], arm, arm, state.twists[b], state.twist_rates[b]);
-  const double rounding = state.bounds.rate_rate_rounding * (state.bounds.reach + arm.norm());
-  return {.value = settled_rates(acceleration, bound, rounding), .bound = bound};
 }
 
 }  // namespace kinestat

@@ -72,6 +72,10 @@ class MotionStates {
                                           const GivenSpeeds& speeds,
                                           StateDetail detail);
 
+  /// As those of configuration.hpp.
+  [[nodiscard]] std::vector<std::optional<double>> freedom_positions(
+      const Configuration& configuration);
+
  private:
   struct Solver;
 

@@ -9,6 +9,10 @@ double settled_rate(double value, double bound, double rounding) {
   return bound <= rounding ? zero_within_bound(value, bound) : value;
 }
 
+Vec3 settled_rates(const Vec3& value, double bound, double rounding) {
+  return value.unaryExpr([&](double x) { return settled_rate(x, bound, rounding); });
+}
+
 double position_bound(const BodyBounds& body, const Vec3& arm, const Vec3& position) {
   const double r = arm.norm();
   return body.shift + body.turn * r + 4.0 * kEpsilon * (r + position.norm());

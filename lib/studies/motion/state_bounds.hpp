@@ -34,6 +34,8 @@ struct StateBounds {
 /// is.
 double settled_rate(double value, double bound, double rounding);
 
+Vec3 settled_rates(const Vec3& value, double bound, double rounding);
+
 /// Whether a value that was set to zero says anything. One whose bound is larger than itself,
 /// and more than rounding, may be anything within it, and is not reported.
 inline bool is_reported(double settled_value, double bound) {

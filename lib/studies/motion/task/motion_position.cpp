@@ -165,8 +165,8 @@ void MotionPositions::hold_known(const Case& which, MotionState& state) const {
 }
 
 // Where freedoms and bodies stand, zero where nothing tells it from that.
-void MotionPositions::place(const Configuration& configuration, MotionPosition& position) const {
-  position.freedoms = freedom_positions(network_, mechanism_, configuration);
+void MotionPositions::place(const Configuration& configuration, MotionPosition& position) {
+  position.freedoms = states_.freedom_positions(configuration);
   for (std::size_t f = 0; f < position.freedoms.size(); ++f) {
     std::optional<double>& freedom = position.freedoms[f];
     if (freedom) {

@@ -77,7 +77,7 @@ class MotionPositions {
  private:
   Case case_at(double time) const;
   void hold_known(const Case& which, MotionState& state) const;
-  void place(const Configuration& configuration, MotionPosition& position) const;
+  void place(const Configuration& configuration, MotionPosition& position);
   void move(const Configuration& configuration, const MotionPosition& position);
   void solve_passes(const Configuration& configuration,
                     const GivenSpeeds& speeds,
