@@ -1,6 +1,7 @@
 #include "cases/moving_loads.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -28,7 +29,8 @@ LoadState drawn_place(const Mechanism& mechanism, const CaseAnalysis& one) {
 }
 
 void add(std::vector<Load> loads, CaseAnalysis& one) {
-  std::ranges::move(loads, std::back_inserter(one.which.loads));
+  one.which.loads.insert(
+      one.which.loads.end(), std::move_iterator(loads.begin()), std::move_iterator(loads.end()));
 }
 
 // Those of a mechanism that stands there.
@@ -64,19 +66,19 @@ void add_placed_loads(const Mechanism& mechanism, const LoadState* place, CaseAn
   }
 }
 
-std::optional<InertialMotion> add_inertial_loads(const Mechanism& mechanism,
-                                                 const InertialMotion* known,
-                                                 CaseAnalysis& one) {
-  using Found = std::variant<InertialMotion, InertiaObstacle>;
-  Found found =
-      known != nullptr ? Found(*known) : find_drawn_motion(mechanism, one.which, *one.motion);
+std::optional<InertialMotion> drawn_inertial_motion(const Mechanism& mechanism, CaseAnalysis& one) {
+  auto found = find_drawn_motion(mechanism, one.which, *one.motion);
   if (const auto* obstacle = std::get_if<InertiaObstacle>(&found)) {
     one.inertia_obstacle = *obstacle;
     return std::nullopt;
   }
-  auto& motion = std::get<InertialMotion>(found);
+  return std::get<InertialMotion>(std::move(found));
+}
+
+void add_inertial_loads(const Mechanism& mechanism,
+                        const InertialMotion& motion,
+                        CaseAnalysis& one) {
   add(inertial_loads(mechanism, motion), one);
-  return std::move(motion);
 }
 
 bool has_typed_loads(const Case& given, const Case& solved) {

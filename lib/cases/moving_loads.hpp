@@ -12,12 +12,14 @@ namespace kinestat {
 /// the obstacle. `place` is null for the drawn position.
 void add_placed_loads(const Mechanism& mechanism, const LoadState* place, CaseAnalysis& one);
 
-/// Adds the inertia forces to a case that has them. `known` has the accelerations of the bodies; if
-/// it is null, they are found for the drawn position. Empty if they cannot be found: the actions
-/// are then not known.
-std::optional<InertialMotion> add_inertial_loads(const Mechanism& mechanism,
-                                                 const InertialMotion* known,
-                                                 CaseAnalysis& one);
+/// How a solved case with inertia moves in the drawn position. Empty if its accelerations cannot be
+/// found: the actions are then not known.
+std::optional<InertialMotion> drawn_inertial_motion(const Mechanism& mechanism, CaseAnalysis& one);
+
+/// Adds the inertia forces of that motion.
+void add_inertial_loads(const Mechanism& mechanism,
+                        const InertialMotion& motion,
+                        CaseAnalysis& one);
 
 /// Whether all loads and actions of a solved case are numbers as typed: all loads that were added
 /// to `given` are zero, and no action follows curves. `given` is the case before it was solved.

@@ -300,8 +300,15 @@ CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const CaseRe
   if (which.asks_actions && (which.follows_curves() || !drawn.springs.empty())) {
     add_placed_loads(drawn, request.place, result);
   }
-  const std::optional<InertialMotion> inertial =
-      which.has_inertia() ? add_inertial_loads(drawn, request.inertial, result) : std::nullopt;
+  const InertialMotion* inertial = which.has_inertia() ? request.inertial : nullptr;
+  std::optional<InertialMotion> as_drawn;
+  if (which.has_inertia() && inertial == nullptr) {
+    as_drawn = drawn_inertial_motion(drawn, result);
+    inertial = as_drawn ? &*as_drawn : nullptr;
+  }
+  if (inertial != nullptr) {
+    add_inertial_loads(drawn, *inertial, result);
+  }
   LoadedFlanks flanks;
   if (which.asks_actions && !result.has_unknown_loads()) {
     flanks = solve_on_loaded_flanks(drawn, bases, which, request.accuracy, motion);
@@ -321,7 +328,7 @@ CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const CaseRe
     return result;
   }
   const Mechanism& mechanism = flanks.mechanism ? *flanks.mechanism : drawn;
-  if (inertial) {
+  if (inertial != nullptr) {
     result.dynamics =
         find_dynamics(mechanism, which, *inertial, result.action ? &*result.action : nullptr);
   }

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/index.hpp"
-#include "dynamics/body_inertia.hpp"
 #include "dynamics/planet_inertia.hpp"
 
 namespace kinestat {
@@ -25,15 +24,7 @@ BoundedTwist bounded_twist(const Twist& twist, const BodyBounds& bounds) {
           .linear = {.value = twist.linear, .bound = Vec3::Constant(bounds.linear)}};
 }
 
-// A body with mass or inertia where it stands.
-struct StandingBody {
-  std::size_t index = 0;
-  BodyInertia inertia;
-  BoundedWrench inertial;  // D'Alembert's
-};
-
-ReducedEquation find_reduced(const std::vector<StandingBody>& standing,
-                             const InertialMotion& motion) {
+ReducedEquation find_reduced(const InertialMotion& motion) {
   const auto count = static_cast<Eigen::Index>(motion.drives.size());
   ReducedEquation result{.drives = motion.drives,
                          .accelerations = motion.accelerations,
@@ -41,7 +32,8 @@ ReducedEquation find_reduced(const std::vector<StandingBody>& standing,
                          .bias = VecX::Zero(count),
                          .derivative = {}};
   std::vector<BoundedNumber> bias(static_cast<std::size_t>(count));
-  for (const auto& [b, body, acts] : standing) {
+  for (const auto& [id, body, acts] : motion.inertial) {
+    const std::size_t b = at(id.value);
     std::vector<BoundedTwist> twists;
     std::vector<BoundedWrench> momenta;
     for (std::size_t d = 0; d < motion.drives.size(); ++d) {
@@ -148,21 +140,16 @@ CaseDynamics find_dynamics(const Mechanism& mechanism,
                            const InertialMotion& motion,
                            const StaticSolution* action) {
   CaseDynamics result;
+  result.bodies.reserve(motion.inertial.size());
   std::optional<BoundedWrench> shaking = BoundedWrench{};
-  std::vector<StandingBody> standing;
-  for (std::size_t b = 0; b < mechanism.masses.size(); ++b) {
-    if (!mechanism.masses[b].counts()) {
-      continue;
-    }
-    const BodyInertia body = inertia_at(mechanism.masses[b], motion.poses[b]);
+  for (const auto& [id, body, acts] : motion.inertial) {
+    const std::size_t b = at(id.value);
     const Twist& twist = motion.twists[b];
     const Twist& rate = motion.twist_rates[b];
-    const BoundedWrench bounded = inertial_wrench(body, twist, rate, motion.bounds[b]);
-    const Wrench inertial = bounded.zeroed();
+    const Wrench inertial = acts.zeroed();
     const BoundedVector angular_acceleration = {
         .value = rate.angular, .bound = Vec3::Constant(motion.bounds[b].angular_rate)};
-    standing.push_back({.index = b, .inertia = body, .inertial = bounded});
-    result.bodies.push_back({.body = BodyId{static_cast<int>(b)},
+    result.bodies.push_back({.body = id,
                              .angular_acceleration = angular_acceleration.zeroed(),
                              .centre = body.centre,
                              .centre_acceleration = centre_acceleration(body, twist, rate),
@@ -170,16 +157,20 @@ CaseDynamics find_dynamics(const Mechanism& mechanism,
                              .kinetic_energy = kinetic_energy(body, twist)});
     result.kinetic_energy += result.bodies.back().kinetic_energy;
     result.kinetic_energy_rate -= power(inertial, twist);
-    const auto shakes = shaking_of(mechanism, BodyId{static_cast<int>(b)}, body, bounded, motion);
+    const auto shakes = shaking_of(mechanism, id, body, acts, motion);
     shaking = shaking && shakes ? std::optional(*shaking + *shakes) : std::nullopt;
   }
   if (shaking) {
     result.shaking = shaking->zeroed();
   }
-  result.reduced = find_reduced(standing, motion);
+  const bool knows_drives = motion.of_drives.size() == motion.drives.size();
+  if (knows_drives) {
+    result.reduced = find_reduced(motion);
+  }
   if (has_answer(action)) {
     result.ground = find_ground(mechanism, which, shaking);
-    result.two_ways = compare_two_ways(mechanism, which, motion, *action);
+    result.two_ways =
+        knows_drives ? compare_two_ways(mechanism, which, motion, *action) : std::nullopt;
   }
   return result;
 }

@@ -37,10 +37,11 @@ struct CaseDynamics {
                                      ///< several planets stand around turns over
   std::optional<Wrench> ground;  ///< of all couplings and springs on the ground; likewise, where a
                                  ///< load acts on such planets, and where equilibrium has no answer
-  ReducedEquation reduced;
+  std::optional<ReducedEquation> reduced;  ///< empty without the motions of the drives alone
   std::optional<double> two_ways;  ///< virtual power of all that acts on the motion of each drive:
                                    ///< the largest sum relative to its largest term, which is zero
-                                   ///< but for rounding; empty where some action is open
+                                   ///< but for rounding; empty where some action is open, and
+                                   ///< without these motions
 };
 
 /// `mechanism` stands where the motion is, and `which` has the loads that act there, the forces of

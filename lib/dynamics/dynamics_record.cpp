@@ -131,7 +131,10 @@ void emit_bodies(const DynamicsView& v, const Each<BodyDynamicsView>& each) {
 }
 
 void emit_reduced(const DynamicsView& v, const Each<ReducedView>& each) {
-  const ReducedEquation& equation = v.dynamics.reduced;
+  if (!v.dynamics.reduced) {
+    return;
+  }
+  const ReducedEquation& equation = *v.dynamics.reduced;
   for (std::size_t d = 0; d < equation.drives.size(); ++d) {
     each(v.mechanism.topology.freedom_name(equation.drives[d]),
          {.topology = v.mechanism.topology,

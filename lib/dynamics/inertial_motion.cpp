@@ -6,7 +6,6 @@
 
 #include "core/index.hpp"
 #include "core/tolerance.hpp"
-#include "dynamics/body_inertia.hpp"
 
 namespace kinestat {
 
@@ -42,6 +41,21 @@ InertiaObstacle obstacle_of(const MotionNetwork& network) {
   return {.kind = InertiaObstacle::Kind::unmovable, .coupling = first};
 }
 
+std::vector<InertialBody> inertial_bodies(const Mechanism& mechanism, const MotionState& state) {
+  std::vector<InertialBody> bodies;
+  bodies.reserve(mechanism.masses.size());
+  for (std::size_t b = 0; b < mechanism.masses.size(); ++b) {
+    if (mechanism.masses[b].counts()) {
+      const BodyInertia body = inertia_at(mechanism.masses[b], state.poses[b]);
+      bodies.push_back({.body = BodyId{static_cast<int>(b)},
+                        .inertia = body,
+                        .acts = inertial_wrench(
+                            body, state.twists[b], state.twist_rates[b], state.bounds.bodies[b])});
+    }
+  }
+  return bodies;
+}
+
 // Of a unit rate of one drive, or of one idle freedom, everything else at rest.
 MotionState unit_motion(MotionStates& states,
                         const Configuration& configuration,
@@ -56,23 +70,19 @@ MotionState unit_motion(MotionStates& states,
 }
 
 // The first body whose inertia a motion of its own has to speed up.
-std::optional<BodyId> find_spinning_body(const Mechanism& mechanism,
-                                         const std::vector<BodyPose>& poses,
-                                         const std::vector<Twist>& idle) {
-  const double length = mechanism.geometry.length;
+std::optional<BodyId> find_spinning_body(const std::vector<InertialBody>& bodies,
+                                         const std::vector<Twist>& idle,
+                                         double length) {
   double fastest = 0.0;
   for (const Twist& one : idle) {
     fastest =
         std::max(fastest, one.angular.squaredNorm() + one.linear.squaredNorm() / (length * length));
   }
-  for (std::size_t b = 0; b < mechanism.masses.size(); ++b) {
-    if (!mechanism.masses[b].counts()) {
-      continue;
-    }
-    const BodyInertia body = inertia_at(mechanism.masses[b], poses[b]);
-    const double most = (body.tensor.norm() + body.mass * length * length) * fastest;
-    if (shared_inertia(body, idle[b], idle[b]) > kIdleInertia * most) {
-      return BodyId{static_cast<int>(b)};
+  for (const InertialBody& one : bodies) {
+    const double most = (one.inertia.tensor.norm() + one.inertia.mass * length * length) * fastest;
+    const Twist& moves = idle[at(one.body.value)];
+    if (shared_inertia(one.inertia, moves, moves) > kIdleInertia * most) {
+      return one.body;
     }
   }
   return std::nullopt;
@@ -91,7 +101,8 @@ std::variant<InertialMotion, InertiaObstacle> find_inertial_motion(
                             network,
                             states,
                             configuration,
-                            speeds);
+                            speeds,
+                            InertiaDetail::equation);
 }
 
 std::variant<InertialMotion, InertiaObstacle> inertial_motion_of(const MotionState& state,
@@ -99,7 +110,8 @@ std::variant<InertialMotion, InertiaObstacle> inertial_motion_of(const MotionSta
                                                                  const MotionNetwork& network,
                                                                  MotionStates& states,
                                                                  const Configuration& configuration,
-                                                                 const GivenSpeeds& speeds) {
+                                                                 const GivenSpeeds& speeds,
+                                                                 InertiaDetail detail) {
   if (state.is_singular || state.twist_rates.empty()) {
     return InertiaObstacle{.kind = InertiaObstacle::Kind::singular};
   }
@@ -107,6 +119,7 @@ std::variant<InertialMotion, InertiaObstacle> inertial_motion_of(const MotionSta
                         .twists = state.twists,
                         .twist_rates = state.twist_rates,
                         .bounds = state.bounds.bodies,
+                        .inertial = inertial_bodies(mechanism, state),
                         .drives = network.driven_freedoms,
                         .rates = {},
                         .accelerations = {},
@@ -122,13 +135,16 @@ std::variant<InertialMotion, InertiaObstacle> inertial_motion_of(const MotionSta
     one[p].speed = 1.0;
     const std::vector<Twist> idle =
         unit_motion(states, configuration, count, std::nullopt, std::move(one)).twists;
-    if (const std::optional<BodyId> body = find_spinning_body(mechanism, motion.poses, idle)) {
+    if (const std::optional<BodyId> body =
+            find_spinning_body(motion.inertial, idle, mechanism.geometry.length)) {
       return InertiaObstacle{.kind = InertiaObstacle::Kind::idle_spin, .body = body};
     }
   }
   for (std::size_t d = 0; d < count; ++d) {
     motion.rates.push_back(speeds.drives[d].speed);
     motion.accelerations.push_back(speeds.drives[d].acceleration);
+  }
+  for (std::size_t d = 0; detail == InertiaDetail::equation && d < count; ++d) {
     MotionState unit = unit_motion(states, configuration, count, d, at_rest);
     motion.of_drives.push_back(std::move(unit.twists));
     motion.drive_bounds.push_back(std::move(unit.bounds.bodies));
@@ -164,20 +180,12 @@ std::vector<std::string> inertial_load_names(const Mechanism& mechanism) {
 
 std::vector<Load> inertial_loads(const Mechanism& mechanism, const InertialMotion& motion) {
   std::vector<Load> loads;
-  for (std::size_t b = 0; b < mechanism.masses.size(); ++b) {
-    const BodyMass& mass = mechanism.masses[b];
-    if (!mass.counts()) {
-      continue;
-    }
-    const BodyInertia body = inertia_at(mass, motion.poses[b]);
-    loads.push_back(
-        {.name = std::string(kInertiaPrefix) + mechanism.topology.bodies[b].name,
-         .acts = {.body = BodyId{static_cast<int>(b)},
-                  .wrench = inertial_wrench(
-                                body, motion.twists[b], motion.twist_rates[b], motion.bounds[b])
-                                .zeroed()},
-         .point = body.centre,
-         .where = mass.where});
+  loads.reserve(motion.inertial.size());
+  for (const InertialBody& one : motion.inertial) {
+    loads.push_back({.name = std::string(kInertiaPrefix) + mechanism.topology.body(one.body).name,
+                     .acts = {.body = one.body, .wrench = one.acts.zeroed()},
+                     .point = one.inertia.centre,
+                     .where = mechanism.masses[at(one.body.value)].where});
   }
   return loads;
 }

@@ -6,11 +6,25 @@
 #include <variant>
 #include <vector>
 
+#include "dynamics/body_inertia.hpp"
 #include "kinematics/kinematic_solution.hpp"
 #include "mechanism/mechanism.hpp"
 #include "studies/motion/motion_state.hpp"
 
 namespace kinestat {
+
+/// A body with mass or inertia where it stands.
+struct InertialBody {
+  BodyId body;
+  BodyInertia inertia;
+  BoundedWrench acts;  ///< D'Alembert's
+};
+
+/// What is worked out of a motion with inertia.
+enum class InertiaDetail {
+  forces,   ///< of inertia alone
+  equation  ///< the motions of the drives alone, too, for the reduced equation
+};
 
 /// Lists of bodies are parallel to the topology; twists are about the origin of the geometry.
 struct InertialMotion {
@@ -18,10 +32,12 @@ struct InertialMotion {
   std::vector<Twist> twists;
   std::vector<Twist> twist_rates;                     ///< time derivatives
   std::vector<BodyBounds> bounds;                     ///< how far all of these may be off
+  std::vector<InertialBody> inertial;                 ///< those that have any, in order
   std::vector<int> drives;                            ///< freedoms whose rates determine all others
   std::vector<double> rates;                          ///< of the drives [rad/s or m/s]
   std::vector<double> accelerations;                  ///< of the drives [rad/s² or m/s²]
-  std::vector<std::vector<Twist>> of_drives;          ///< for a unit rate of each drive alone
+  std::vector<std::vector<Twist>> of_drives;          ///< for a unit rate of each drive alone;
+                                                      ///< empty for forces alone
   std::vector<std::vector<BodyBounds>> drive_bounds;  ///< how far these may be off
 };
 
@@ -59,7 +75,8 @@ std::variant<InertialMotion, InertiaObstacle> inertial_motion_of(const MotionSta
                                                                  const MotionNetwork& network,
                                                                  MotionStates& states,
                                                                  const Configuration& configuration,
-                                                                 const GivenSpeeds& speeds);
+                                                                 const GivenSpeeds& speeds,
+                                                                 InertiaDetail detail);
 
 /// One load inertia.BODY for every body with mass or inertia, at its centre of mass; of planets
 /// that of all of them together. Their names are `inertial_load_names`, in that order.

@@ -56,6 +56,9 @@ class Rows {
     task_ = {.drives = motion_.solution.drives, .steps = kSteps};
   }
 
+  // As if the motion reported these, too.
+  void report_dynamics() { motion_.plan.report.dynamics = true; }
+
   void follow() { keep(solve_motion(motion_.network, task_)); }
 
   void run() {
@@ -92,8 +95,11 @@ void demand_same(const std::string& name, double ours, double other) {
 std::string measure_one(const MassLinkage& linkage, const Options& options) {
   const auto plain = std::make_shared<Rows>(linkage, false);
   const auto whole = std::make_shared<Rows>(linkage, true);
+  const auto reported = std::make_shared<Rows>(linkage, true);
+  reported->report_dynamics();
   std::vector<Job> jobs = {
       {linkage.name + ", with inertia", [whole] { whole->run(); }, kWithInertia, 1.0},
+      {"  with the reduced equation", [reported] { reported->run(); }, {}, 1.0},
       {"  positions alone", [plain] { plain->follow(); }, {}, 1.0}};
 #ifdef KINESTAT_HAS_SIMBODY
   const auto other = std::make_shared<SimbodyRows>(linkage);

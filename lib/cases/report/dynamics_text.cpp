@@ -64,7 +64,9 @@ TextBlocks dynamics_blocks(const Mechanism& mechanism, const CaseAnalysis& one, 
   }
   const FileUnits& units = in.units();
   TextBlocks blocks = accelerations_blocks(mechanism, dynamics, units);
-  blocks += reduced_blocks(mechanism.topology, dynamics.reduced, units);
+  if (dynamics.reduced) {
+    blocks += reduced_blocks(mechanism.topology, *dynamics.reduced, units);
+  }
   blocks += TextBlocks(
       fmt::format("  kinetic energy {} {}, rate of change {} {}\n\n",
                   format_short(units.from_si(QuantityKind::energy, dynamics.kinetic_energy)),

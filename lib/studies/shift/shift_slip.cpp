@@ -340,7 +340,8 @@ class SlipSolver {
                       "how its bodies speed up does not follow from input and slip",
                       "see what 'kinestat analyze' says of a case with 'acceleration'");
       }
-      const ReducedEquation reduced = find_dynamics(mechanism_, steady, *known, nullptr).reduced;
+      const ReducedEquation reduced =
+          find_dynamics(mechanism_, steady, *known, nullptr).reduced.value();
       inertia_ = reduced.inertia;
       if (!reduced.bias.isZero(0.0)) {
         return refuse(asked_.name.where,

@@ -93,11 +93,11 @@ class DynamicReadings {
     add(name,
         turns ? "inertia" : "mass",
         turns ? QuantityKind::inertia : QuantityKind::mass,
-        [i](const CaseDynamics& one) { return std::optional(one.reduced.inertia(i, i)); });
+        [i](const CaseDynamics& one) { return std::optional(one.reduced.value().inertia(i, i)); });
     add(name,
         turns ? "bias_moment" : "bias_force",
         turns ? QuantityKind::moment : QuantityKind::force,
-        [i](const CaseDynamics& one) { return std::optional(one.reduced.bias[i]); });
+        [i](const CaseDynamics& one) { return std::optional(one.reduced.value().bias[i]); });
   }
 
   const FileUnits& units_;

@@ -451,6 +451,7 @@ MotionDetail detail_of(const MotionPlan& plan, const Mechanism& mechanism) {
                                     has_names || has_inertia),
           .acceleration = has_speed && (report.acceleration || has_names || has_inertia),
           .statics = has_statics,
+          .reduced_equation = report.dynamics,
           .transmission_angle = has_case && report.transmission_angle};
 }
 

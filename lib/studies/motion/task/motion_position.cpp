@@ -243,8 +243,10 @@ void MotionPositions::solve_passes(const Configuration& configuration,
   std::optional<InertialMotion> inertial;
   std::optional<InertiaObstacle> obstacle;
   if (judged.asks_actions && judged.has_inertia() && position.has_speeds()) {
-    auto found =
-        inertial_motion_of(position.state, moved_, network_, states_, configuration, speeds);
+    const InertiaDetail detail =
+        detail_.reduced_equation ? InertiaDetail::equation : InertiaDetail::forces;
+    auto found = inertial_motion_of(
+        position.state, moved_, network_, states_, configuration, speeds, detail);
     if (auto* const motion = std::get_if<InertialMotion>(&found)) {
       inertial = std::move(*motion);
     } else {

@@ -17,7 +17,8 @@ namespace kinestat {
 struct MotionDetail {
   bool velocity = false;
   bool acceleration = false;
-  bool statics = false;  ///< actions, and the powers and ratios of the case
+  bool statics = false;           ///< actions, and the powers and ratios of the case
+  bool reduced_equation = false;  ///< that of a case with inertia, and its second method
   bool transmission_angle = false;
   double closure_error = kMotionClosure;  ///< of the worst position of the motion
 };

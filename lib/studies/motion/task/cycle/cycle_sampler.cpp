@@ -69,6 +69,7 @@ struct CycleSampler::Run {
                   {.velocity = true,
                    .acceleration = true,
                    .statics = true,
+                   .reduced_equation = true,
                    .closure_error = worst_closure_error(motion.solution)}) {}
 
   MotionPlan plan;

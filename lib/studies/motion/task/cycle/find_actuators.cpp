@@ -97,7 +97,7 @@ class ActuatorFinder {
       if (!action || !rate) {
         return std::nullopt;
       }
-      const auto& bias = solved->dynamics->reduced.bias;
+      const auto& bias = solved->dynamics->reduced.value().bias;
       const double inertial = bias.size() > 0 ? bias.lpNorm<Eigen::Infinity>() : 0.0;
       values.push_back({.value = *action, .size = std::max(std::abs(*action), inertial)});
       values.push_back({.value = actuators[kinestat::at(one.actuator)], .size = largest});

@@ -91,7 +91,7 @@ class FlywheelFinder {
         (lossy != nullptr
              ? lossy->actions
              : at.solved->action->magnitudes)[static_cast<std::size_t>(actuator(motor_).action)];
-    const ReducedEquation& reduced = at.solved->dynamics->reduced;
+    const ReducedEquation& reduced = at.solved->dynamics->reduced.value();
     if (!action || !reduced.derivative) {
       return std::nullopt;
     }

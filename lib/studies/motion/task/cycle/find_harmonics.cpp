@@ -61,6 +61,7 @@ class HarmonicFinder {
       return std::nullopt;
     }
     const CaseDynamics& dynamics = *at.solved->dynamics;
+    const double bias = dynamics.reduced.value().bias[0];
     std::vector<CycleValue> values;
     for (const int action : actions_) {
       const std::optional<double>& there =
@@ -68,8 +69,7 @@ class HarmonicFinder {
       if (!there) {
         return std::nullopt;
       }
-      values.push_back({.value = *there,
-                        .size = std::max(std::abs(*there), std::abs(dynamics.reduced.bias[0]))});
+      values.push_back({.value = *there, .size = std::max(std::abs(*there), std::abs(bias))});
     }
     double force = 0.0;
     double moment = 0.0;
