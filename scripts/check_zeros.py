@@ -36,6 +36,7 @@ DECISIONS = {
     "lib/studies/mobility/passive_freedom.cpp": "rank: what a passive freedom moves",
     "lib/studies/mobility/redundancy.cpp": "rank: what a self-stress of a circuit loads",
     "lib/studies/motion/internal/path_tracker.cpp": "search: steps of a branch are near each other",
+    "lib/screw/coordinate_basis.cpp": "rank: which screws surely span all coordinates",
     "lib/network/primary_check.cpp": "rank: which magnitudes a relation holds",
     "lib/cases/free_parameters.cpp": "search: changes so small that their bounds are asked for",
     "lib/cases/report/results_text.cpp": "words: couplings that bear the same largest action",
