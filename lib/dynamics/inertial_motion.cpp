@@ -115,8 +115,7 @@ std::variant<InertialMotion, InertiaObstacle> inertial_motion_of(const MotionSta
   if (state.is_singular || state.twist_rates.empty()) {
     return InertiaObstacle{.kind = InertiaObstacle::Kind::singular};
   }
-  InertialMotion motion{.poses = state.poses,
-                        .twists = state.twists,
+  InertialMotion motion{.twists = state.twists,
                         .twist_rates = state.twist_rates,
                         .bounds = state.bounds.bodies,
                         .inertial = inertial_bodies(mechanism, state),

@@ -28,7 +28,6 @@ enum class InertiaDetail {
 
 /// Lists of bodies are parallel to the topology; twists are about the origin of the geometry.
 struct InertialMotion {
-  std::vector<BodyPose> poses;  ///< since the drawn position
   std::vector<Twist> twists;
   std::vector<Twist> twist_rates;                     ///< time derivatives
   std::vector<BodyBounds> bounds;                     ///< how far all of these may be off
