@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -115,7 +116,11 @@ std::string completions_text(const PrimaryCheck& check, const KnownSide& side) {
       has_actuators = has_actuators && !actuator.empty();
     }
     const std::string listed = plain_list(names);
-    (has_actuators ? sets : others).push_back(set.size() == 1 ? listed : "{" + listed + "}");
+    std::vector<std::string>& to = has_actuators ? sets : others;
+    std::string text = set.size() == 1 ? listed : "{" + listed + "}";
+    if (std::ranges::find(to, text) == to.end()) {  // long lists may differ in what is cut off
+      to.push_back(std::move(text));
+    }
   }
   const bool may_be_idle = side.key == "action" && !sets.empty();
   const bool is_single = !check.completions.empty() && check.completions.front().size() == 1;

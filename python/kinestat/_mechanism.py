@@ -12,7 +12,7 @@ from typing import (
 )
 
 from ._library import Handle, c_text, library, text_of
-from ._messages import Message, call, error_of, last_messages, warn
+from ._messages import Message, UsageError, call, error_of, last_messages, warn
 from ._report import Report
 from ._tape import Tape
 
@@ -40,7 +40,7 @@ def value_text(value: Value) -> str:
             f"a value of a parameter is a number or a text, not {type(value).__name__}"
         ) from None
     if not math.isfinite(number):
-        raise ValueError(f"a value of a parameter is finite, not {number}")
+        raise UsageError(f"a value of a parameter is finite, not {number}")
     return repr(number)
 
 

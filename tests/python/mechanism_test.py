@@ -96,7 +96,7 @@ class Mechanisms(Case):
                           (kinestat.Status.USAGE, kinestat.Status.WRONG_INPUT))
             self.assertTrue(refused.exception.messages)
         for number in (math.nan, math.inf, -math.inf):
-            with self.assertRaises(ValueError):
+            with self.assertRaises(kinestat.UsageError):
                 bar.set("height", number)
         with self.assertRaises(ValueError):
             bar.set("height\0", "4 m")
