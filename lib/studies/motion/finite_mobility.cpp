@@ -104,6 +104,11 @@ class FreedomTester {
                                   static_cast<Eigen::Index>(point.arrival.size()));
   }
 
+  // Closing may lead back to where the step began, which is closed itself.
+  static bool falls_back(const PathPoint& there, double step) {
+    return arrival_of(there).cwiseAbs().maxCoeff() < kLeastTrialWay * step;
+  }
+
   static VecX scaled(const VecX& direction) { return direction / direction.cwiseAbs().maxCoeff(); }
 
   // Steps along the motion and closes. What closing takes away shrinks with the square of the step
@@ -118,7 +123,7 @@ class FreedomTester {
       trial.step = half == 0 ? kTrialStep : 0.5 * kTrialStep;
       there = stepped(drawn, trial.step, along);
       trial.closure_error = there.closure_error;
-      if (!(there.closure_error <= kTrialClosure)) {
+      if (!(there.closure_error <= kTrialClosure) || falls_back(there, trial.step)) {
         trial.persistence = Persistence::instantaneous;
         return trial;
       }
@@ -152,7 +157,7 @@ class FreedomTester {
         continue;
       }
       trial.closure_error = next.closure_error;
-      if (!is_closed) {
+      if (!is_closed || falls_back(next, step)) {
         return false;
       }
       trial.step += step;

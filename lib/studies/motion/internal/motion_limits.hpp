@@ -72,6 +72,9 @@ inline constexpr double kLeastTrialStep = 0x1p-13;
 /// By this share of such a step the closed point may be off its direction.
 inline constexpr double kMostTrialTurn = 0.5;
 
+/// A closed point less than this share of the step away is where the step began.
+inline constexpr double kLeastTrialWay = 0.5;
+
 /// The part of a direction that stays open must be so long a share of it to lead on.
 inline constexpr double kLeadsOn = 0.5;
 
