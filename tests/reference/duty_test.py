@@ -309,12 +309,13 @@ class UnevenPlanets(unittest.TestCase):
             self.assertEqual(even["bearings"][bearing]["largest"], 0)
             self.assertEqual(duty["bearings"][bearing]["largest"], 0)
 
-    def test_bearings_of_a_pressed_shaft_bear_as_drawn(self) -> None:
-        """A belt on the carrier: one planet in the place of three presses with 90 N m / 30 mm."""
+    def test_bearings_of_a_pressed_shaft_bear_what_presses_it_beside_planets(self) -> None:
+        """A belt on the carrier, whose planets cancel as those of the sun do."""
         text = PLANETS.replace("SHARING", "1").replace(
-            "cases:", "loads: {belt: {body: carrier, at: [0, 0], force: [0, -1]}}\ncases:")
+            "cases:", "loads: {belt: {body: carrier, at: [0, 0], force: [0, -70]}}\ncases:")
         bearings = program.run("duty", "-", text=text)["duty"]["bearings"]
-        self.assertAlmostEqual(bearings["s"]["largest"], 3000 / math.cos(math.radians(20)))
+        self.assertAlmostEqual(bearings["c"]["largest"], 70)
+        self.assertEqual(bearings["s"]["largest"], 0)
 
 
 if __name__ == "__main__":

@@ -93,10 +93,14 @@ class PlanetFriction(unittest.TestCase):
                 self.assertAlmostEqual(case["power"]["efficiency"]["friction"],
                                        1 - count * couple * SPINS / (TORQUE * SPEED), delta=1e-9)
 
-    def test_says_where_other_loads_press_a_central_bearing(self) -> None:
-        _, said = self.case("mu: 0.1, radius: 10", "", "",
-                            loads=", loads: {pull: {body: sun, at: [0, 0], force: [100, 0]}}")
-        self.assertIn("W0315", said)
+    def test_of_central_bearings_is_that_of_other_loads(self) -> None:
+        """A pull of 100 N on the sun; the planets cancel."""
+        case, said = self.case("mu: 0.1, radius: 10", "mu: 0.1, radius: 20", "",
+                               loads=", loads: {pull: {body: sun, at: [0, 0], force: [100, 0]}}")
+        couples = {name: one["couple"] for name, one in case["statics"]["friction"].items()}
+        self.assertAlmostEqual(couples["s"], 0.1 * 0.01 * 100, delta=1e-12)
+        self.assertEqual(couples["c"], 0.0)
+        self.assertNotIn("W0315", said)
 
 
 if __name__ == "__main__":

@@ -73,7 +73,7 @@ TEST(WeightBinder, RefusesANegativeMass) {
 }
 
 TEST(WeightBinder, WarnsOfGravityThatActsOnNothing) {
-  EXPECT_EQ(complaints_of_arm("{centre_of_mass: [1, 0]}", "gravity: [0, -9.81]\n"),
+  EXPECT_EQ(complaints_of_arm("{inertia: 1}", "gravity: [0, -9.81]\n"),
             Complaints{"6:1 W0301 gravity acts on no body, because none has a mass"});
 }
 
