@@ -169,8 +169,8 @@ std::optional<std::vector<Dyad>> SynthesisValues::given_cranks(
   if (cranks.empty()) {
     found.error("E0305",
                 (input.circle_point ? input.circle_point : output.circle_point)->where,
-                "with this 'circle_point' a link has no length, or none that ends",
-                "move it");
+                "with this 'circle_point' a link has no length, or an infinite one",
+                "move it: it is a fixed pivot, or the other pivot of the coupler lies at infinity");
     return std::nullopt;
   }
   return cranks;
