@@ -471,6 +471,8 @@ const Mapping<SynthesisDescription>& synthesis_section() {
             "transmission",
             {"linkage", "positions", "function", "dyads", "limits", "vary", "curves", "digits"},
             "a file is about linkages or about transmissions: keep one of the two");
+        m.rule(
+            {.kind = FormRule::Kind::any_of, .others = {"positions", "function", "transmission"}});
       });
   return mapping;
 }
