@@ -52,6 +52,21 @@ struct DyadDescription {
   SourceRange where;
 };
 
+/// A link of a function generator, which turns about its centre point.
+struct FunctionLink {
+  PointDescription centre_point;                 ///< fixed frame
+  std::vector<Value> angles;                     ///< one a precision point
+  std::optional<PointDescription> circle_point;  ///< given; fixed frame, in the first position
+  SourceRange where;
+};
+
+/// Angles that two links must have together.
+struct FunctionDescription {
+  FunctionLink input;
+  FunctionLink output;
+  SourceRange where;
+};
+
 /// What `vary` may leave free. `s`, `tau` and `tau_2` are the effective freedom of what curvature,
 /// stationary curvature and a Burmester point leave open, in the place of free point and m; circle
 /// points, or centre points in their place, are free with three and four positions.
@@ -113,7 +128,8 @@ inline constexpr int kUsualCurvePoints = 200;
 struct SynthesisDescription {
   LinkageKind linkage = LinkageKind::four_bar;
   std::vector<PositionDescription> positions;
-  std::vector<DyadDescription> dyads;  ///< given, two at most
+  std::optional<FunctionDescription> function;  ///< instead of positions and dyads
+  std::vector<DyadDescription> dyads;           ///< given, two at most
   SynthesisLimits limits;
   std::vector<SynthesisRange> vary;
   std::optional<Value> samples;      ///< of a selection, about; kUsualSamples

@@ -14,7 +14,7 @@ namespace kinestat {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> kCounts = {"none", "one", "two", "three", "four"};
+constexpr std::array<std::string_view, 6> kCounts = {"none", "one", "two", "three", "four", "five"};
 
 // "with something in it", "of at least two", "of one to four", "of two".
 std::string number_text(const FormShape& shape) {

@@ -60,6 +60,8 @@ class Linkages(unittest.TestCase):
         """What the comment of a written file says of its drive, by 'kinestat motion' on the file."""
         moved = 0
         for path in self.files():
+            if path.stem == "function_generator":  # see function_generator_test
+                continue
             with tempfile.TemporaryDirectory() as folder:
                 report = program.synthesize("--write-mechanism", folder, str(path))
                 turn = 360.0 if report["mechanism"]["units"]["angle"] == "deg" else 2 * math.pi

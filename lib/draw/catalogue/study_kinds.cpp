@@ -37,7 +37,9 @@ std::string plotted_figure(const PictureSource& source) {
 }
 
 std::string why_no_task(const PictureSource& source) {
-  return source.synthesis->tasks.empty() ? "no choice of the task is left" : "";
+  return source.synthesis->limits.function ? "a function has no positions of a plane to draw"
+         : source.synthesis->tasks.empty() ? "no choice of the task is left"
+                                           : "";
 }
 
 std::string why_no_times(const PictureSource& source) {

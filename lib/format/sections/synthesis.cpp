@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "format/sections/sections.hpp"
+#include "format/sections/synthesis_function.hpp"
 #include "format/sections/synthesis_limits.hpp"
 #include "format/sections/transmission.hpp"
 #include "forms/alternatives.hpp"
@@ -285,7 +286,8 @@ void declare_ranges(Mapping<Task>& vary) {
        "-1",
        "1"},
       {circle_points,
-       "The area for moving pivots, in the moving frame; for three and four positions.",
+       "The area for moving pivots, in the moving frame; for three and four positions. Of a "
+       "function generator for that of the input, in the first position.",
        corner(),
        "{from: [-1, -1], to: [1, 1]}"},
       {centre_points,
@@ -438,6 +440,14 @@ const Mapping<SynthesisDescription>& synthesis_section() {
                     "[{at: [0.424, 0.245], angle: 30 deg, pole: [0.6, 2.019]}, {at: [0.49, 0.0], "
                     "angle: 70 deg}]")
             .add_hint("'positions:' and below it lines '- {at: [x, y], angle: 30 deg}'");
+        m.key("function",
+              "Instead of positions: the angles of two links of a four-bar that generates a "
+              "function.")
+            .may(&Task::function, synthesis_function().form(), kFunctionExample);
+        m.instead("function",
+                  {"positions", "dyads", "digits"},
+                  "a function generator has angles and given pivots in 'function': keep one of the "
+                  "two");
         m.key("dyads",
               "Dyads with a given pivot, two at most, where the positions leave them free: with "
               "three positions the other pivot follows; with four the given one must lie on its "
@@ -457,9 +467,12 @@ const Mapping<SynthesisDescription>& synthesis_section() {
                  transmission_mapping().form(),
                  "{sets: 2, elements: 4, engaged: 2, gears: {forward: 3}, ratios: {step: [1.3, "
                  "2]}}");
-        m.instead("transmission",
-                  {"linkage", "positions", "dyads", "limits", "vary", "curves", "digits"},
-                  "a file is about linkages or about transmissions: keep one of the two");
+        m.instead(
+            "transmission",
+            {"linkage", "positions", "function", "dyads", "limits", "vary", "curves", "digits"},
+            "a file is about linkages or about transmissions: keep one of the two");
+        m.rule(
+            {.kind = FormRule::Kind::any_of, .others = {"positions", "function", "transmission"}});
       });
   return mapping;
 }

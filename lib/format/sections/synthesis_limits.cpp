@@ -100,7 +100,10 @@ const Mapping<SynthesisLimits>& synthesis_limits() {
             .may(&SynthesisLimits::turns_fully, flag(), "true");
         m.key("centre_points", "Where the fixed pivots must lie, in the fixed frame.")
             .may(&SynthesisLimits::centre_points, area(), "{from: [-1, -1], to: [1, 1]}");
-        m.key("circle_points", "Where the moving pivots must lie, in the moving frame.")
+        m.key(
+             "circle_points",
+             "Where the moving pivots must lie, in the moving frame; those of a function generator "
+             "in the first position.")
             .may(&SynthesisLimits::circle_points, area(), "[[0, 0], [2, 0], [1, 1.5]]");
       });
   return mapping;

@@ -56,6 +56,10 @@ double margin_of(const DriveVerdict& verdict) {
 
 void choose_drive(LinkageCandidate& candidate, const LinkageLimits& limits) {
   const Defect one = defect_of(candidate.verdicts[0], limits);
+  if (limits.function) {
+    candidate.defect = one;
+    return;
+  }
   const Defect other = defect_of(candidate.verdicts[1], limits);
   const bool takes_other =
       Standing(other, candidate.verdicts[1]).is_better_than({one, candidate.verdicts[0]});
@@ -100,9 +104,16 @@ LinkageCandidate judge(const Linkage& linkage,
   candidate.lengths = lengths_of(linkage);
   if (candidate.lengths) {
     candidate.grashof = classify(*candidate.lengths);
+  }
+  int sense = 0;
+  if (limits.function) {
+    candidate.positions = coupler_positions(*limits.function, linkage);
+    positions = candidate.positions;
+    sense = limits.function->sense();
+  } else {
     candidate.cognates = find_cognates(linkage, pose_of(positions[0]), {0.0, 0.0});
   }
-  candidate.verdicts = {find_verdict(linkage, Drive::one, positions),
+  candidate.verdicts = {find_verdict(linkage, Drive::one, positions, sense),
                         find_verdict(linkage, Drive::other, positions)};
   choose_drive(candidate, limits);
   if (!has_digits(linkage.one) || !has_digits(linkage.other)) {
@@ -195,7 +206,8 @@ std::vector<LinkageCandidate> rank_linkages(std::span<const Dyad> dyads,
     const std::size_t i = pair / dyads.size();
     const std::size_t j = pair % dyads.size();
     const Linkage linkage{.one = dyads[i], .other = dyads[j]};
-    if (i < j && (!limits.type || linkage.type() == *limits.type)) {
+    const bool is_pair = limits.function ? i % 2 == 0 && j == i + 1 : i < j;
+    if (is_pair && (!limits.type || linkage.type() == *limits.type)) {
       candidates.push_back(judge(linkage, positions, limits));
       candidates.back().dyads = {i, j};
     }

@@ -10,6 +10,7 @@
 
 #include "studies/synthesis/dyads/burmester.hpp"
 #include "studies/synthesis/linkages/cognates.hpp"
+#include "studies/synthesis/linkages/function_generator.hpp"
 #include "studies/synthesis/linkages/linkage.hpp"
 #include "studies/synthesis/linkages/verdict.hpp"
 #include "studies/synthesis/positions/plane_area.hpp"
@@ -25,6 +26,7 @@ struct LinkageLimits {
   double size = std::numeric_limits<double>::infinity();   ///< longest link [length]
   std::vector<GrashofClass> classes = {};                  ///< of a four-bar; empty: any linkage
   bool turns_fully = false;                                ///< the input meets no dead point
+  std::optional<AngleFunction> function = std::nullopt;    ///< of its cranks, the first driven
   std::optional<PlaneArea> circle_points = std::nullopt;   ///< where they lie, moving frame
   std::optional<PlaneArea> centre_points = std::nullopt;   ///< where they lie, fixed frame
 };
@@ -67,7 +69,8 @@ struct Standing {
 
 struct LinkageCandidate {
   Linkage linkage;
-  std::array<std::size_t, 2> dyads{};  ///< which of the given dyads
+  std::array<std::size_t, 2> dyads{};   ///< which of the given dyads
+  std::vector<PositionJets> positions;  ///< of the coupler of a function generator; else empty
   std::optional<FourBarLengths> lengths;
   std::optional<Grashof> grashof;
   std::optional<Cognates> cognates;  ///< for the path of the origin of the moving frame
@@ -80,6 +83,10 @@ struct LinkageCandidate {
 
   const DriveVerdict& best() const;
 
+  /// The point of the coupler that is watched, in its frame: the origin; of a function generator
+  /// the pivot on its input link.
+  Point tracer() const { return positions.empty() ? Point(0.0, 0.0) : linkage.one.circle_point; }
+
   Standing standing() const { return {defect, best()}; }
 
   /// Of the transmission angle on the working arc of the best drive [rad]; zero if it has none.
@@ -87,7 +94,9 @@ struct LinkageCandidate {
 };
 
 /// All pairs of dyads, the best first: without defects, by the margin of the transmission angle;
-/// then the others by their defect. Double dyads count once.
+/// then the others by their defect. Double dyads count once. With a function the dyads are those of
+/// cranks_of_couplers, of which two that follow each other make a linkage, and have their own
+/// positions.
 std::vector<LinkageCandidate> rank_linkages(std::span<const Dyad> dyads,
                                             std::span<const PositionJets> positions,
                                             const LinkageLimits& limits);

@@ -12,11 +12,13 @@ namespace kinestat {
 
 DyadChoice::DyadChoice(std::vector<PositionJets> positions,
                        const ChoiceArea& area,
-                       std::optional<Dyad> given)
+                       std::optional<Dyad> given,
+                       std::optional<AngleFunction> function)
     : positions_(std::move(positions)),
       area_(area),
       frame_(frame_of(area.of, positions_)),
-      given_(std::move(given)) {
+      given_(std::move(given)),
+      function_(std::move(function)) {
   const int count = position_count(positions_);
   KINESTAT_EXPECTS(count == 3 || count == 4);
   if (count == 4) {
@@ -60,7 +62,7 @@ std::vector<SelectionRange> DyadChoice::ranges(int samples) const {
   const SelectionRange x{.from = area_.from.real(), .to = area_.to.real()};
   const SelectionRange y{.from = area_.from.imag(), .to = area_.to.imag()};
   std::vector<SelectionRange> ranges;
-  for (int dyad = given_ ? 1 : 0; dyad < 2; ++dyad) {
+  for (int dyad = 0; dyad < chosen_count(); ++dyad) {
     if (curves_) {
       ranges.push_back(share);
     } else {
@@ -94,6 +96,10 @@ std::optional<Dyad> DyadChoice::chosen_dyad(std::span<const double> numbers) con
 }
 
 std::vector<Dyad> DyadChoice::dyads(std::span<const double> numbers) const {
+  if (function_) {
+    const auto coupler = chosen_dyad(numbers);
+    return coupler ? cranks_of_couplers(*function_, {&*coupler, 1}) : std::vector<Dyad>{};
+  }
   const std::size_t each = curves_ ? 1 : 2;
   const auto one = given_ ? given_ : chosen_dyad(numbers.first(each));
   const auto other = chosen_dyad(numbers.last(each));

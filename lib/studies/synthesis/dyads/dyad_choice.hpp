@@ -20,21 +20,26 @@ struct ChoiceArea {
 /// Every pair of circle points, or of centre points, in an area, by free numbers for a selection.
 /// Of three positions any point will do: the numbers are the coordinates of both [length]. Of four
 /// they lie on a curve: the numbers are their places along its part in the area, each from 0 to 1.
-/// One dyad may be given; the numbers are those of the other then.
+/// One dyad may be given; the numbers are those of the other then. With a function, whose positions
+/// these are as seen from the output, they are those of the circle point of its input.
 class DyadChoice {
  public:
   DyadChoice(std::vector<PositionJets> positions,
              const ChoiceArea& area,
-             std::optional<Dyad> given = {});
+             std::optional<Dyad> given = {},
+             std::optional<AngleFunction> function = {});
 
   /// One range a number, with about `samples` combinations in all. Empty if four positions have no
   /// curve, or none in the area.
   std::vector<SelectionRange> ranges(int samples) const;
 
   /// Whether both dyads are chosen.
-  ChoiceHalves halves() const { return given_ ? ChoiceHalves::differ : ChoiceHalves::alike; }
+  ChoiceHalves halves() const {
+    return chosen_count() == 2 ? ChoiceHalves::alike : ChoiceHalves::differ;
+  }
 
-  /// Both dyads, that which is given first, or none where one of them is left open.
+  /// Both dyads, that which is given first, or none where one of them is left open; of a function
+  /// both cranks.
   std::vector<Dyad> dyads(std::span<const double> numbers) const;
 
   /// The linkage of these dyads.
@@ -47,6 +52,8 @@ class DyadChoice {
   const std::optional<FourPositionCurves>& curves() const { return curves_; }
 
  private:
+  int chosen_count() const { return given_ || function_ ? 1 : 2; }
+
   void find_steps();
   Point on_curve(double share) const;
   Point chosen_point(std::span<const double> numbers) const;
@@ -64,6 +71,7 @@ class DyadChoice {
   ChoiceArea area_;
   Pose frame_;  // of the chosen points, at the first position
   std::optional<Dyad> given_;
+  std::optional<AngleFunction> function_;
   std::optional<FourPositionCurves> curves_;
   std::vector<Step> steps_;  // fixed frame, at the first position
 };

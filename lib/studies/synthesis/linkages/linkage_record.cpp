@@ -225,10 +225,12 @@ const Record<LinkageCandidate>& linkage_record() {
         "lengths", lengths_record(), "Of a four-bar.", [](const View& v) { return v.lengths; });
     keys.part(
         "grashof", grashof_record(), "Of a four-bar.", [](const View& v) { return v.grashof; });
-    keys.custom("cognates",
-                cognates_shape(),
-                "Both four-bars that guide the origin of the moving frame along the same path.",
-                write_cognates);
+    keys.custom(
+        "cognates",
+        cognates_shape(),
+        "Both four-bars that guide the origin of the moving frame along the same path; null "
+        "of a function.",
+        write_cognates);
     keys.list("drives",
               drive_record(),
               "By the first and by the second dyad.",

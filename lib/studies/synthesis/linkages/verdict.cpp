@@ -64,8 +64,8 @@ bool is_equal(const std::vector<int>& all) {
 
 class Judge {
  public:
-  Judge(const Linkage& linkage, Drive drive, std::span<const PositionJets> positions)
-      : curve_(linkage, drive), positions_(positions), range_(curve_.range()) {
+  Judge(const Linkage& linkage, Drive drive, std::span<const PositionJets> positions, int sense)
+      : curve_(linkage, drive), positions_(positions), sense_(sense), range_(curve_.range()) {
     verdict_.drive = drive;
     find_ends();
   }
@@ -176,11 +176,12 @@ class Judge {
                                                                       : x;
   }
 
-  // Whether the derivatives that have a sense ask for no other one.
+  // Whether no other sense is asked for, nor by derivatives that have one.
   bool allows(int sense) const {
-    return std::ranges::all_of(positions_, [&](const PositionJets& position) {
-      return !position.is_directed || position.order() < 2 || curve_.sense_of(position) != -sense;
-    });
+    return sense_ != -sense && std::ranges::all_of(positions_, [&](const PositionJets& position) {
+             return !position.is_directed || position.order() < 2 ||
+                    curve_.sense_of(position) != -sense;
+           });
   }
 
   void find_passage() {
@@ -265,6 +266,7 @@ class Judge {
 
   DriveCurve curve_;
   std::span<const PositionJets> positions_;
+  int sense_ = 0;
   DriveCurve::Range range_;
   End zero_end_ = End::free;
   End far_end_ = End::free;
@@ -295,9 +297,10 @@ double TransmissionRange::margin() const {
 
 DriveVerdict find_verdict(const Linkage& linkage,
                           Drive drive,
-                          std::span<const PositionJets> positions) {
+                          std::span<const PositionJets> positions,
+                          int sense) {
   KINESTAT_EXPECTS(!positions.empty());
-  return Judge(linkage, drive, positions).run();
+  return Judge(linkage, drive, positions, sense).run();
 }
 
 }  // namespace kinestat

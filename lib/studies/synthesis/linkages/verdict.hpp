@@ -54,9 +54,11 @@ struct DriveVerdict {
 /// parameter grows along the motion (PositionJets::is_directed): the input must pass all of them in
 /// the sense in which it goes from position to position. With a full turn any sense of rotation is
 /// in order that passes the positions within one turn; two positions without a sense always are, by
-/// the way that transmits better, and of equal ones by the shorter.
+/// the way that transmits better, and of equal ones by the shorter. With a sense, 1 or -1, the
+/// coordinate must grow or fall.
 DriveVerdict find_verdict(const Linkage& linkage,
                           Drive drive,
-                          std::span<const PositionJets> positions);
+                          std::span<const PositionJets> positions,
+                          int sense = 0);
 
 }  // namespace kinestat

@@ -46,7 +46,7 @@ class Panel {
   Panel(const SynthesisTask& task, const LinkageCandidate& linkage, PixelPoint corner)
       : linkage_(linkage), corner_(corner) {
     svg_.keep_lines();
-    for (const PositionJets& position : task.positions) {
+    for (const PositionJets& position : task.positions_of(linkage)) {
       poses_.push_back(pose_of(position));
     }
     find_window();
@@ -72,6 +72,8 @@ class Panel {
  private:
   static constexpr double kRim = 16.0;
 
+  Point shown(const Pose& pose) const { return pose.place(linkage_.tracer()); }
+
   // Positions, joints and fixed pivots.
   void find_window() {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -83,7 +85,7 @@ class Panel {
     };
     for (const Dyad* dyad : {&linkage_.linkage.one, &linkage_.linkage.other}) {
       for (const Pose& pose : poses_) {
-        add(pose.origin);
+        add(shown(pose));
         add(joint_of(*dyad, pose));
       }
       if (dyad->kind == DyadKind::crank) {
@@ -117,7 +119,7 @@ class Panel {
     const LinkageMotion motion = trace_circuit(
         linkage_.linkage, linkage_.best_drive, poses_.front(), kSteps, kPanel / scale_);
     std::vector<PixelPoint> points;
-    for (const Point& p : coupler_curve(motion, {0.0, 0.0})) {
+    for (const Point& p : coupler_curve(motion, linkage_.tracer())) {
       const PixelPoint place = at(p);
       points.push_back(holds(place) ? place : PixelPoint{.x = kNone, .y = kNone});
     }
@@ -145,7 +147,7 @@ class Panel {
 
   void draw_position(const Pose& pose, bool is_first) {
     const std::array<const Dyad*, 2> dyads = {&linkage_.linkage.one, &linkage_.linkage.other};
-    std::vector<PixelPoint> plane = {at(pose.origin)};
+    std::vector<PixelPoint> plane = {at(shown(pose))};
     for (const Dyad* dyad : dyads) {
       plane.push_back(at(joint_of(*dyad, pose)));
     }
@@ -176,15 +178,18 @@ class Panel {
     }
   }
 
-  // As they were asked for: the origin, the x axis of the frame, and which it is.
+  // As they were asked for: the watched point, the x axis of the frame if this was asked for too,
+  // and which it is.
   void draw_marks() {
     TextStyle style = kSmall;
     style.has_halo = true;
     style.ink = Ink::ink;
     for (const Pose& pose : poses_) {
-      const PixelPoint from = at(pose.origin);
+      const PixelPoint from = at(shown(pose));
       const PixelPoint to = from + 17.0 * along(unit_vector(pose.angle));
-      svg_.arrow(from, to, {.stroke = Ink::ink}, 5.0);
+      if (linkage_.positions.empty()) {
+        svg_.arrow(from, to, {.stroke = Ink::ink}, 5.0);
+      }
       svg_.circle(from, 2.2, {.stroke = Ink::none, .fill = Ink::ink});
     }
     PixelBox area;
@@ -194,7 +199,7 @@ class Panel {
     placer.keep_off(svg_.lines());
     for (std::size_t i = 0; i < poses_.size(); ++i) {
       const std::string text = std::to_string(i + 1);
-      write_label(svg_, placer.place(at(poses_[i].origin), text, style, 4.0), text, style);
+      write_label(svg_, placer.place(at(shown(poses_[i])), text, style, 4.0), text, style);
     }
   }
 
@@ -284,9 +289,9 @@ Picture draw_best_linkages(const SynthesisAnalysis& analysis) {
   return make_picture(
       "synthesis",
       fmt::format("The best linkages: {}", shown_name(analysis.file, analysis.description)),
-      fmt::format("{} in the first position, with the others faint and the path of the "
-                  "origin of the moving frame.",
-                  counted(places.size(), "linkage")),
+      fmt::format("{} in the first position, with the others faint and the path of {}.",
+                  counted(places.size(), "linkage"),
+                  traced_text(analysis)),
       svg);
 }
 

@@ -14,6 +14,7 @@
 #include "draw/symbols.hpp"
 #include "draw/text_styles.hpp"
 #include "studies/synthesis/linkages/linkage_motion.hpp"
+#include "studies/synthesis/report/linkage_text.hpp"
 
 namespace kinestat {
 
@@ -56,16 +57,16 @@ class LinkageMover {
   LinkageMover(const SynthesisAnalysis& analysis, const SynthesisTask& task)
       : analysis_(analysis),
         best_(task.linkages.front()),
-        first_(pose_of(task.positions.front())),
+        first_(pose_of(task.positions_of(best_).front())),
         dyads_{{{.dyad = best_.linkage.one, .letter = 'A'},
                 {.dyad = best_.linkage.other, .letter = 'B'}}} {
-    for (const PositionJets& position : task.positions) {
+    for (const PositionJets& position : task.positions_of(best_)) {
       asked_.push_back(pose_of(position));
     }
     // What reaches to infinity is cut at some sizes of the task.
     double size = best_.longest;
     for (const Pose& pose : asked_) {
-      size = std::max(size, std::abs(pose.origin - first_.origin));
+      size = std::max(size, std::abs(shown(pose) - shown(first_)));
     }
     motion_ = trace_circuit(best_.linkage, best_.best_drive, first_, kSteps, 2.0 * size);
     find_scale();
@@ -91,6 +92,9 @@ class LinkageMover {
   }
 
  private:
+  // The watched point of the coupler.
+  Point shown(const Pose& pose) const { return pose.place(best_.tracer()); }
+
   const DyadBody& input() const { return dyads_[best_.best_drive == Drive::one ? 0 : 1]; }
 
   PixelPoint at(const Point& p) const {
@@ -110,7 +114,7 @@ class LinkageMover {
     };
     for (const std::vector<Pose>* poses : {&motion_.poses, &asked_}) {
       for (const Pose& pose : *poses) {
-        add(pose.origin);
+        add(shown(pose));
         add(dyads_[0].joint(pose));
         add(dyads_[1].joint(pose));
       }
@@ -129,7 +133,7 @@ class LinkageMover {
 
   std::vector<Round> plane_rounds(const Pose& pose) const {
     std::vector<Round> rounds;
-    for (const Point& p : {pose.origin, dyads_[0].joint(pose), dyads_[1].joint(pose)}) {
+    for (const Point& p : {shown(pose), dyads_[0].joint(pose), dyads_[1].joint(pose)}) {
       rounds.push_back({.centre = at(p), .radius = 5.0});
     }
     return rounds;
@@ -156,22 +160,24 @@ class LinkageMover {
         "synthesis-motion",
         fmt::format("Linkage through its positions: {}",
                     shown_name(analysis_.file, analysis_.description)),
-        fmt::format("The best linkage in the first of {} positions, and the path of the origin of "
-                    "the moving frame.",
-                    asked_.size()),
+        fmt::format("The best linkage in the first of {} positions, and the path of {}.",
+                    asked_.size(),
+                    traced_text(analysis_)),
         svg_);
   }
 
-  // The plane in each position, faintly, with the x axis of its frame.
+  // The plane in each position, faintly, with the x axis of its frame if this was asked for.
   void draw_asked() {
     for (std::size_t i = 0; i < asked_.size(); ++i) {
       const Pose& pose = asked_[i];
       svg_.open_group(fmt::format("position {}", i + 1));
       svg_.polygon(rounded_hull(plane_rounds(pose)),
                    {.stroke = Ink::soft, .width = 0.8, .dash = "3 3"});
-      const PixelPoint from = at(pose.origin);
+      const PixelPoint from = at(shown(pose));
       const PixelPoint to = from + 30.0 * along(std::polar(1.0, pose.angle));
-      svg_.arrow(from, to, {.stroke = Ink::ink, .width = 1.8}, 8.0);
+      if (best_.positions.empty()) {
+        svg_.arrow(from, to, {.stroke = Ink::ink, .width = 1.8}, 8.0);
+      }
       svg_.circle(from, 3.2, {.stroke = Ink::ink, .fill = Ink::ink});
       svg_.close_group();
       names_.emplace_back(fmt::format("{}", i + 1), from);
@@ -181,7 +187,7 @@ class LinkageMover {
   void draw_path() {
     std::vector<PixelPoint> points;
     for (const Pose& pose : motion_.poses) {
-      points.push_back(at(pose.origin));
+      points.push_back(at(shown(pose)));
     }
     if (motion_.is_closed) {
       points.push_back(points.front());
@@ -227,7 +233,7 @@ class LinkageMover {
         svg_.line(middle - half, middle + half, {.stroke = Ink::brown, .width = 1.2});
       }
     }
-    svg_.circle(at(first_.origin), 4.2, {.stroke = Ink::paper, .fill = Ink::blue, .width = 0.8});
+    svg_.circle(at(shown(first_)), 4.2, {.stroke = Ink::paper, .fill = Ink::blue, .width = 0.8});
     svg_.close_group();
   }
 
@@ -267,7 +273,7 @@ class LinkageMover {
                                        {.centre = at(one.joint(begin)), .radius = 5.0}}});
       }
     }
-    keep_off(std::array<Round, 1>{{{.centre = at(begin.origin), .radius = 5.0}}});
+    keep_off(std::array<Round, 1>{{{.centre = at(shown(begin)), .radius = 5.0}}});
   }
 
   void write_names() {
@@ -281,10 +287,15 @@ class LinkageMover {
     }
   }
 
-  // "A0A 123.4 deg": the input by its angle in the fixed frame, or how far it has slid.
+  // The input, and of a function the output.
   std::string input_text(const Pose& pose) const {
+    const std::string text = place_text(input(), pose);
+    return best_.positions.empty() ? text : text + ", " + place_text(dyads_[1], pose);
+  }
+
+  // "A0A 123.4 deg": a link by its angle in the fixed frame, or how far it has slid.
+  std::string place_text(const DyadBody& one, const Pose& pose) const {
     const FileUnits& units = analysis_.description.units;
-    const DyadBody& one = input();
     const auto text = [&](QuantityKind kind, double value) {
       return fmt::format("{0}0{0} {1} {2}",
                          one.letter,
@@ -308,7 +319,7 @@ class LinkageMover {
   void name_positions(MovingLinkage& result) const {
     for (std::size_t i = 0; i < asked_.size(); ++i) {
       const auto far = [&](const Pose& pose) {
-        double sum = std::abs(pose.origin - asked_[i].origin);
+        double sum = std::abs(shown(pose) - shown(asked_[i]));
         for (const DyadBody& one : dyads_) {
           sum += std::abs(one.joint(pose) - one.joint(asked_[i]));
         }
@@ -320,7 +331,7 @@ class LinkageMover {
       const std::size_t count = motion_.poses.size();
       const double stride = far(motion_.poses[step]);
       const Pose& next = motion_.poses[(step + 1) % count];
-      const double way = std::abs(next.origin - nearest->origin) +
+      const double way = std::abs(shown(next) - shown(*nearest)) +
                          std::abs(dyads_[0].joint(next) - dyads_[0].joint(*nearest)) +
                          std::abs(dyads_[1].joint(next) - dyads_[1].joint(*nearest));
       if (stride <= 2.0 * way) {

@@ -72,9 +72,9 @@ const Record<LinkageCheck>& check_record() {
   return record;
 }
 
-// Null unless the file asks for curves.
+// Null unless the file asks for curves; the coupler of a function has no point of its own.
 void write_coupler_curve(const FoundLinkageView& v, Archive& to) {
-  if (!v.analysis.description.synthesis->curve_count) {
+  if (!v.analysis.description.synthesis->curve_count || v.analysis.limits.function) {
     to.null();
     return;
   }
@@ -110,7 +110,7 @@ const Record<FoundLinkageView>& found_linkage_record() {
     keys.custom("coupler_curve",
                 object_shape(branch_record(), true),
                 "Path of the origin of the moving frame on the circuit of the first position, "
-                "driven by 'drive'; null unless the file requests curves.",
+                "driven by 'drive'; null unless the file requests curves, and of a function.",
                 write_coupler_curve);
     keys.part("verification", check_record(), check_of);
     keys.text("file", "The mechanism file written for it; null if there is none.", written_file)

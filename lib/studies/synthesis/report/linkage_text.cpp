@@ -252,6 +252,11 @@ std::string_view phrase_of(Defect defect) {
   return "";
 }
 
+std::string_view traced_text(const SynthesisAnalysis& analysis) {
+  return analysis.limits.function ? "the coupler's pivot on the input link"
+                                  : "the origin of the moving frame";
+}
+
 std::string family_text(Degeneracy reason, std::span<const PositionJets> positions) {
   const auto same = find_same(positions);
   return same ? fmt::format(

@@ -21,6 +21,9 @@ std::string family_text(Degeneracy reason, std::span<const PositionJets> positio
 /// What speaks against a linkage, in words; of none "usable".
 std::string_view phrase_of(Defect defect);
 
+/// The point of the coupler whose path is drawn, in words.
+std::string_view traced_text(const SynthesisAnalysis& analysis);
+
 /// All linkages with their verdicts and links, the best first; the cognates of those that are
 /// usable, or of the one that comes nearest, with the limits that it takes; those that the file
 /// does not ask for; and where they were written to.

@@ -23,9 +23,16 @@ struct TaskView {
   CurveWindow window;  // of its curves
 };
 
-// Curves are drawn within some sizes of the task: the spread of its positions and poles.
-CurveWindow window_of(const SynthesisTask& task, int count) {
+// Curves are drawn within some sizes of the task: the spread of its positions and poles, or of the
+// pivots of a function.
+CurveWindow window_of(const SynthesisTask& task, const SynthesisAnalysis& analysis) {
   constexpr double kSizes = 4.0;
+  const int count = analysis.curve_count;
+  if (const auto& function = analysis.limits.function) {
+    return {.middle = 0.5 * (function->input_pivot + function->output_pivot),
+            .radius = kSizes * std::abs(function->output_pivot - function->input_pivot),
+            .count = count};
+  }
   Point sum(0.0, 0.0);
   for (const PositionJets& position : task.positions) {
     sum += origin(position);
@@ -53,6 +60,40 @@ void emit_task_angles(const TaskView& v, const Each<ListedAngle>& each) {
   emit_listed_angles(angles, v.analysis, each);
 }
 
+struct PrecisionPoint {
+  double input = 0.0;   // [rad]
+  double output = 0.0;  // [rad]
+};
+
+const Record<PrecisionPoint>& precision_point_record() {
+  static const Record<PrecisionPoint> record(
+      "Angles of input and output, from those in the first position.",
+      [](Record<PrecisionPoint>& keys) {
+        keys.quantity("input", QuantityKind::angle, "Of the input link.", [](const auto& v) {
+          return std::optional(v.input);
+        });
+        keys.quantity("output", QuantityKind::angle, "Of the output link.", [](const auto& v) {
+          return std::optional(v.output);
+        });
+      });
+  return record;
+}
+
+void add_function(Record<TaskView>& keys) {
+  using View = TaskView;
+  keys.list("function",
+            precision_point_record(),
+            "The precision points of a function, instead of positions.",
+            [](const View& v, const Each<PrecisionPoint>& each) {
+              const AngleFunction& function = *v.analysis.limits.function;
+              for (std::size_t i = 0; i < function.input.size(); ++i) {
+                each({.input = function.input[i], .output = function.output[i]});
+              }
+            })
+      .in_tables_is(TableRole::element)
+      .only_if([](const View& v) { return v.analysis.limits.function.has_value(); });
+}
+
 void add_task(Record<TaskView>& keys) {
   using View = TaskView;
   keys.list("listed_angles",
@@ -73,7 +114,9 @@ void add_task(Record<TaskView>& keys) {
                 each({.position = position, .units = v.analysis.description.units});
               }
             })
-      .in_tables_is(TableRole::element);
+      .in_tables_is(TableRole::element)
+      .only_if([](const View& v) { return !v.analysis.limits.function; });
+  add_function(keys);
 }
 
 // What five positions answer; of others the reason alone may be told.
@@ -106,7 +149,7 @@ void add_solution(Record<TaskView>& keys) {
       .not_compared()
       .only_if(has_dyads);
   keys.count("imaginary_dyads",
-             "How many of the four are not real.",
+             "How many are not real.",
              [](const View& v) { return v.task.dyads->imaginary_count; })
       .only_if(has_dyads);
 }
@@ -182,7 +225,8 @@ const Record<TaskView>& task_record() {
         add_linkages(keys);
         keys.part("curves",
                   curves_record(),
-                  "Of four positions.",
+                  "Of four positions; of a function circle_points are those of the input, and "
+                  "centre_points the circle points of the output.",
                   [](const View& v) {
                     return CurvesView{.curves = *v.task.curves,
                                       .positions = v.task.positions,
@@ -211,7 +255,7 @@ void emit_tasks(const SynthesisAnalysis& v, const Each<TaskView>& each) {
   for (std::size_t i = 0; i < v.tasks.size(); ++i) {
     const SynthesisTask& task = v.tasks[i];
     each(std::to_string(i),
-         {.analysis = v, .task = task, .window = window_of(task, v.curve_count)},
+         {.analysis = v, .task = task, .window = window_of(task, v)},
          status_in_tables(task));
   }
 }

@@ -44,9 +44,9 @@ struct LinkageCheck {
 /// One choice of the angles that a file lists, and of its ranges, and what was found for it.
 /// Lengths in SI.
 struct SynthesisTask {
-  std::optional<SynthesisChoice> choice;  ///< where the file has ranges
-  std::vector<PositionJets> positions;
-  std::optional<BurmesterSolution> dyads;    ///< of five positions
+  std::optional<SynthesisChoice> choice;     ///< where the file has ranges
+  std::vector<PositionJets> positions;       ///< with a function those seen_from_output
+  std::optional<BurmesterSolution> dyads;    ///< of five positions; with a function its cranks
   std::optional<FourPositionCurves> curves;  ///< of four
   std::optional<Circle> straight_paths;      ///< of three
   Degeneracy special = Degeneracy::none;     ///< of two and three: why they leave more open
@@ -54,6 +54,11 @@ struct SynthesisTask {
   std::vector<LeftOutLinkages> left_out;     ///< usable ones of other kinds than were asked for
   std::vector<std::string> files;            ///< written, one a linkage; empty ones are not
   std::vector<std::optional<LinkageCheck>> checks;  ///< one a linkage, or none asked for
+
+  /// Those of the coupler of one of its linkages.
+  const std::vector<PositionJets>& positions_of(const LinkageCandidate& linkage) const {
+    return linkage.positions.empty() ? positions : linkage.positions;
+  }
 };
 
 /// What a selection looked at.

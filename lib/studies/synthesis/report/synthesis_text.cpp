@@ -74,6 +74,9 @@ class TaskText {
     if (task_.curves) {
       text += curves_text(*task_.curves);
     }
+    if (!task_.dyads && analysis_.limits.function && !is_family()) {
+      return text += function_offer_text();
+    }
     if (!task_.dyads && !task_.curves && task_.special != Degeneracy::none) {
       text += family_text(task_.special, task_.positions);
     } else if (task_.straight_paths) {
@@ -96,15 +99,18 @@ class TaskText {
     return position_count(task_.positions) > 4 ? 0 : std::max(2 - given, 0);
   }
 
+  bool is_family() const {
+    return task_.special != Degeneracy::none ||
+           (task_.curves && task_.curves->status != BurmesterStatus::solved);
+  }
+
   // Few positions leave dyads to choose from; a family that holds otherwise does not.
   std::string offer_text() const {
-    const bool is_family = task_.special != Degeneracy::none ||
-                           (task_.curves && task_.curves->status != BurmesterStatus::solved);
     const auto& vary = analysis_.description.synthesis->vary;
     const bool are_chosen = std::ranges::any_of(
         vary, [](const SynthesisRange& range) { return chooses_dyads(range.which); });
     const int free = free_dyads();
-    if (free == 0 || is_family || are_chosen) {
+    if (free == 0 || is_family() || are_chosen) {
       return "";
     }
     const std::string_view what = free == 1 ? "one dyad is free" : "two dyads are free";
@@ -124,6 +130,29 @@ class TaskText {
         "  dyads: [{{centre_point: [x, y]}}, {{centre_point: [x, y]}}]\n",
         end,
         what);
+  }
+
+  // What a function leaves to choose.
+  std::string function_offer_text() const {
+    const int count = position_count(task_.positions);
+    if (count == 2) {
+      return "the circle point of the input may be any point, and that of the output lies on a "
+             "line;\nto have a linkage, give 'circle_point' of both, where a message says on which "
+             "line\n";
+    }
+    const AngleFunction& function = *analysis_.limits.function;
+    const double unit = plane_.unit_of_length();
+    const double ground = std::abs(function.output_pivot - function.input_pivot);
+    const std::string end = plane_.length(unit * round_up(ground / unit));
+    return fmt::format(
+        "{1}; to select linkages, say where the circle point of the input may lie:\n"
+        "  vary: {{circle_points: {{from: [-{0}, -{0}], to: [{0}, {0}]}}}}\n"
+        "or give 'circle_point' of one of the links\n",
+        end,
+        count == 4 ? "the circle point of the input may be any point of its curve, and that of "
+                     "the output follows"
+                   : "the circle point of the input may be any point, and that of the output "
+                     "follows");
   }
 
   // About the size of the task, for an example.
@@ -184,6 +213,10 @@ class TaskText {
     if (curves.status == BurmesterStatus::family) {
       return family_text(curves.reason, task_.positions);
     }
+    if (analysis_.limits.function) {
+      return curve_text("circle points of the input", curves.circle_points) +
+             curve_text("circle points of the output", curves.centre_points);
+    }
     std::string text = curve_text("circle points", curves.circle_points) +
                        curve_text("centre points", curves.centre_points);
     if (curves.slider) {
@@ -239,7 +272,8 @@ TextBlocks synthesis_text(const SynthesisAnalysis& analysis) {
 
 TextBlocks synthesis_blocks(const SynthesisAnalysis& analysis) {
   const FileUnits& units = analysis.description.units;
-  TextBlocks text(fmt::format("  task {}, lengths in {}, angles in {}{}\n",
+  TextBlocks text(fmt::format("  {} {}, lengths in {}, angles in {}{}\n",
+                              analysis.limits.function ? "function" : "task",
                               analysis.form,
                               units.text(QuantityKind::length),
                               units.text(QuantityKind::angle),

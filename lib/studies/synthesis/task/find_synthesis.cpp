@@ -57,6 +57,15 @@ bool check_digits(int digits, const MechanismDescription& description, Diagnosti
         "write what it finds into the file without 'vary', and ask for the digits then");
     return false;
   }
+  if (task.function) {
+    found.error(
+        "E0305",
+        task.function->where,
+        fmt::format(
+            "a function is generated with {} digits, and {} are asked for", kDoubleDigits, digits),
+        "leave the digits out");
+    return false;
+  }
   int count = 0;
   for (const PositionDescription& position : task.positions) {
     count += position.order();

@@ -26,6 +26,29 @@ std::string line_text(const CompletedDyad& completed, const PlaneText& plane) {
                      format_short(completed.along.imag()));
 }
 
+// A point of the file, or where it belongs.
+struct GivenPoint {
+  std::string owner;
+  DyadPoint kind = DyadPoint::circle_point;
+  SourceRange where;
+};
+
+// A coupler of a function has circle points of two links.
+GivenPoint given_point(DyadPoint which, std::size_t dyad, const SynthesisDescription& task) {
+  const bool is_circle_point = which == DyadPoint::circle_point;
+  if (task.function) {
+    const FunctionLink& link = is_circle_point ? task.function->input : task.function->output;
+    return {.owner = is_circle_point ? "'input'" : "'output'",
+            .kind = DyadPoint::circle_point,
+            .where = link.circle_point ? link.circle_point->where : link.where};
+  }
+  const DyadDescription& given = task.dyads[dyad];
+  const auto& at = is_circle_point ? given.circle_point : given.centre_point;
+  return {.owner = fmt::format("dyad {}", dyad + 1),
+          .kind = which,
+          .where = at ? at->where : given.where};
+}
+
 // "circle points"
 std::string_view plural_of(DyadPoint which) {
   return which == DyadPoint::circle_point ? "circle points" : "centre points";
@@ -38,13 +61,11 @@ void add_fault(const CompletedDyad& completed,
                std::span<const PositionJets> positions,
                const MechanismDescription& description,
                Diagnostics& found) {
-  const DyadDescription& given = description.synthesis->dyads[dyad];
-  const auto& at =
-      completed.which == DyadPoint::circle_point ? given.circle_point : given.centre_point;
-  const SourceRange where = at ? at->where : given.where;
+  const GivenPoint given = given_point(completed.which, dyad, *description.synthesis);
+  const SourceRange where = given.where;
   const PlaneText plane(description.units);
-  const std::string_view word = word_of(completed.which);
-  const std::string what = fmt::format("'{}' of dyad {}", word, dyad + 1);
+  const std::string_view word = word_of(given.kind);
+  const std::string what = fmt::format("'{}' of {}", word, given.owner);
   const std::string instead =
       completed.instead ? typed_point(*completed.instead, description.units) : std::string();
   const std::string form = form_of(positions);
@@ -61,8 +82,8 @@ void add_fault(const CompletedDyad& completed,
     case GivenFault::one_alone:
       found.error("E0303",
                   where,
-                  fmt::format("dyad {} lacks the key '{}', for which the two positions {} leave {}",
-                              dyad + 1,
+                  fmt::format("{} lacks the key '{}', for which the two positions {} leave {}",
+                              given.owner,
                               word,
                               form,
                               line_text(completed, plane)),
@@ -86,7 +107,7 @@ void add_fault(const CompletedDyad& completed,
                   where,
                   fmt::format("{} is not on the curve of {} of the positions {}",
                               what,
-                              plural_of(completed.which),
+                              plural_of(given.kind),
                               form),
                   fmt::format("write {}: {}, the nearest point of it, {} {} away",
                               word,

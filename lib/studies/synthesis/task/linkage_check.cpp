@@ -26,7 +26,7 @@ class LinkageMover {
   LinkageMover(const SynthesisAnalysis& analysis,
                const SynthesisTask& task,
                const LinkageCandidate& candidate)
-      : task_(task), candidate_(candidate) {
+      : positions_(task.positions_of(candidate)), candidate_(candidate) {
     const MechanismDescription description = describe_linkage(analysis, task, candidate);
     Diagnostics ignored;
     std::optional<Mechanism> mechanism = bind(description, ignored);
@@ -42,7 +42,7 @@ class LinkageMover {
     LinkageCheck result;
     const Way ahead = follow(1.0);
     const Way behind = follow(-1.0);
-    for (std::size_t i = 0; i < task_.positions.size(); ++i) {
+    for (std::size_t i = 0; i < positions_.size(); ++i) {
       result.reached.push_back(ahead.is_met[i] || behind.is_met[i]);
     }
     result.passes_in_order = verdict.passage == Passage::increasing ? ahead.is_in_order
@@ -67,7 +67,7 @@ class LinkageMover {
   Way follow(double sense) const {
     Way way;
     double last = 0.0;
-    for (std::size_t i = 0; i < task_.positions.size(); ++i) {
+    for (std::size_t i = 0; i < positions_.size(); ++i) {
       const std::optional<double> moved = travel(i, sense);
       const std::optional<double> missed = miss(i, moved);
       way.is_met.push_back(missed && *missed <= tolerance());
@@ -87,8 +87,8 @@ class LinkageMover {
     if (!verdict.same_circuit || !verdict.same_branch) {
       return !reaches_all;
     }
-    const bool has_sense = std::ranges::any_of(
-        task_.positions, [](const PositionJets& one) { return one.order() > 1; });
+    const bool has_sense =
+        std::ranges::any_of(positions_, [](const PositionJets& one) { return one.order() > 1; });
     return reaches_all && (has_sense || !check.passes_in_order);
   }
 
@@ -123,12 +123,12 @@ class LinkageMover {
       const Configuration last = solution.configuration_at(solution.position_count() - 1);
       pose = body_poses(network_, last)[kCoupler];
     }
-    const Point start = origin(task_.positions[0]);
-    const Point wanted = origin(task_.positions[i]);
+    const Point start = origin(positions_[0]);
+    const Point wanted = origin(positions_[i]);
     const Vec3 point = pose.point({start.real(), start.imag(), 0.0});
     const double distance = std::hypot(point.x() - wanted.real(), point.y() - wanted.imag());
     const double turned = std::atan2(pose.rotation(1, 0), pose.rotation(0, 0));
-    const double turn = task_.positions[i].angle[0] - task_.positions[0].angle[0];
+    const double turn = positions_[i].angle[0] - positions_[0].angle[0];
     const double angle = std::abs(std::remainder(turned - turn, 2.0 * std::numbers::pi));
     return std::max(distance / mechanism_.geometry.length, angle);
   }
@@ -144,7 +144,7 @@ class LinkageMover {
     return result;
   }
 
-  const SynthesisTask& task_;
+  const std::vector<PositionJets>& positions_;
   const LinkageCandidate& candidate_;
   Mechanism mechanism_;
   MotionNetwork network_;

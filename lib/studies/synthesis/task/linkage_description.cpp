@@ -107,6 +107,15 @@ bool is_linear(const Dyad& dyad) {
   return dyad.kind == DyadKind::slider;
 }
 
+bool is_function(const LinkageCandidate& candidate) {
+  return !candidate.positions.empty();
+}
+
+// The actuator of the driver.
+Name drive_of(const LinkageCandidate& candidate) {
+  return name_of(is_function(candidate) ? "input" : "drive");
+}
+
 // Drives the linkage at one unit of its speed towards the other positions.
 CaseDescription case_of(const LinkageCandidate& candidate, const FileUnits& units) {
   const bool is_linear_input = is_linear(input_of(candidate.linkage, candidate.best_drive));
@@ -117,8 +126,8 @@ CaseDescription case_of(const LinkageCandidate& candidate, const FileUnits& unit
   result.label = name_of("first position");
   result.asks_motions = true;
   const std::string speed = fmt::format("{}1 {}", is_backwards ? "-" : "", units.text(kind));
-  result.motions.push_back({.target = name_of("drive"), .value = value_of(speed)});
-  result.inputs = {name_of("drive")};
+  result.motions.push_back({.target = drive_of(candidate), .value = value_of(speed)});
+  result.inputs = {drive_of(candidate)};
   result.outputs = {name_of("output")};
   return result;
 }
@@ -127,10 +136,10 @@ ActuatorDescription actuator_of(std::string_view name, std::string_view coupling
   return {.name = name_of(name), .coupling = name_of(coupling), .freedom = std::nullopt};
 }
 
-// Through all positions, with the path of the origin of the moving frame; only where they are
-// passed one after the other.
+// Through all positions, with the path of the origin of the moving frame, or with output and
+// transmission angle of a function; only where they are passed one after the other.
 std::optional<MotionDescription> motion_of(const LinkageCandidate& candidate,
-                                           const PointDescription& traced,
+                                           const std::optional<PointDescription>& traced,
                                            const FileUnits& units) {
   if (candidate.best().passage == Passage::none) {
     return std::nullopt;
@@ -145,10 +154,14 @@ std::optional<MotionDescription> motion_of(const LinkageCandidate& candidate,
   }
   MotionDescription motion;
   motion.drives.push_back(
-      {.actuator = name_of("drive"), .from = {}, .to = value_of(format_exact(to))});
+      {.actuator = drive_of(candidate), .from = {}, .to = value_of(format_exact(to))});
   motion.steps = value_of(kSteps);
   motion.label = name_of("first position");
-  motion.trace.push_back({.body = name_of("coupler"), .at = traced});
+  if (traced) {
+    motion.trace.push_back({.body = name_of("coupler"), .at = *traced});
+  } else {
+    motion.report = {name_of("B0.wz/position"), name_of("transmission_angle")};
+  }
   return motion;
 }
 
@@ -197,6 +210,7 @@ class CommentNumbers {
 
 void add_passage(const SynthesisTask& task,
                  const LinkageCandidate& candidate,
+                 const LinkageLimits& limits,
                  const CommentNumbers& in,
                  std::vector<std::string>& lines) {
   if (candidate.best().passage == Passage::none) {
@@ -207,9 +221,10 @@ void add_passage(const SynthesisTask& task,
   const bool is_length = is_linear(input_of(candidate.linkage, candidate.best_drive));
   const std::vector<double> moved = drive_travel(candidate);
   for (std::size_t i = 0; i < moved.size(); ++i) {
-    lines.push_back(fmt::format("  {:<12} E at {}",
+    lines.push_back(fmt::format("  {:<12} {}",
                                 is_length ? in.length(moved[i]) : in.angle(moved[i]),
-                                in.pose(task.positions[i])));
+                                limits.function ? "output " + in.angle(limits.function->output[i])
+                                                : "E at " + in.pose(task.positions[i])));
   }
 }
 
@@ -219,7 +234,7 @@ MechanismDescription describe_linkage(const SynthesisAnalysis& analysis,
                                       const SynthesisTask& task,
                                       const LinkageCandidate& candidate) {
   const FileUnits& units = analysis.description.units;
-  const Pose pose = pose_of(task.positions[0]);
+  const Pose pose = pose_of(task.positions_of(candidate)[0]);
   const Drive drive = candidate.best_drive;
   const LinkDrawing driver(input_of(candidate.linkage, drive), pose, units);
   const LinkDrawing follower(output_of(candidate.linkage, drive), pose, units);
@@ -233,15 +248,17 @@ MechanismDescription describe_linkage(const SynthesisAnalysis& analysis,
   result.bodies.resize(3);
   result.bodies[0].name = name_of("driver");
   result.bodies[1].name = name_of("coupler");
-  result.bodies[1].reference = driver.point(pose.origin);
+  if (!is_function(candidate)) {
+    result.bodies[1].reference = driver.point(pose.origin);
+  }
   result.bodies[2].name = name_of("follower");
   result.couplings = {driver.outer("A0", "driver"),
                       driver.inner("A", "driver", "coupler"),
                       follower.inner("B", "coupler", "follower"),
                       follower.outer("B0", "follower")};
-  result.actuators = {actuator_of("drive", "A0"), actuator_of("output", "B0")};
+  result.actuators = {actuator_of(drive_of(candidate).text, "A0"), actuator_of("output", "B0")};
   result.cases = {case_of(candidate, units)};
-  result.motion = motion_of(candidate, *result.bodies[1].reference, units);
+  result.motion = motion_of(candidate, result.bodies[1].reference, units);
   return result;
 }
 
@@ -268,15 +285,19 @@ std::vector<std::string> linkage_comment(const SynthesisAnalysis& analysis,
   const Drive drive = candidate.best_drive;
   const std::size_t driven = candidate.dyads[drive == Drive::one ? 0 : 1];
   const std::size_t other = candidate.dyads[drive == Drive::one ? 1 : 0];
+  const bool guides = !is_function(candidate);
   std::vector<std::string> lines = {
-      fmt::format("Linkage {} of '{}', a task of the form {}: {}.",
+      fmt::format("Linkage {} of '{}', a {} of the form {}: {}.",
                   number,
                   title_of(analysis),
+                  guides ? "task" : "function",
                   analysis.form,
                   word_of(candidate.linkage.type())),
       "",
-      "       A o---- coupler ----o B            E, the reference point of the coupler,",
-      "driver  /                   \\  follower   is the origin of the moving frame",
+      fmt::format("       A o---- coupler ----o B{}",
+                  guides ? "            E, the reference point of the coupler," : ""),
+      fmt::format("driver  /                   \\  follower{}",
+                  guides ? "   is the origin of the moving frame" : ""),
       "    A0 o- - - - frame - - - -o B0",
       "",
       fmt::format("The driver is dyad {}, a {}; the follower is dyad {}, a {}.",
@@ -292,7 +313,7 @@ std::vector<std::string> linkage_comment(const SynthesisAnalysis& analysis,
                                 in.angle(candidate.margin())));
   }
   lines.push_back("It is drawn in the first position.");
-  add_passage(task, candidate, in, lines);
+  add_passage(task, candidate, analysis.limits, in, lines);
   return lines;
 }
 

@@ -25,7 +25,8 @@ bool write_linkages(SynthesisAnalysis& analysis,
 /// `driver` turns or slides on the frame at A0 and leads the `coupler` at A; the `follower` leads
 /// it at B and moves on the frame at B0. The reference point of the coupler is the origin of the
 /// moving frame, and the one case drives the linkage towards the other positions. An inverted
-/// slider is a guide that turns on the frame, and A or B the prismatic coupling in it.
+/// slider is a guide that turns on the frame, and A or B the prismatic coupling in it. Of a
+/// function the actuators are `input` and `output`, and the coupler has no reference point.
 MechanismDescription describe_linkage(const SynthesisAnalysis& analysis,
                                       const SynthesisTask& task,
                                       const LinkageCandidate& candidate);

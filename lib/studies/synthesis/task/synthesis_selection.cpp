@@ -95,10 +95,11 @@ bool select_dyads(const SynthesisValues& values,
   if (!given) {
     return false;
   }
+  const LinkageLimits limits = values.limits();
   const DyadChoice choice(positions,
                           *values.choice_area(),
-                          given->empty() ? std::nullopt : std::optional(given->front()));
-  const LinkageLimits limits = values.limits();
+                          given->empty() ? std::nullopt : std::optional(given->front()),
+                          limits.function);
   const CandidateMaker make = [&](std::span<const double> numbers) {
     return choice.candidate(numbers, limits);
   };

@@ -27,6 +27,13 @@ std::optional<LinkageType> type_of(LinkageKind kind) {
   return std::nullopt;
 }
 
+// Each coupler has two cranks, also one that is not real.
+void keep_couplers(const AngleFunction& function, BurmesterSolution& solution) {
+  solution.dyads = cranks_of_couplers(function, solution.dyads);
+  solution.imaginary_count *= 2;
+  solution.nearest.reset();
+}
+
 }  // namespace
 
 SynthesisTask solve_task(std::vector<PositionJets> positions,
@@ -38,10 +45,13 @@ SynthesisTask solve_task(std::vector<PositionJets> positions,
   const int count = position_count(task.positions);
   if (count == 5) {
     task.dyads = solve_burmester(task.positions, decimal);
+    if (limits.function) {
+      keep_couplers(*limits.function, *task.dyads);
+    }
     task.linkages = rank_linkages(task.dyads->dyads, task.positions, limits);
   } else if (count == 4) {
     task.curves = find_curves(task.positions);
-  } else if (count == 3) {
+  } else if (count == 3 && !limits.function) {
     task.straight_paths = find_straight_path_circle(task.positions);
   }
   if (count < 4) {
@@ -118,6 +128,9 @@ GivenDyad SynthesisValues::given(const DyadDescription& dyad) const {
 
 std::optional<std::vector<Dyad>> SynthesisValues::given_dyads(
     std::span<const PositionJets> positions, Diagnostics& found) const {
+  if (task_.function) {
+    return given_cranks(positions, found);
+  }
   std::vector<Dyad> dyads;
   for (std::size_t i = 0; i < task_.dyads.size(); ++i) {
     const CompletedDyad completed = complete_dyad(positions, given(task_.dyads[i]));
@@ -137,8 +150,55 @@ std::optional<std::vector<Dyad>> SynthesisValues::given_dyads(
   return dyads;
 }
 
+// Seen from the output, the pivot on the input is a circle point, and that on the output its
+// centre.
+std::optional<std::vector<Dyad>> SynthesisValues::given_cranks(
+    std::span<const PositionJets> positions, Diagnostics& found) const {
+  const auto& [input, output, where] = *task_.function;
+  if (!input.circle_point && !output.circle_point) {
+    return std::vector<Dyad>{};
+  }
+  const DyadDescription coupler{
+      .circle_point = input.circle_point, .centre_point = output.circle_point, .where = where};
+  const CompletedDyad completed = complete_dyad(positions, given(coupler));
+  if (!completed.dyad) {
+    add_fault(completed, 0, positions, description_, found);
+    return std::nullopt;
+  }
+  std::vector<Dyad> cranks = cranks_of_couplers(*function(), {&*completed.dyad, 1});
+  if (cranks.empty()) {
+    found.error("E0305",
+                (input.circle_point ? input.circle_point : output.circle_point)->where,
+                "with this 'circle_point' a link has no length, or an infinite one",
+                "move it: it is a fixed pivot, or the other pivot of the coupler lies at infinity");
+    return std::nullopt;
+  }
+  return cranks;
+}
+
+std::optional<AngleFunction> SynthesisValues::function() const {
+  if (!task_.function) {
+    return std::nullopt;
+  }
+  const auto angles = [&](const FunctionLink& link) {
+    const double first = number(link.angles.front(), QuantityKind::angle);
+    std::vector<double> result;
+    for (const Value& angle : link.angles) {
+      result.push_back(number(angle, QuantityKind::angle) - first);
+    }
+    return result;
+  };
+  return AngleFunction{.input_pivot = point(task_.function->input.centre_point.coordinates),
+                       .output_pivot = point(task_.function->output.centre_point.coordinates),
+                       .input = angles(task_.function->input),
+                       .output = angles(task_.function->output)};
+}
+
 std::optional<std::vector<std::vector<PositionJets>>> SynthesisValues::positions_of_tasks(
     const SynthesisChoice& choice, Diagnostics& found) const {
+  if (const auto angles = function()) {
+    return std::vector<std::vector<PositionJets>>{seen_from_output(*angles)};
+  }
   return positions_.of_tasks(choice, found);
 }
 
@@ -233,6 +293,7 @@ LinkageLimits SynthesisValues::limits() const {
   }
   limits.classes = given.classes;
   limits.turns_fully = given.turns_fully;
+  limits.function = function();
   limits.circle_points = area(given.circle_points);
   limits.centre_points = area(given.centre_points);
   return limits;

@@ -18,7 +18,8 @@
 namespace kinestat {
 
 /// A task of this file with what was found for it: dyads, linkages and curves, by the number of its
-/// positions. Three and four positions have the dyads that are given, if any.
+/// positions. Three and four positions have the dyads that are given, if any. With a function,
+/// which stands in the limits, the positions are those seen_from_output, and the dyads its cranks.
 SynthesisTask solve_task(std::vector<PositionJets> positions,
                          const LinkageLimits& limits,
                          const LastDecimal& decimal = {},
@@ -46,7 +47,8 @@ class SynthesisValues {
                                                              Diagnostics& found) const;
 
   /// The dyads that the file gives: for one choice of angles. Empty iff an error was added: E0305
-  /// for a point with which there is no dyad, E0303 for one that two positions need beside it.
+  /// for a point with which there is no dyad, E0303 for one that two positions need beside it. With
+  /// a function they are the cranks of a coupler.
   std::optional<std::vector<Dyad>> given_dyads(std::span<const PositionJets> positions,
                                                Diagnostics& found) const;
 
@@ -69,6 +71,9 @@ class SynthesisValues {
   std::optional<int> digits() const;
 
  private:
+  std::optional<AngleFunction> function() const;
+  std::optional<std::vector<Dyad>> given_cranks(std::span<const PositionJets> positions,
+                                                Diagnostics& found) const;
   double number(const Value& value, QuantityKind kind) const;
   Point point(const std::vector<Value>& coordinates) const;
   std::optional<PlaneArea> area(const std::optional<AreaDescription>& area) const;
