@@ -72,7 +72,13 @@ void add_names(CLI::App& command,
                std::vector<std::string>& values,
                const std::string& description,
                const std::string& type) {
-  repeated_option(command, name, values, description, type).delimiter(',');
+  const auto trim = [](std::string& text) {
+    CLI::detail::trim(text);
+    return std::string();
+  };
+  repeated_option(command, name, values, description, type)
+      .delimiter(',')
+      ->transform(CLI::Validator(trim, ""));
 }
 
 void add_flag(CLI::App& command,

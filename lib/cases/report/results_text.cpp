@@ -242,7 +242,8 @@ LargestActions largest_actions(const Mechanism& mechanism, const CaseAnalysis& o
       count(share * moment, coupling.name, largest.moment);
     }
     largest.is_per_planet = largest.is_per_planet || share < 1.0;
-    largest.has_central_hinges = largest.has_central_hinges || central[e];
+    largest.has_central_hinges = largest.has_central_hinges ||
+                                 (central[e] && central[e]->across != CentralHinge::Across::shared);
   }
   return largest;
 }

@@ -115,8 +115,9 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "and "
      "its friction counts only what else presses it. The mechanism has one planet in the place of "
      "all, and its radial force is taken out of what the bearing bears; but here a second bearing "
-     "of the same shaft shares it, and the part of each is not known, so that friction is too "
-     "large. Draw one bearing, or give 'tau' in place of 'mu'."},
+     "of the same shaft shares it, or the planets have inertia beside other loads, and that part "
+     "is "
+     "not known, so that friction is too large. Draw one bearing, or give 'tau' in place of 'mu'."},
     {"W0501",
      done,
      "rounding decides on a rank",

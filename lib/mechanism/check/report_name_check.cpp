@@ -176,6 +176,18 @@ void check_report_names(const std::vector<Name>& names,
         names_motion_column(name, section, context)) {
       continue;
     }
+    if (section == kMotionSection && name.text.starts_with(kSpringPrefix) &&
+        !context.names.couplings.contains(coupling_of(name))) {
+      std::vector<std::string> springs;
+      for (const SpringDescription& spring : context.description.springs) {
+        springs.push_back(std::string(kSpringPrefix) + spring.name.text);
+      }
+      context.found.error("E0313",
+                          name.where,
+                          fmt::format("{} names '{}', and no spring is called so", role, name.text),
+                          guess_before(name.text, springs, "springs are " + plain_list(springs)));
+      continue;
+    }
     if (name.text.find('.') != std::string::npos) {
       const Name coupling = {.text = coupling_of(name), .where = name.where};
       context.names.couplings.check(coupling, role + " names", context.found);

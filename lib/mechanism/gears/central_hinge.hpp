@@ -17,7 +17,7 @@ struct CentralHinge {
   enum class Across {
     nothing,  ///< only planets press the bodies that it carries
     rest,     ///< what it bears with the wrenches of `planets` added
-    shared    ///< as drawn: further hinges share what it bears
+    shared  ///< as drawn: other couplings on the axis share what it bears, or planets have inertia
   };
 
   Vec3 axis = Vec3::UnitZ();  ///< a unit vector, as drawn

@@ -34,8 +34,8 @@ void settle_planet_frictions(Mechanism& mechanism, Diagnostics& found) {
                     friction.where,
                     fmt::format("the friction of '{}' counts radial forces of planets that cancel",
                                 coupling.name),
-                    "other hinges share what it bears, so that the planets' part is not known; "
-                    "give 'tau' in place of 'mu'");
+                    "other bearings share what it bears, or planets have inertia beside other "
+                    "loads, so that the planets' part is not known; give 'tau' in place of 'mu'");
     }
   }
 }

@@ -119,7 +119,9 @@ bool is_tied(const Mechanism& mechanism,
       std::ranges::any_of(topology.actuators, [&](const ActuatorTopology& actuator) {
         const auto freedom = static_cast<std::size_t>(actuator.freedom);
         return topology.freedoms[freedom].coupling == law.coupling &&
-               std::ranges::find(primaries, actuator.action, &Primary::index) == primaries.end();
+               std::ranges::none_of(primaries, [&](const Primary& known) {
+                 return known.index == actuator.action && known.value == 0.0;
+               });
       });
   return slips && !is_held;
 }

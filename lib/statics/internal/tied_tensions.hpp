@@ -14,7 +14,7 @@ namespace kinestat {
 enum class TiedTo { least, greatest };
 
 /// Whether the friction is that of a cable which slips on a pulley and that nothing else holds
-/// back, unless by a known action: then the tension behind is a share of that ahead.
+/// back, unless by a known action of zero: then the tension behind is a share of that ahead.
 bool is_tied(const Mechanism& mechanism,
              std::span<const Primary> primaries,
              const FrictionLaw& law);

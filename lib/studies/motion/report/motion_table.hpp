@@ -39,7 +39,9 @@ struct MotionColumn {
 struct MotionRow {
   int step = 0;
   std::vector<std::optional<double>> values;
-  std::string status;                ///< "solved", "singular", …
+  std::string status;                               ///< "solved", "singular", …
+  std::vector<std::optional<double>> at_rest = {};  ///< for means: without friction, whose
+                                                    ///< direction is open; else empty
   bool lacks_velocities = false;     ///< they were asked for, and there are none
   bool lacks_accelerations = false;  ///< likewise, where there are velocities
   bool drops_velocities = false;     ///< some are left out: they would be rounding

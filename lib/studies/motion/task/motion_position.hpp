@@ -51,10 +51,12 @@ inline bool has_motion(const MotionPosition& position) {
 
 /// What acts with the losses of meshes; null where the mechanism has none, or they lock, or
 /// equilibrium leaves them open.
+inline const LossyState* lossy_state_of(const CaseAnalysis& solved) {
+  return solved.efficiency && solved.efficiency->state ? &*solved.efficiency->state : nullptr;
+}
+
 inline const LossyState* lossy_state_of(const MotionPosition& position) {
-  const bool has_state =
-      position.solved && position.solved->efficiency && position.solved->efficiency->state;
-  return has_state ? &*position.solved->efficiency->state : nullptr;
+  return position.solved ? lossy_state_of(*position.solved) : nullptr;
 }
 
 /// Works them out one after the other.

@@ -238,21 +238,10 @@ class TableMaker {
       row.drops_accelerations |=
           is_left_out && !row.lacks_accelerations && is_rate_of_rate(reading.kind);
     }
+    row.at_rest = values_at_rest(position, solution_.shares[static_cast<std::size_t>(p)]);
     table_.rows.push_back(std::move(row));
-    if (position.without_friction) {
-      add_at_rest(p, position);
-    }
     poles_.look(readings_, position);
     sliding_.push_back(sliding_at(mechanism_, position));
-  }
-
-  void add_at_rest(int p, MotionPosition position) {
-    position.solved = std::move(position.without_friction);
-    const double share = solution_.shares[static_cast<std::size_t>(p)];
-    at_rest_.push_back({.step = static_cast<double>(p),
-                        .share = share,
-                        .values = values_at(position, share, is_any),
-                        .is_at_rest = true});
   }
 
   // A driven freedom stands where its drive does.
@@ -330,6 +319,17 @@ class TableMaker {
     return values;
   }
 
+  // What acts there without friction, if only its direction is open.
+  std::vector<std::optional<double>> values_at_rest(const MotionPosition& position,
+                                                    double share) const {
+    if (!position.without_friction) {
+      return {};
+    }
+    MotionPosition at_rest = position;
+    at_rest.solved = at_rest.without_friction;
+    return values_at(at_rest, share, is_any);
+  }
+
   // Extremes of positions lie where a freedom turns back.
   std::vector<std::optional<double>> places_at(const DeadPoint& point,
                                                MotionPositions& positions) const {
@@ -386,7 +386,7 @@ class TableMaker {
     const auto drive_at = [this](double share) { return drives_at(share).front(); };
     const auto share_at = [this](double step) { return share_at_step(motion_, step); };
     if (readings_.empty() || (!scope_.extremes && table_.columns.size() > kMostClimbed)) {
-      add_figures(solution_.shares, at_rest_, {}, {}, drive_at, share_at, table_);
+      add_figures(solution_.shares, {}, {}, {}, drive_at, share_at, table_);
       return;
     }
     table_.looks_between_steps = true;
@@ -404,11 +404,11 @@ class TableMaker {
     MotionPositions positions(mechanism_, plan_, motion_.network, motion_.drawn, detail_);
     WayBetween way(motion_.network, solution_);
     const std::size_t first = table_.drives.size();
-    std::vector<FigurePlace> places = find_curve_corners(
+    const std::vector<FigurePlace> places = find_curve_corners(
         mechanism_, motion_, detail_, [this](const auto& position, double share) {
-          return values_at(position, share, is_any);
+          return FigureValues{.values = values_at(position, share, is_any),
+                              .at_rest = values_at_rest(position, share)};
         });
-    std::ranges::move(at_rest_, std::back_inserter(places));
     add_figures(
         solution_.shares,
         places,
@@ -481,7 +481,6 @@ class TableMaker {
   std::vector<int> driven_;               // of each reading the drive whose position it is, or -1
   std::vector<FrictionSliding> sliding_;  // of each row
   std::vector<CaseFindings> said_;        // likewise
-  std::vector<FigurePlace> at_rest_;      // of the rows at rest
   UnboundedQuotients poles_;
   MotionTable table_;
 };

@@ -82,7 +82,7 @@ class ActuatorFinder {
       return std::nullopt;
     }
     const PowerFlow& power = *solved->power;
-    const LossyState* const lossy = lossy_state_of(at);
+    const LossyState* const lossy = lossy_state_of(*solved);
     if (lossy == nullptr && !sampler_.mechanism().lossy_meshes.empty()) {
       return std::nullopt;
     }

@@ -125,7 +125,7 @@ class CornerFinder {
   void add_place(double step, std::vector<FigurePlace>& corners) {
     if (const auto position = position_at(step, reading_)) {
       const double share = share_at_step(motion_, step);
-      corners.push_back({.step = step, .share = share, .values = values_at_(*position, share)});
+      corners.push_back({.step = step, .share = share, .of = values_at_(*position, share)});
     }
   }
 
@@ -144,7 +144,7 @@ class CornerFinder {
       if (const auto position = position_at(step, reading_, before)) {
         corners.push_back({.step = before * motion_.plan.steps,
                            .share = motion_.plan.schedule->share_at(before),
-                           .values = values_at_(*position, share_at_step(motion_, step))});
+                           .of = values_at_(*position, share_at_step(motion_, step))});
       }
       if (step != std::floor(step)) {
         add_place(step, corners);

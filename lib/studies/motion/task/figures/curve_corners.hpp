@@ -16,8 +16,7 @@ namespace kinestat {
 double share_at_step(const FoundMotion& motion, double step);
 
 /// What columns have at a position, at a share of the ranges.
-using ValuesAt =
-    std::function<std::vector<std::optional<double>>(const MotionPosition& position, double share)>;
+using ValuesAt = std::function<FigureValues(const MotionPosition& position, double share)>;
 
 /// The places between the steps at which a curve of the mechanism, over time, a position or a
 /// speed, is at one of its points, and the values before and behind a jump of a drive's

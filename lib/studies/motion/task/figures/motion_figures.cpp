@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/motion_tolerance.hpp"
 #include "core/tolerance.hpp"
 #include "math/numbers/zero_within_bound.hpp"
 #include "studies/motion/peak_search.hpp"
@@ -30,15 +31,17 @@ class FigureMaker {
         table_(table) {
     for (std::size_t r = 0; r < table.rows.size(); ++r) {
       const auto step = static_cast<double>(r);
-      samples_.push_back({.step = step, .share = shares[r], .values = &table.rows[r].values});
+      samples_.push_back({.step = step,
+                          .share = shares[r],
+                          .values = &table.rows[r].values,
+                          .at_rest = &table.rows[r].at_rest});
     }
     for (const FigurePlace& place : places) {
-      if (place.is_at_rest) {
-        samples_[static_cast<std::size_t>(place.step)].at_rest = &place.values;
-      } else {
-        samples_.push_back(
-            {.step = place.step, .share = place.share, .values = &place.values, .is_corner = true});
-      }
+      samples_.push_back({.step = place.step,
+                          .share = place.share,
+                          .values = &place.of.values,
+                          .at_rest = &place.of.at_rest,
+                          .is_corner = true});
     }
     std::ranges::stable_sort(samples_, {}, &Sample::step);
     for (const Sample& sample : samples_) {
@@ -70,15 +73,19 @@ class FigureMaker {
     double step = 0.0;
     double share = 0.0;
     const std::vector<std::optional<double>>* values = nullptr;
-    const std::vector<std::optional<double>>* at_rest = nullptr;  // without friction
+    const std::vector<std::optional<double>>* at_rest = nullptr;
     bool is_corner = false;
+
+    std::optional<double> value_at_rest(std::size_t column) const {
+      return at_rest->empty() ? std::nullopt : (*at_rest)[column];
+    }
   };
 
   // Those of the column: of the steps, and of the corners at which it has a value.
   std::vector<Sample> samples_of(std::size_t column) const {
     std::vector<Sample> found;
     for (const Sample& one : samples_) {
-      if (!one.is_corner || (*one.values)[column]) {
+      if (!one.is_corner || (*one.values)[column] || one.value_at_rest(column)) {
         found.push_back(one);
       }
     }
@@ -160,6 +167,9 @@ class FigureMaker {
     const std::vector<Sample> samples = samples_of(column);
     for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
       const double width = samples[i + 1].step - samples[i].step;
+      if (width <= kSameStep) {
+        continue;
+      }
       const std::optional<double>& low = (*samples[i].values)[column];
       const std::optional<double>& high = (*samples[i + 1].values)[column];
       if (low && high) {
@@ -187,12 +197,11 @@ class FigureMaker {
   static std::optional<std::pair<double, double>> values_at_rest(std::size_t column,
                                                                  const Sample& low,
                                                                  const Sample& high) {
-    if (low.at_rest == nullptr || high.at_rest == nullptr || (*low.values)[column] ||
-        (*high.values)[column]) {
+    if ((*low.values)[column] || (*high.values)[column]) {
       return std::nullopt;
     }
-    const std::optional<double>& first = (*low.at_rest)[column];
-    const std::optional<double>& second = (*high.at_rest)[column];
+    const std::optional<double> first = low.value_at_rest(column);
+    const std::optional<double> second = high.value_at_rest(column);
     return first && second ? std::optional(std::pair(*first, *second)) : std::nullopt;
   }
 

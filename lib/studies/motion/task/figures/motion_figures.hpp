@@ -22,22 +22,27 @@ struct ClimbedColumn {
   std::optional<ValueFolds> folds = {};
 };
 
-/// A position that figures are to see beside the rows.
+/// What columns have at a position, as in a MotionRow.
+struct FigureValues {
+  std::vector<std::optional<double>> values;
+  std::vector<std::optional<double>> at_rest;
+};
+
+/// A position between two steps that figures are to see.
 struct FigurePlace {
   double step = 0.0;   ///< in steps, of time in a motion in time, else of the way
   double share = 0.0;  ///< of the ranges of the drives
-  std::vector<std::optional<double>> values;  ///< of each column
-  bool is_at_rest = false;  ///< that of a row at rest; values are those without friction, for means
+  FigureValues of;
 };
 
 /// Fills the figures of a table whose rows stand at those shares of the ranges and whose events are
 /// known. Extremes are those of the steps and of `places` between them, which are in order, of
 /// positions at dead points too; in the columns that are climbed, which may be fewer than all, they
 /// are looked for between these. Means take the middle of an interval where one of its ends has no
-/// value, as friction has none where it turns round, and where drives rest they take what acts
-/// without friction. Where values grow without bound towards a position that
-/// has none there is no mean, and no extreme in that sense. `drive_at` answers where the first
-/// drive is at a share, in its unit, `share_at` the share at so many steps.
+/// value, as friction has none where it turns round, and take `at_rest` where both have none. Where
+/// values grow without bound towards a position that has none there is no mean, and no extreme in
+/// that sense. `drive_at` answers where the first drive is at a share, in its unit, `share_at` the
+/// share at so many steps.
 void add_figures(std::span<const double> shares,
                  std::span<const FigurePlace> places,
                  const std::vector<std::optional<ClimbedColumn>>& climbed,
