@@ -358,8 +358,11 @@ def units_of_task(file: MechanismFile, length: str, other_angle: bool) -> None:
     units["length"] = length
     if other_angle:
         units["angle"] = "deg" if old == "rad" else "rad"
-        for position in task["positions"]:
+        bare = re.compile(r"[-+.\de]+")
+        for position in task.get("positions", []):
             for one in [position, *position.get("derivatives", [])]:
-                if re.fullmatch(r"[-+.\de]+", one.get("angle", "")):
+                if bare.fullmatch(one.get("angle", "")):
                     one["angle"] += f" {old}"
+        for link in task.get("function", {}).values():
+            link["angles"] = [f"{one} {old}" if bare.fullmatch(one) else one for one in link["angles"]]
     file.tree["units"] = units
