@@ -42,10 +42,10 @@ struct MotionRow {
   std::string status;                               ///< "solved", "singular", …
   std::vector<std::optional<double>> at_rest = {};  ///< for means: without friction, whose
                                                     ///< direction is open; else empty
-  bool lacks_velocities = false;     ///< they were asked for, and there are none
-  bool lacks_accelerations = false;  ///< likewise, where there are velocities
-  bool drops_velocities = false;     ///< some are left out: they would be rounding
-  bool drops_accelerations = false;  ///< likewise
+  bool lacks_velocities = false;                    ///< they were asked for, and there are none
+  bool lacks_accelerations = false;                 ///< likewise, where there are velocities
+  bool drops_velocities = false;                    ///< some are left out: they would be rounding
+  bool drops_accelerations = false;                 ///< likewise
 };
 
 /// The kinds of events: a freedom comes to rest and turns back, the drive does not determine the
