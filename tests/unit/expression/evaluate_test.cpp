@@ -235,7 +235,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         EvaluationFault{"division", "1/0", 2, 1, "E0316", "division by zero", "divisor"},
         EvaluationFault{"difference", "1/(N1 - 24)", 3, 7, "E0316", "division by zero", ""},
-        EvaluationFault{"root", "sqrt(-1)", 5, 2, "E0316", "'sqrt' of -1", "not negative"},
+        EvaluationFault{"root", "sqrt(-1)", 5, 2, "E0316", "'sqrt' of -1", "not be negative"},
         EvaluationFault{"logarithm", "ln(0)", 3, 1, "E0316", "'ln' of 0", "greater than zero"},
         EvaluationFault{"arcsine", "asin(2)", 5, 1, "E0316", "'asin' of 2", "-1 to 1"},
         EvaluationFault{"zero_power", "0^-1", 0, 1, "E0316", "division by zero", ""},
