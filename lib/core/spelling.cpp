@@ -18,4 +18,10 @@ std::string in_words(std::string_view word) {
   return result;
 }
 
+std::string hyphenated(std::string_view word) {
+  std::string result(word);
+  std::ranges::replace(result, '_', '-');
+  return result;
+}
+
 }  // namespace kinestat

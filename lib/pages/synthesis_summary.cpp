@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "core/spelling.hpp"
 #include "core/text.hpp"
 #include "pages/page_parts.hpp"
 #include "report/number_format.hpp"
@@ -11,13 +12,6 @@
 namespace kinestat {
 
 namespace {
-
-// "crank-rocker"
-std::string hyphenated(std::string_view word) {
-  std::string words(word);
-  std::ranges::replace(words, '_', '-');
-  return words;
-}
 
 // "an inverted-slider-crank"
 std::string with_article(const std::string& noun) {
@@ -36,7 +30,7 @@ std::string usable_text(const SynthesisAnalysis& synthesis, const SynthesisTask&
                        counts.usable == 1 || counts.samples == 1 ? "has" : "have");
   }
   const auto usable = static_cast<int>(std::ranges::count(
-      task.linkages, Defect::none, [](const LinkageCandidate& one) { return one.defect; }));
+      task.linkages, Defect::none, [](const LinkageCandidate& one) { return one.defect(); }));
   const auto all = static_cast<int>(task.linkages.size());
   return fmt::format("{} of {} {} usable",
                      usable,
@@ -49,7 +43,7 @@ void add_best(const SynthesisAnalysis& synthesis,
               std::vector<std::string>& sentences) {
   const FileUnits& units = synthesis.description.units;
   const LinkageCandidate& best = task.linkages.front();
-  const bool is_usable = best.defect == Defect::none;
+  const bool is_usable = best.is_usable();
   std::string text = fmt::format("{}; the {} is {}",
                                  usable_text(synthesis, task),
                                  is_usable ? "best" : "nearest",
@@ -58,7 +52,7 @@ void add_best(const SynthesisAnalysis& synthesis,
   text += is_usable ? fmt::format(", whose transmission angle stays {} {} from the dead points",
                                   format_short(units.from_si(QuantityKind::angle, best.margin())),
                                   units.text(QuantityKind::angle))
-                    : fmt::format(", with this against it: {}", phrase_of(best.defect));
+                    : fmt::format(", with this against it: {}", phrase_of(best.defects));
   sentences.push_back(text + ".");
 }
 
@@ -67,12 +61,13 @@ void add_best(const SynthesisAnalysis& synthesis,
 std::vector<std::string> synthesis_sentences(const SynthesisAnalysis& synthesis) {
   std::vector<std::string> sentences;
   const auto choices = static_cast<int>(synthesis.tasks.size());
-  sentences.push_back(
-      choices == 1
-          ? fmt::format("Synthesis task {}.", synthesis.form)
-          : fmt::format("Synthesis task {} with {}.", synthesis.form, counted(choices, "choice")));
+  const std::string what = fmt::format(
+      "{} {}", synthesis.limits.function ? "Function generator" : "Synthesis task", synthesis.form);
+  sentences.push_back(choices == 1 ? fmt::format("{}.", what)
+                                   : fmt::format("{} with {}.", what, counted(choices, "choice")));
   for (const SynthesisTask& task : synthesis.tasks) {
-    if (task.dyads && task.dyads->status == BurmesterStatus::solved) {
+    const bool counts_dyads = !synthesis.limits.function && task.dyads;
+    if (counts_dyads && task.dyads->status == BurmesterStatus::solved) {
       const int real = static_cast<int>(task.dyads->dyads.size());
       const int imaginary = task.dyads->imaginary_count;
       sentences.push_back(

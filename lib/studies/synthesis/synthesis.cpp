@@ -28,55 +28,57 @@ std::vector<double> link_lengths(const Linkage& linkage) {
   return lengths;
 }
 
-Defect defect_of(const DriveVerdict& verdict, const LinkageLimits& limits) {
+// Whether the input takes the linkage through its positions; if so, what the limits have against
+// it.
+Defects defects_of(const DriveVerdict& verdict, const LinkageLimits& limits) {
+  Defects defects;
   if (!verdict.same_circuit) {
-    return Defect::circuit;
-  }
-  if (!verdict.same_branch) {
-    return Defect::branch;
-  }
-  if (verdict.passage == Passage::none) {
-    return Defect::order;
+    defects.add(Defect::circuit);
+  } else if (!verdict.same_branch) {
+    defects.add(Defect::branch);
+  } else if (verdict.passage == Passage::none) {
+    defects.add(Defect::order);
   }
   if (limits.turns_fully && !verdict.turns_fully) {
-    return Defect::full_turn;
+    defects.add(Defect::full_turn);
   }
   // Rounding must not decide at the limit itself.
-  if (verdict.working_arc->margin() < limits.transmission * (1.0 - kSameValue)) {
-    return Defect::transmission;
+  if (verdict.working_arc &&
+      verdict.working_arc->margin() < limits.transmission * (1.0 - kSameValue)) {
+    defects.add(Defect::transmission);
   }
-  return verdict.full.margin() < limits.full_transmission * (1.0 - kSameValue)
-             ? Defect::full_transmission
-             : Defect::none;
+  if (verdict.full.margin() < limits.full_transmission * (1.0 - kSameValue)) {
+    defects.add(Defect::full_transmission);
+  }
+  return defects;
 }
 
 double margin_of(const DriveVerdict& verdict) {
   return verdict.working_arc ? verdict.working_arc->margin() : 0.0;
 }
 
+int rank_of(const Defects& defects) {
+  const auto all = static_cast<int>(kDefectCount);
+  const int worst = static_cast<int>(defects.worst());
+  return defects.are_of_limits() ? (all - static_cast<int>(defects.count())) * all + worst : worst;
+}
+
 void choose_drive(LinkageCandidate& candidate, const LinkageLimits& limits) {
-  const Defect one = defect_of(candidate.verdicts[0], limits);
+  const Defects one = defects_of(candidate.verdicts[0], limits);
   if (limits.function) {
-    candidate.defect = one;
+    candidate.defects = one;
     return;
   }
-  const Defect other = defect_of(candidate.verdicts[1], limits);
+  const Defects other = defects_of(candidate.verdicts[1], limits);
   const bool takes_other =
       Standing(other, candidate.verdicts[1]).is_better_than({one, candidate.verdicts[0]});
   candidate.best_drive = takes_other ? Drive::other : Drive::one;
-  candidate.defect = takes_other ? other : one;
+  candidate.defects = takes_other ? other : one;
 }
 
 bool has_class(const LinkageCandidate& candidate, const std::vector<GrashofClass>& asked) {
   return asked.empty() ||
          (candidate.grashof && std::ranges::find(asked, candidate.grashof->kind) != asked.end());
-}
-
-// The worse of what speaks against a linkage already and this.
-void add_defect(Defect defect, LinkageCandidate& candidate) {
-  if (candidate.defect == Defect::none || defect < candidate.defect) {
-    candidate.defect = defect;
-  }
 }
 
 void check_areas(const LinkageLimits& limits, LinkageCandidate& candidate) {
@@ -85,8 +87,8 @@ void check_areas(const LinkageLimits& limits, LinkageCandidate& candidate) {
       const double outside = distance_outside(*dyad, which, limits);
       candidate.outside = std::max(candidate.outside, outside);
       if (outside > 0.0) {
-        add_defect(which == DyadPoint::circle_point ? Defect::circle_point : Defect::centre_point,
-                   candidate);
+        candidate.defects.add(which == DyadPoint::circle_point ? Defect::circle_point
+                                                               : Defect::centre_point);
       }
     }
   }
@@ -117,10 +119,10 @@ LinkageCandidate judge(const Linkage& linkage,
                         find_verdict(linkage, Drive::other, positions)};
   choose_drive(candidate, limits);
   if (!has_digits(linkage.one) || !has_digits(linkage.other)) {
-    candidate.defect = Defect::digits;
+    candidate.defects.add(Defect::digits);
   }
   if (!has_class(candidate, limits.classes)) {
-    add_defect(Defect::grashof, candidate);
+    candidate.defects.add(Defect::grashof);
   }
   check_areas(limits, candidate);
   const std::vector<double> lengths = link_lengths(linkage);
@@ -129,10 +131,10 @@ LinkageCandidate judge(const Linkage& linkage,
     candidate.ratio = candidate.longest / std::ranges::min(lengths);
   }
   if (candidate.ratio > limits.ratio * (1.0 + kSameValue)) {
-    add_defect(Defect::ratio, candidate);
+    candidate.defects.add(Defect::ratio);
   }
   if (candidate.longest > limits.size * (1.0 + kSameValue)) {
-    add_defect(Defect::size, candidate);
+    candidate.defects.add(Defect::size);
   }
   return candidate;
 }
@@ -150,41 +152,8 @@ double distance_outside(const Dyad& dyad, DyadPoint which, const LinkageLimits& 
              : 0.0;
 }
 
-std::string_view word_of(Defect defect) {
-  switch (defect) {
-    case Defect::none:
-      return "none";
-    case Defect::digits:
-      return "digits";
-    case Defect::circuit:
-      return "circuit";
-    case Defect::branch:
-      return "branch";
-    case Defect::order:
-      return "order";
-    case Defect::grashof:
-      return "class";
-    case Defect::full_turn:
-      return "turns_fully";
-    case Defect::centre_point:
-      return "centre_points";
-    case Defect::circle_point:
-      return "circle_points";
-    case Defect::transmission:
-      return "transmission_angle";
-    case Defect::full_transmission:
-      return "full_transmission_angle";
-    case Defect::ratio:
-      return "link_ratio";
-    case Defect::size:
-      return "size";
-  }
-  return "";
-}
-
-Standing::Standing(Defect defect, const DriveVerdict& verdict)
-    : rank(defect == Defect::none ? static_cast<int>(Defect::size) + 1 : static_cast<int>(defect)),
-      margin(margin_of(verdict)) {}
+Standing::Standing(const Defects& defects, const DriveVerdict& verdict)
+    : rank(rank_of(defects)), margin(margin_of(verdict)) {}
 
 bool Standing::is_better_than(const Standing& other) const {
   return rank != other.rank ? rank > other.rank : margin > other.margin;

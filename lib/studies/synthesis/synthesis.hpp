@@ -10,6 +10,7 @@
 
 #include "studies/synthesis/dyads/burmester.hpp"
 #include "studies/synthesis/linkages/cognates.hpp"
+#include "studies/synthesis/linkages/defects.hpp"
 #include "studies/synthesis/linkages/function_generator.hpp"
 #include "studies/synthesis/linkages/linkage.hpp"
 #include "studies/synthesis/linkages/verdict.hpp"
@@ -35,34 +36,15 @@ struct LinkageLimits {
 /// and of a point at infinity.
 double distance_outside(const Dyad& dyad, DyadPoint which, const LinkageLimits& limits);
 
-/// What speaks against a linkage, worst first.
-enum class Defect {
-  none,
-  digits,             ///< the positions leave a dyad no digits
-  circuit,            ///< positions lie in circuits that no motion joins
-  branch,             ///< a dead point of the input lies between positions
-  order,              ///< the input passes the positions in another order
-  grashof,            ///< of another class
-  full_turn,          ///< the input meets a dead point elsewhere
-  centre_point,       ///< outside its area
-  circle_point,       ///< outside its area
-  transmission,       ///< below the limit on the way from the first to the last position
-  full_transmission,  ///< below the limit elsewhere
-  ratio,              ///< above the limit
-  size                ///< above the limit
-};
-
-/// The word in reports.
-std::string_view word_of(Defect defect);
-
 /// What linkages are ranked by.
 struct Standing {
-  int rank = -1;        ///< the later its defect in the list, the higher; highest without one
+  int rank = -1;  ///< highest without defects; then what misses fewer limits, of these what misses
+                  ///< later ones in the list; then what does not pass the positions, likewise
   double margin = 0.0;  ///< of the transmission angle on the working arc [rad]
 
   Standing() = default;
 
-  Standing(Defect defect, const DriveVerdict& verdict);
+  Standing(const Defects& defects, const DriveVerdict& verdict);
 
   bool is_better_than(const Standing& other) const;
 };
@@ -76,10 +58,15 @@ struct LinkageCandidate {
   std::optional<Cognates> cognates;  ///< for the path of the origin of the moving frame
   std::array<DriveVerdict, 2> verdicts;
   Drive best_drive = Drive::one;
-  double longest = 0.0;          ///< of the links that have a length [length]
-  double ratio = 1.0;            ///< longest by shortest of them
-  double outside = 0.0;          ///< how far the farther of its points lies outside its area
-  Defect defect = Defect::none;  ///< with the best drive
+  double longest = 0.0;  ///< of the links that have a length [length]
+  double ratio = 1.0;    ///< longest by shortest of them
+  double outside = 0.0;  ///< how far the farther of its points lies outside its area
+  Defects defects;       ///< with the best drive
+
+  /// The worst of them.
+  Defect defect() const { return defects.worst(); }
+
+  bool is_usable() const { return defects.is_empty(); }
 
   const DriveVerdict& best() const;
 
@@ -87,15 +74,15 @@ struct LinkageCandidate {
   /// the pivot on its input link.
   Point tracer() const { return positions.empty() ? Point(0.0, 0.0) : linkage.one.circle_point; }
 
-  Standing standing() const { return {defect, best()}; }
+  Standing standing() const { return {defects, best()}; }
 
   /// Of the transmission angle on the working arc of the best drive [rad]; zero if it has none.
   double margin() const;
 };
 
 /// All pairs of dyads, the best first: without defects, by the margin of the transmission angle;
-/// then the others by their defect. Double dyads count once. With a function the dyads are those of
-/// cranks_of_couplers, of which two that follow each other make a linkage, and have their own
+/// then the others by their standing. Double dyads count once. With a function the dyads are those
+/// of cranks_of_couplers, of which two that follow each other make a linkage, and have their own
 /// positions.
 std::vector<LinkageCandidate> rank_linkages(std::span<const Dyad> dyads,
                                             std::span<const PositionJets> positions,

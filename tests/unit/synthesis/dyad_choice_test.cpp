@@ -45,7 +45,7 @@ TEST(DyadChoice, OfFourPositionsFindsALinkageAtLeastAsGoodAsTheKnownOne) {
       *find_dyad(positions, pose_of(positions[0]).place({0.3, -0.2})),
       *find_dyad(positions, pose_of(positions[0]).place({3.5878044949658263, 1.0001423260940798}))};
   const LinkageCandidate reference = rank_linkages(known, positions, {})[0];
-  ASSERT_EQ(reference.defect, Defect::none);
+  ASSERT_EQ(reference.defect(), Defect::none);
   const DyadChoice choice(positions, kArea);
 
   const Selection found =

@@ -175,7 +175,7 @@ TEST(Ranking, HasLinkagesWithoutDigitsLastWhateverTheirMargin) {
   const auto task = std::ranges::find(reference_tasks(), "IC01", &ReferenceTask::name);
   std::vector<Dyad> dyads = solve_burmester(task->positions).dyads;
   const auto before = rank_linkages(dyads, task->positions, {});
-  ASSERT_EQ(before[0].defect, Defect::none);
+  ASSERT_EQ(before[0].defect(), Defect::none);
   dyads[before[0].dyads[0]].digits = 0.0;
 
   const auto after = rank_linkages(dyads, task->positions, {});
@@ -186,7 +186,7 @@ TEST(Ranking, HasLinkagesWithoutDigitsLastWhateverTheirMargin) {
   };
   for (std::size_t i = 0; i < after.size(); ++i) {
     EXPECT_EQ(is_lost(after[i]), i >= 3);
-    EXPECT_EQ(after[i].defect == Defect::digits, is_lost(after[i]));
+    EXPECT_EQ(after[i].defect() == Defect::digits, is_lost(after[i]));
   }
 }
 

@@ -140,16 +140,16 @@ TEST(Selection, FindsAsManyUsableSamplesAsTheReferenceInTable3) {
   const Selection found =
       select_linkages(kSignAndExponent, candidates_of(by_exponent(table_3), {}), 1);
 
-  EXPECT_EQ(found.samples, 300);
-  EXPECT_EQ(found.usable, 165);
+  EXPECT_EQ(found.counts.samples, 300);
+  EXPECT_EQ(found.counts.usable, 165);
 }
 
 TEST(Selection, FindsAsManyUsableSamplesAsTheReferenceInTable4) {
   const Selection found =
       select_linkages(kSignAndExponent, candidates_of(by_exponent(table_4), {}), 1);
 
-  EXPECT_EQ(found.samples, 300);
-  EXPECT_EQ(found.usable, 189);
+  EXPECT_EQ(found.counts.samples, 300);
+  EXPECT_EQ(found.counts.usable, 189);
 }
 
 // Signs and exponents of s and of tau. The reference counts 1172: of its 2400 linkages it judges
@@ -167,8 +167,8 @@ TEST(Selection, FindsAsManyUsableSamplesAsTheReferenceInTable5) {
   const Selection found =
       select_linkages(ranges, candidates_of(make, {.transmission = 0.0045 * kDegree}), 1);
 
-  EXPECT_EQ(found.samples, 2400);
-  EXPECT_EQ(found.usable, 1172);
+  EXPECT_EQ(found.counts.samples, 2400);
+  EXPECT_EQ(found.counts.usable, 1172);
 }
 
 // At the edge of that grid, s = -100.
@@ -217,7 +217,7 @@ TEST(Selection, KeepsToTheLimits) {
       select_linkages(ranges, candidates_of(table_5, {.ratio = 6.0, .size = 30.0}), 5);
 
   ASSERT_FALSE(found.best.empty());
-  EXPECT_LE(found.usable, found.with_linkage);
+  EXPECT_LE(found.counts.usable, found.counts.with_linkage);
   for (const SelectedLinkage& one : found.best) {
     EXPECT_LE(one.candidate.ratio, 6.0 * (1.0 + 1e-11));
     EXPECT_LE(one.candidate.longest, 30.0 * (1.0 + 1e-11));
@@ -241,8 +241,8 @@ Trials try_table_3(const SelectionRange& range, const LinkageLimits& limits) {
       ++trials.without_linkage;
       continue;
     }
-    ++trials.defects[static_cast<std::size_t>(ranked.front().defect)];
-    if (ranked.front().defect == Defect::ratio) {
+    ++trials.defects[static_cast<std::size_t>(ranked.front().defect())];
+    if (ranked.front().defect() == Defect::ratio) {
       trials.least_ratio = std::min(trials.least_ratio, ranked.front().ratio);
     }
   }
@@ -256,9 +256,10 @@ TEST(Selection, CountsEverySampleByWhatSpeaksAgainstIt) {
 
   const Selection found = select_linkages(std::span(&range, 1), candidates_of(table_3, limits), 1);
 
-  EXPECT_EQ(found.defects, expected.defects);
-  EXPECT_EQ(found.missing[static_cast<std::size_t>(Missing::dyads)], expected.without_linkage);
-  EXPECT_EQ(found.usable, found.defects[0]);
+  EXPECT_EQ(found.counts.defects, expected.defects);
+  EXPECT_EQ(found.counts.missing[static_cast<std::size_t>(Missing::dyads)],
+            expected.without_linkage);
+  EXPECT_EQ(found.counts.usable, found.counts.defects[0]);
 }
 
 TEST(Selection, HasAsTheNearestWhatMissesItsLimitLeast) {
@@ -269,8 +270,43 @@ TEST(Selection, HasAsTheNearestWhatMissesItsLimitLeast) {
   const Selection found = select_linkages(std::span(&range, 1), candidates_of(table_3, limits), 1);
 
   ASSERT_TRUE(found.nearest.has_value());
-  EXPECT_EQ(found.nearest->candidate.defect, Defect::ratio);
-  EXPECT_EQ(found.nearest->candidate.ratio, expected.least_ratio);
+  EXPECT_EQ(found.nearest->candidate.defect(), Defect::ratio);
+  const double step = (range.to - range.from) / (range.count - 1);
+  const double best = found.nearest->choice.front();
+  const Trials around =
+      try_table_3({.from = best - step, .to = best + step, .count = 2001}, limits);
+  EXPECT_LE(found.nearest->candidate.ratio, expected.least_ratio);
+  EXPECT_LE(found.nearest->candidate.ratio, around.least_ratio * (1.0 + 1e-9));
+}
+
+// Every choice once more, without each of the limits in turn.
+TEST(Selection, CountsWhatASingleLimitKeepsFromBeingUsable) {
+  const SelectionRange range = {.from = -20.0, .to = 20.0, .count = 60};
+  int by_ratio = 0;
+  int by_angle = 0;
+  for (const double ratio : {1.5, 2.0, 3.0}) {
+    for (const double angle : {0.5 * kDegree, 1.0 * kDegree, 2.0 * kDegree}) {
+      SCOPED_TRACE(testing::Message() << ratio << " " << angle);
+      const LinkageLimits limits = {.transmission = angle, .ratio = ratio};
+      const auto usable = [&](const LinkageLimits& of) {
+        return try_table_3(range, of).defects[0];
+      };
+      const int with_all = usable(limits);
+      const int any_angle = usable({.ratio = ratio}) - with_all;
+      const int any_ratio = usable({.transmission = angle}) - with_all;
+
+      const SelectionCounts counts =
+          select_linkages(std::span(&range, 1), candidates_of(table_3, limits), 1).counts;
+
+      // Of a choice with two such linkages the one that misses the milder limit counts.
+      EXPECT_EQ(counts.one_limit[static_cast<std::size_t>(Defect::ratio)], any_ratio);
+      EXPECT_LE(counts.one_limit[static_cast<std::size_t>(Defect::transmission)], any_angle);
+      by_ratio += any_ratio;
+      by_angle += counts.one_limit[static_cast<std::size_t>(Defect::transmission)];
+    }
+  }
+  EXPECT_GT(by_ratio, 0);
+  EXPECT_GT(by_angle, 0);
 }
 
 // Its dyads are cranks, and of some choices none is real.
@@ -284,11 +320,11 @@ TEST(Selection, ComesNearestToALinkageWithTheDyadsOfAnotherKind) {
                       one_after_another,
                       shortfalls_of(table_3));
 
-  EXPECT_EQ(found.with_linkage, 0);
-  EXPECT_EQ(found.missing[static_cast<std::size_t>(Missing::dyads)],
+  EXPECT_EQ(found.counts.with_linkage, 0);
+  EXPECT_EQ(found.counts.missing[static_cast<std::size_t>(Missing::dyads)],
             try_table_3(range, {}).without_linkage);
-  EXPECT_EQ(found.missing[static_cast<std::size_t>(Missing::kind)] +
-                found.missing[static_cast<std::size_t>(Missing::dyads)],
+  EXPECT_EQ(found.counts.missing[static_cast<std::size_t>(Missing::kind)] +
+                found.counts.missing[static_cast<std::size_t>(Missing::dyads)],
             200);
   ASSERT_TRUE(found.nearest_choice.has_value());
   EXPECT_GE(solve_burmester(*table_3(*found.nearest_choice)).dyads.size(), 2U);
@@ -362,10 +398,10 @@ TEST(Selection, OfATaskWithoutMotionIsEmpty) {
   const Selection found =
       select_linkages(ranges, candidates_of(none, {}), 3, one_after_another, shortfalls_of(none));
 
-  EXPECT_EQ(found.missing[static_cast<std::size_t>(Missing::motion)], 3);
+  EXPECT_EQ(found.counts.missing[static_cast<std::size_t>(Missing::motion)], 3);
   EXPECT_FALSE(found.nearest_choice.has_value());
-  EXPECT_EQ(found.samples, 3);
-  EXPECT_EQ(found.with_linkage, 0);
+  EXPECT_EQ(found.counts.samples, 3);
+  EXPECT_EQ(found.counts.with_linkage, 0);
   EXPECT_TRUE(found.best.empty());
 }
 

@@ -29,14 +29,15 @@ TEST(Synthesis, RanksByTheMarginOfTheTransmissionAngle) {
   EXPECT_NEAR(found[1].margin(), 26.186736474764142 * kDegree, 2e-4);
   EXPECT_NEAR(found[2].margin(), 10.509478964232049 * kDegree, 2e-4);
   EXPECT_NEAR(found[3].margin(), 8.815469848555356 * kDegree, 2e-4);
-  EXPECT_EQ(found[4].defect, Defect::branch);
+  EXPECT_EQ(found[4].defect(), Defect::branch);
 }
 
 TEST(Synthesis, NamesTheLimitThatALinkageMisses) {
-  EXPECT_EQ(linkages_of("IC01", {.transmission = 30.0 * kDegree})[0].defect, Defect::none);
-  EXPECT_EQ(linkages_of("IC01", {.transmission = 30.0 * kDegree})[1].defect, Defect::transmission);
-  EXPECT_EQ(linkages_of("IC01", {.ratio = 1.01})[0].defect, Defect::ratio);
-  EXPECT_EQ(linkages_of("IC01", {.size = 0.1})[0].defect, Defect::size);
+  EXPECT_EQ(linkages_of("IC01", {.transmission = 30.0 * kDegree})[0].defect(), Defect::none);
+  EXPECT_EQ(linkages_of("IC01", {.transmission = 30.0 * kDegree})[1].defect(),
+            Defect::transmission);
+  EXPECT_EQ(linkages_of("IC01", {.ratio = 1.01})[0].defect(), Defect::ratio);
+  EXPECT_EQ(linkages_of("IC01", {.size = 0.1})[0].defect(), Defect::size);
 }
 
 // A crank-rocker transmits worst where the crank lies along the ground, beyond the positions or
@@ -56,9 +57,9 @@ TEST(Synthesis, LimitsTheTransmissionAngleOverTheWholeTurn) {
 
   LinkageLimits limits = fully;
   limits.full_transmission = margin - 1e-6;
-  EXPECT_EQ(linkages_of("IC01", limits)[0].defect, Defect::none);
+  EXPECT_EQ(linkages_of("IC01", limits)[0].defect(), Defect::none);
   limits.full_transmission = margin + 1e-6;
-  EXPECT_EQ(linkages_of("IC01", limits)[0].defect, Defect::full_transmission);
+  EXPECT_EQ(linkages_of("IC01", limits)[0].defect(), Defect::full_transmission);
 }
 
 TEST(Synthesis, LooksAtLinkagesOfTheTypeOnly) {
@@ -72,16 +73,16 @@ TEST(Synthesis, NamesAClassThatIsNotAskedFor) {
   const auto found = linkages_of("IC01", {.classes = {GrashofClass::crank_rocker}});
   const auto others = linkages_of("IC01", {.classes = {GrashofClass::triple_rocker}});
 
-  EXPECT_EQ(found[0].defect, Defect::none);
+  EXPECT_EQ(found[0].defect(), Defect::none);
   for (const LinkageCandidate& one : found) {
     if (one.grashof->kind != GrashofClass::crank_rocker) {
-      EXPECT_LE(one.defect, Defect::grashof);
-      EXPECT_NE(one.defect, Defect::none);
+      EXPECT_LE(one.defect(), Defect::grashof);
+      EXPECT_NE(one.defect(), Defect::none);
     }
   }
   for (const LinkageCandidate& one : others) {
     EXPECT_EQ(
-        one.defect == Defect::none,
+        one.is_usable(),
         one.grashof->kind == GrashofClass::triple_rocker && one.best().passage != Passage::none);
   }
 }
@@ -91,12 +92,12 @@ TEST(Synthesis, DrivesWhatTurnsFully) {
   const auto found =
       linkages_of("IC01", {.classes = {GrashofClass::crank_rocker}, .turns_fully = true});
 
-  ASSERT_EQ(found[0].defect, Defect::none);
+  ASSERT_EQ(found[0].defect(), Defect::none);
   EXPECT_TRUE(found[0].best().turns_fully);
   EXPECT_LT(input_of(found[0].linkage, found[0].best_drive).length,
             output_of(found[0].linkage, found[0].best_drive).length);
   for (const LinkageCandidate& one : found) {
-    EXPECT_TRUE(one.defect != Defect::none || one.best().turns_fully);
+    EXPECT_TRUE(!one.is_usable() || one.best().turns_fully);
   }
 }
 
@@ -110,7 +111,7 @@ TEST(Synthesis, KeepsPivotsInTheirAreas) {
   for (const LinkageCandidate& one : everywhere) {
     const bool is_inside = area.distance(one.linkage.one.centre_point) == 0.0 &&
                            area.distance(one.linkage.other.centre_point) == 0.0;
-    usable += is_inside && one.defect == Defect::none ? 1 : 0;
+    usable += is_inside && one.is_usable() ? 1 : 0;
   }
   EXPECT_GT(usable, 0);
   EXPECT_EQ(std::ranges::count(found, Defect::none, &LinkageCandidate::defect), usable);
@@ -122,7 +123,7 @@ TEST(Synthesis, NamesACircuitDefect) {
   const auto found = linkages_of("table2", {});
 
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_EQ(found[0].defect, Defect::circuit);
+  EXPECT_EQ(found[0].defect(), Defect::circuit);
 }
 
 }  // namespace

@@ -196,8 +196,18 @@ void add_standing(Record<LinkageCandidate>& keys) {
               });
   keys.word("defect",
             words_after_none(Defect::size),
-            "The reason against it; null: usable.",
-            [](const View& v) { return word_unless_none(v.defect); });
+            "The worst reason against it; null: usable.",
+            [](const View& v) { return word_unless_none(v.defect()); });
+  keys.names("defects",
+             "All reasons against it, the one above first. Of a linkage that does not pass the "
+             "positions, 'transmission_angle' is not judged.",
+             [](const View& v, EachName each) {
+               for (std::size_t i = 1; i < kDefectCount; ++i) {
+                 if (v.defects.has(static_cast<Defect>(i))) {
+                   each(word_of(static_cast<Defect>(i)));
+                 }
+               }
+             });
   keys.count("drive",
              "Which of its dyads is the better input: index into dyads.",
              [](const View& v) { return driven_dyad(v, v.best_drive); });

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "core/contract.hpp"
+#include "core/spelling.hpp"
 #include "core/text.hpp"
 #include "draw/name_placer.hpp"
 #include "draw/picture_title.hpp"
@@ -27,13 +28,6 @@ constexpr double kPanel = 168.0;  // of its longer side [px]
 constexpr double kGap = 26.0;
 constexpr double kWords = 67.0;  // four lines below it
 constexpr std::size_t kColumns = 5;
-
-// "crank rocker" of a word of reports.
-std::string spaced(std::string_view word) {
-  std::string words(word);
-  std::ranges::replace(words, '_', ' ');
-  return words;
-}
 
 // Where the plane is joined to a dyad.
 Point joint_of(const Dyad& dyad, const Pose& pose) {
@@ -223,14 +217,13 @@ std::array<std::string, 4> words_of(const LinkagePlace& place, const SynthesisAn
   const LinkageCandidate& one = analysis.tasks[place.task].linkages[place.number];
   const PlaneText plane(analysis.description.units);
   const std::string kind =
-      spaced(one.grashof ? word_of(one.grashof->kind) : word_of(one.linkage.type()));
+      in_words(one.grashof ? word_of(one.grashof->kind) : word_of(one.linkage.type()));
   const FileUnits& units = analysis.description.units;
   const std::string verdict =
-      one.defect == Defect::none
-          ? fmt::format("margin {} {}",
-                        short_number(units.from_si(QuantityKind::angle, one.margin())),
-                        units.text(QuantityKind::angle))
-          : std::string(phrase_of(one.defect));
+      one.is_usable() ? fmt::format("margin {} {}",
+                                    short_number(units.from_si(QuantityKind::angle, one.margin())),
+                                    units.text(QuantityKind::angle))
+                      : std::string(phrase_of(one.defect()));
   return {name_of(place, analysis),
           kind,
           verdict,
@@ -258,7 +251,7 @@ std::vector<LinkagePlace> find_best_linkages(const SynthesisAnalysis& analysis) 
     return linkage(one).standing().is_better_than(linkage(other).standing());
   });
   const auto usable = static_cast<std::size_t>(std::ranges::count_if(
-      places, [&](const LinkagePlace& one) { return linkage(one).defect == Defect::none; }));
+      places, [&](const LinkagePlace& one) { return linkage(one).is_usable(); }));
   places.resize(std::min(
       {places.size(), std::max<std::size_t>(usable, 1), static_cast<std::size_t>(kBestLinkages)}));
   return places;

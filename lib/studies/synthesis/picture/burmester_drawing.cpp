@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "core/contract.hpp"
+#include "core/spelling.hpp"
 #include "draw/axes.hpp"
 #include "draw/name_placer.hpp"
 #include "draw/picture_title.hpp"
@@ -32,13 +33,6 @@ struct Stretch {
   std::string reason;
   std::vector<PixelPoint> points;
 };
-
-// "transmission angle" of a word of reports.
-std::string in_words(std::string_view word) {
-  std::string words(word);
-  std::ranges::replace(words, '_', ' ');
-  return words;
-}
 
 class BurmesterWriter {
  public:
@@ -394,9 +388,8 @@ class BurmesterWriter {
       return;
     }
     const LinkageCandidate& best = task_.linkages.front();
-    const std::string verdict = best.defect == Defect::none
-                                    ? std::string("usable")
-                                    : "rejected: " + in_words(word_of(best.defect));
+    const std::string verdict =
+        best.is_usable() ? std::string("usable") : "rejected: " + in_words(word_of(best.defect()));
     svg_.text({.x = 0.0, .y = y + 4},
               fmt::format("linkage A, B: {}, {}", in_words(word_of(best.linkage.type())), verdict),
               kSmall);

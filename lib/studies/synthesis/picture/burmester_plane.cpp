@@ -280,7 +280,7 @@ std::string find_rejection(const std::vector<PositionJets>& positions,
   of_any_type.type.reset();
   const std::array<Dyad, 2> pair = {*partner, *dyad};
   const std::vector<LinkageCandidate> found = rank_linkages(pair, positions, of_any_type);
-  return found.front().defect == Defect::none ? "" : std::string(word_of(found.front().defect));
+  return found.front().is_usable() ? "" : std::string(word_of(found.front().defect()));
 }
 
 }  // namespace kinestat

@@ -13,25 +13,34 @@ namespace {
 const Record<LimitsNeeded>& limits_needed_record() {
   using View = LimitsNeeded;
   static const Record<View> record(
-      "Limits with which it would be usable, which it meets exactly; null if it is usable, or has "
-      "a defect that no limit removes.",
+      "Limits with which it would be usable, which it meets exactly; null if it is usable, or does "
+      "not pass the positions. Each key is null if the limit is kept to.",
       [](Record<View>& keys) {
-        keys.quantity("transmission_angle",
-                      QuantityKind::angle,
-                      "Its margin; null if the limit is kept to.",
-                      [](const View& v) { return v.transmission; });
+        keys.word("class",
+                  words_up_to(GrashofClass::change_point),
+                  "Its class; also null of what is no four-bar.",
+                  [](const View& v) -> std::optional<std::string_view> {
+                    return v.grashof ? std::optional(word_of(*v.grashof)) : std::nullopt;
+                  });
+        keys.flag("turns_fully", "false: its input meets a dead point.", [](const View& v) {
+          return v.may_stop ? std::optional(false) : std::nullopt;
+        });
+        keys.quantity("outside",
+                      QuantityKind::length,
+                      "Distance of its pivots from the areas of 'centre_points' and "
+                      "'circle_points', of the one farthest from its own.",
+                      [](const View& v) { return v.outside; });
+        keys.quantity("transmission_angle", QuantityKind::angle, "Its margin.", [](const View& v) {
+          return v.transmission;
+        });
         keys.quantity("full_transmission_angle",
                       QuantityKind::angle,
-                      "Its margin wherever the input can go; null if the limit is kept to.",
+                      "Its margin wherever the input can go.",
                       [](const View& v) { return v.full_transmission; });
-        keys.number("link_ratio",
-                    Bare::ratio,
-                    "Its ratio; null if the limit is kept to.",
-                    [](const View& v) { return v.ratio; });
-        keys.quantity("size",
-                      QuantityKind::length,
-                      "Its longest link; null if the limit is kept to.",
-                      [](const View& v) { return v.size; });
+        keys.number("link_ratio", Bare::ratio, "Its ratio.", [](const View& v) { return v.ratio; });
+        keys.quantity("size", QuantityKind::length, "Its longest link.", [](const View& v) {
+          return v.size;
+        });
       });
   return record;
 }
@@ -105,7 +114,7 @@ const Record<FoundLinkageView>& found_linkage_record() {
     keys.include(linkage_record(),
                  [](const View& v) -> const LinkageCandidate& { return v.candidate(); });
     keys.part("limits_needed", limits_needed_record(), [](const View& v) {
-      return find_limits_needed(v.candidate(), v.analysis.limits);
+      return find_limits_needed(v.candidate());
     });
     keys.custom("coupler_curve",
                 object_shape(branch_record(), true),

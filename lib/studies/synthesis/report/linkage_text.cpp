@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/spelling.hpp"
 #include "core/utf8.hpp"
 #include "studies/synthesis/report/plane_text.hpp"
 
@@ -128,19 +129,20 @@ std::string range_text(const TransmissionRange& range, const PlaneText& plane) {
 }
 
 Table verdict_table(const SynthesisTask& task, const PlaneText& plane) {
-  Table table({"linkage", "dyads", "drive", "verdict", "margin", "full turn", "ratio", "class"});
+  Table table(
+      {"linkage", "dyads", "drive", "verdict", "margin", "full turn", "link ratio", "class"});
   for (std::size_t i = 0; i < task.linkages.size(); ++i) {
     const LinkageCandidate& candidate = task.linkages[i];
     const DriveVerdict& best = candidate.best();
     const std::size_t drive = candidate.best_drive == Drive::one ? 0 : 1;
-    table.add({fmt::format("{} {}", i, word_of(candidate.linkage.type())),
+    table.add({fmt::format("{} {}", i, hyphenated(word_of(candidate.linkage.type()))),
                fmt::format("{} {}", candidate.dyads[0], candidate.dyads[1]),
                fmt::format("{}", candidate.dyads[drive]),
-               std::string(phrase_of(candidate.defect)),
+               phrase_of(candidate.defects),
                best.working_arc ? plane.angle(candidate.margin()) : "",
                best.turns_fully ? "yes" : "no",
                format_short(candidate.ratio),
-               candidate.grashof ? std::string(word_of(candidate.grashof->kind)) : ""});
+               candidate.grashof ? hyphenated(word_of(candidate.grashof->kind)) : ""});
   }
   return table;
 }
@@ -168,7 +170,13 @@ std::string distance_text(bool is_finite,
 
 // Links in the order of the dyads, and the transmission angle with the drive above.
 Table link_table(const SynthesisTask& task, const PlaneText& plane) {
-  Table table({"linkage", "ground", "first", "coupler", "second", "on the way", "full range"});
+  Table table({"linkage",
+               "ground",
+               "first",
+               "coupler",
+               "second",
+               "transmission angle",
+               "over its whole range"});
   for (std::size_t i = 0; i < task.linkages.size(); ++i) {
     const Dyad& one = task.linkages[i].linkage.one;
     const Dyad& other = task.linkages[i].linkage.other;
@@ -191,7 +199,7 @@ TextBlocks cognates_blocks(const SynthesisTask& task, const PlaneText& plane) {
   Table table({"cognates of", "centre of dyad", "third centre", "pivot on it", "other pivot"});
   for (std::size_t i = 0; i < task.linkages.size(); ++i) {
     const LinkageCandidate& candidate = task.linkages[i];
-    const bool is_shown = i == 0 || candidate.defect == Defect::none;
+    const bool is_shown = i == 0 || candidate.is_usable();
     for (std::size_t j = 0; is_shown && candidate.cognates && j < 2; ++j) {
       const FourBarPlaces& one = candidate.cognates->linkages[j];
       table.add({fmt::format("{}", i),
@@ -250,6 +258,19 @@ std::string_view phrase_of(Defect defect) {
       return "linkage too large";
   }
   return "";
+}
+
+std::string phrase_of(const Defects& defects) {
+  if (!defects.are_of_limits() || defects.is_empty()) {
+    return std::string(phrase_of(defects.worst()));
+  }
+  std::vector<std::string_view> phrases;
+  for (std::size_t i = 1; i < kDefectCount; ++i) {
+    if (defects.has(static_cast<Defect>(i))) {
+      phrases.push_back(phrase_of(static_cast<Defect>(i)));
+    }
+  }
+  return fmt::format("{}", fmt::join(phrases, ", "));
 }
 
 std::string_view traced_text(const SynthesisAnalysis& analysis) {
@@ -313,9 +334,9 @@ TextBlocks linkages_blocks(const SynthesisTask& task,
   }
   TextBlocks text("\n");
   text += TextBlocks(verdict_table(task, plane), "");
-  if (task.linkages.front().defect != Defect::none) {
+  if (!task.linkages.front().is_usable()) {
     text += fmt::format("no linkage is usable; the first one is the nearest{}\n",
-                        limits_text(task.linkages.front(), limits, plane));
+                        limits_text(task.linkages.front(), plane));
   }
   text += left_out_text(task, limits) + "\n";
   text += TextBlocks(link_table(task, plane), "");

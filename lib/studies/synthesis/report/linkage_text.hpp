@@ -21,6 +21,10 @@ std::string family_text(Degeneracy reason, std::span<const PositionJets> positio
 /// What speaks against a linkage, in words; of none "usable".
 std::string_view phrase_of(Defect defect);
 
+/// All that speaks against a linkage that passes the positions, as each may be the limit to move;
+/// of others, why they do not.
+std::string phrase_of(const Defects& defects);
+
 /// The point of the coupler whose path is drawn, in words.
 std::string_view traced_text(const SynthesisAnalysis& analysis);
 

@@ -26,16 +26,20 @@ std::string limit_text(double value, double (*round)(double)) {
 
 }  // namespace
 
-std::string limits_text(const LinkageCandidate& candidate,
-                        const LinkageLimits& limits,
-                        const PlaneText& plane) {
-  const auto needed = find_limits_needed(candidate, limits);
+std::string limits_text(const LinkageCandidate& candidate, const PlaneText& plane) {
+  const auto needed = find_limits_needed(candidate);
   if (!needed) {
     return "";
   }
   constexpr auto kDown = [](double x) { return std::floor(x); };
   constexpr auto kUp = [](double x) { return std::ceil(x); };
   std::vector<std::string> keys;
+  if (needed->grashof) {
+    keys.push_back(fmt::format("class: {}", word_of(*needed->grashof)));
+  }
+  if (needed->may_stop) {
+    keys.push_back("turns_fully: false");
+  }
   if (needed->transmission) {
     keys.push_back("transmission_angle: " +
                    limit_text(*needed->transmission / plane.unit_of_angle(), kDown));
@@ -50,7 +54,13 @@ std::string limits_text(const LinkageCandidate& candidate,
   if (needed->size) {
     keys.push_back("size: " + limit_text(*needed->size / plane.unit_of_length(), kUp));
   }
-  return fmt::format(" and takes limits: {{{}}}", fmt::join(keys, ", "));
+  std::string text = needed->is_any_linkage ? ", but no four-bar, so that it has no class" : "";
+  text += keys.empty() ? "" : fmt::format(" and takes limits: {{{}}}", fmt::join(keys, ", "));
+  text += needed->outside ? fmt::format("{} a pivot {} outside its area",
+                                        keys.empty() ? ", with" : ", and",
+                                        plane.length(*needed->outside))
+                          : "";
+  return text;
 }
 
 std::string left_out_text(const SynthesisTask& task, const LinkageLimits& limits) {

@@ -36,10 +36,9 @@ class PlaneText {
 };
 
 /// The limits with which a linkage would be usable, so that they can be typed as they are printed:
-/// " and takes limits: {link_ratio: 12.4}"; empty where no limit helps, or none is needed.
-std::string limits_text(const LinkageCandidate& candidate,
-                        const LinkageLimits& limits,
-                        const PlaneText& plane);
+/// " and takes limits: {link_ratio: 12.4}", and how far its pivots are outside their areas; empty
+/// where no limit helps, or none is needed.
+std::string limits_text(const LinkageCandidate& candidate, const PlaneText& plane);
 
 /// A line on the usable linkages of other kinds than the task asks for; empty without any.
 std::string left_out_text(const SynthesisTask& task, const LinkageLimits& limits);

@@ -48,6 +48,21 @@ const Record<SelectionCounts>& rejected_record() {
   return record;
 }
 
+// Only the limits of a file can be taken back.
+const Record<SelectionCounts>& one_limit_record() {
+  using View = SelectionCounts;
+  static const Record<View> record(
+      "Those of them that are rejected by this limit alone: without it they would be usable.",
+      [](Record<View>& keys) {
+        for (std::size_t i = static_cast<std::size_t>(Defect::order) + 1; i < kDefectCount; ++i) {
+          keys.count(std::string(word_of(static_cast<Defect>(i))),
+                     kDefectTexts[i - 1],
+                     [i](const View& v) { return v.one_limit[i]; });
+        }
+      });
+  return record;
+}
+
 const Record<SelectionCounts>& counts_of_selection_record() {
   using View = SelectionCounts;
   static const Record<View> record("What was tried.", [](Record<View>& keys) {
@@ -61,6 +76,9 @@ const Record<SelectionCounts>& counts_of_selection_record() {
       return v.usable;
     });
     keys.part("rejected", rejected_record(), [](const View& v) -> const View& { return v; });
+    keys.part("rejected_by_one_limit", one_limit_record(), [](const View& v) -> const View& {
+      return v;
+    });
   });
   return record;
 }

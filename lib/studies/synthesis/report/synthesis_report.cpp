@@ -1,9 +1,5 @@
 #include "studies/synthesis/report/synthesis_report.hpp"
 
-#include <algorithm>
-#include <cmath>
-
-#include "core/tolerance.hpp"
 #include "report/report_parts.hpp"
 #include "studies/synthesis/report/synthesis_record.hpp"
 #include "studies/synthesis/report/synthesis_text.hpp"
@@ -20,28 +16,27 @@ std::vector<std::size_t> positions_with_lists(const SynthesisDescription& task) 
   return places;
 }
 
-std::optional<LimitsNeeded> find_limits_needed(const LinkageCandidate& candidate,
-                                               const LinkageLimits& limits) {
-  const bool is_by_limits = candidate.defect == Defect::transmission ||
-                            candidate.defect == Defect::full_transmission ||
-                            candidate.defect == Defect::ratio || candidate.defect == Defect::size;
-  if (!is_by_limits) {
+std::optional<LimitsNeeded> find_limits_needed(const LinkageCandidate& candidate) {
+  const Defects& defects = candidate.defects;
+  if (defects.is_empty() || !defects.are_of_limits()) {
     return std::nullopt;
   }
+  const auto unless_kept = [&](Defect defect, double needed) {
+    return defects.has(defect) ? std::optional(needed) : std::nullopt;
+  };
   LimitsNeeded needed;
-  if (candidate.margin() < limits.transmission * (1.0 - kSameValue)) {
-    needed.transmission = candidate.margin();
+  if (defects.has(Defect::grashof) && candidate.grashof) {
+    needed.grashof = candidate.grashof->kind;
   }
-  if (const double full = candidate.best().full.margin();
-      full < limits.full_transmission * (1.0 - kSameValue)) {
-    needed.full_transmission = full;
+  needed.is_any_linkage = defects.has(Defect::grashof) && !candidate.grashof;
+  needed.may_stop = defects.has(Defect::full_turn);
+  if (candidate.outside > 0.0) {
+    needed.outside = candidate.outside;
   }
-  if (candidate.ratio > limits.ratio * (1.0 + kSameValue)) {
-    needed.ratio = candidate.ratio;
-  }
-  if (candidate.longest > limits.size * (1.0 + kSameValue)) {
-    needed.size = candidate.longest;
-  }
+  needed.transmission = unless_kept(Defect::transmission, candidate.margin());
+  needed.full_transmission = unless_kept(Defect::full_transmission, candidate.best().full.margin());
+  needed.ratio = unless_kept(Defect::ratio, candidate.ratio);
+  needed.size = unless_kept(Defect::size, candidate.longest);
   return needed;
 }
 

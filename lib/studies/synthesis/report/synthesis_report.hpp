@@ -61,15 +61,6 @@ struct SynthesisTask {
   }
 };
 
-/// What a selection looked at.
-struct SelectionCounts {
-  int samples = 0;
-  int with_linkage = 0;
-  int usable = 0;
-  std::array<int, kDefectCount> defects{};   ///< by Defect; of none, as many as are usable
-  std::array<int, kMissingCount> missing{};  ///< by Missing
-};
-
 /// A selection for one choice of the angles that a file lists.
 struct AngleSelection {
   std::vector<double> angles;  ///< of all positions [rad]
@@ -93,9 +84,13 @@ struct SynthesisAnalysis {
 /// apart.
 std::vector<std::size_t> positions_with_lists(const SynthesisDescription& task);
 
-/// Limits with which a linkage that has no other defect would be usable; those that it keeps to are
-/// empty.
+/// Limits with which a linkage that passes the positions would be usable; those that it keeps to
+/// are empty.
 struct LimitsNeeded {
+  std::optional<GrashofClass> grashof;      ///< empty also of what is no four-bar
+  bool is_any_linkage = false;              ///< it is no four-bar: any class
+  bool may_stop = false;                    ///< its input does not turn fully
+  std::optional<double> outside;            ///< farthest of its points from its area [length]
   std::optional<double> transmission;       ///< [rad]
   std::optional<double> full_transmission;  ///< [rad]
   std::optional<double> ratio;
@@ -103,8 +98,7 @@ struct LimitsNeeded {
 };
 
 /// Empty where no limit helps, or none is needed.
-std::optional<LimitsNeeded> find_limits_needed(const LinkageCandidate& candidate,
-                                               const LinkageLimits& limits);
+std::optional<LimitsNeeded> find_limits_needed(const LinkageCandidate& candidate);
 
 FileReport make_synthesis_report(const SynthesisAnalysis& analysis,
                                  const ReportForms& forms,

@@ -29,10 +29,17 @@ std::string_view phrase_of(Missing missing) {
 
 std::string rejected_text(const SelectionCounts& counts) {
   const std::string reasons = unusable_text(counts);
-  return reasons.empty() ? "" : fmt::format("not usable: {}\n", reasons);
+  const std::string one_limit = one_limit_text(counts);
+  return (reasons.empty() ? "" : fmt::format("not usable: {}\n", reasons)) +
+         (one_limit.empty() ? ""
+                            : fmt::format("usable without one of the limits: {}\n", one_limit));
 }
 
-std::string selection_text(const SelectionCounts& counts, bool has_tasks) {
+bool is_usable(const SynthesisTask& task) {
+  return !task.linkages.empty() && task.linkages.front().is_usable();
+}
+
+std::string selection_text(const SelectionCounts& counts, std::span<const SynthesisTask> tasks) {
   if (counts.samples == 0) {
     return "nothing to choose from: the curve of these points does not pass through the area of "
            "'vary'\n";
@@ -42,10 +49,11 @@ std::string selection_text(const SelectionCounts& counts, bool has_tasks) {
                      counts.with_linkage,
                      counts.usable,
                      rejected_text(counts),
-                     counts.usable == 1  ? "the best is:\n"
-                     : counts.usable > 1 ? "the best, with similar ones merged:\n"
-                     : has_tasks         ? "the nearest is:\n"
-                                         : "");
+                     counts.usable == 1         ? "the best is:\n"
+                     : counts.usable > 1        ? "the best, with similar ones merged:\n"
+                     : tasks.empty()            ? ""
+                     : is_usable(tasks.front()) ? "between them there is:\n"
+                                                : "the nearest is:\n");
 }
 
 // Which of the listed angles: "angle 70 of position 3"; empty where a file has no lists.
@@ -265,6 +273,17 @@ std::string unusable_text(const SelectionCounts& counts) {
   return fmt::format("{}", fmt::join(reasons, ", "));
 }
 
+std::string one_limit_text(const SelectionCounts& counts) {
+  std::vector<std::string> limits;
+  for (std::size_t i = 0; i < kDefectCount; ++i) {
+    if (counts.one_limit[i] > 0) {
+      limits.push_back(
+          fmt::format("{} without '{}'", counts.one_limit[i], word_of(static_cast<Defect>(i))));
+    }
+  }
+  return fmt::format("{}", fmt::join(limits, ", "));
+}
+
 TextBlocks synthesis_text(const SynthesisAnalysis& analysis) {
   TextBlocks text(title_text(analysis.file, analysis.description));
   return text += synthesis_blocks(analysis);
@@ -291,7 +310,8 @@ TextBlocks synthesis_blocks(const SynthesisAnalysis& analysis) {
     const std::size_t end = is_last ? count : analysis.selections[i + 1].first_task;
     const std::string angles = listed_angles_text(one.angles, analysis, plane);
     text += (angles.empty() ? "" : "\n" + angles + ": ") +
-            selection_text(one.counts, end > one.first_task);
+            selection_text(one.counts,
+                           std::span(analysis.tasks).subspan(one.first_task, end - one.first_task));
     add_tasks(one.first_task, end);
   }
   if (analysis.selections.empty()) {

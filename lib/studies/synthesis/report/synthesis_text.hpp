@@ -11,6 +11,10 @@ namespace kinestat {
 /// Why choices or linkages are not usable, each with their number: "branch defect 2, too large 1".
 std::string unusable_text(const SelectionCounts& counts);
 
+/// How many a single limit keeps from being usable, by its key: "12 without 'class'"; empty if
+/// none.
+std::string one_limit_text(const SelectionCounts& counts);
+
 TextBlocks synthesis_text(const SynthesisAnalysis& analysis);
 
 /// The same without its title.

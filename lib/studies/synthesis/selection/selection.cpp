@@ -16,7 +16,7 @@ namespace {
 
 // How near a linkage comes to the limit that speaks against it, or its margin: the more the better.
 double reached_by(const LinkageCandidate& candidate) {
-  switch (candidate.defect) {
+  switch (candidate.defect()) {
     case Defect::none:
     case Defect::digits:
     case Defect::circuit:
@@ -43,14 +43,14 @@ double reached_by(const LinkageCandidate& candidate) {
 struct Sample {
   double margin = -1.0;  // below zero without a usable linkage
   Standing standing;  // its margin is what reached_by says; the rank is negative without a linkage
-  Defect defect = Defect::none;
+  Defects defects;
   Missing missing = Missing::dyads;  // without a linkage
 };
 
 Sample sample_of(const LinkageCandidate& candidate) {
-  Sample sample{.standing = candidate.standing(), .defect = candidate.defect};
+  Sample sample{.standing = candidate.standing(), .defects = candidate.defects};
   sample.standing.margin = reached_by(candidate);
-  if (candidate.defect == Defect::none) {
+  if (candidate.is_usable()) {
     sample.margin = candidate.margin();
   }
   return sample;
@@ -126,20 +126,20 @@ class Selector {
     for (std::size_t i = 0; i < samples_.size(); ++i) {
       const Sample& sample = samples_[i];
       const Sample& best = samples_[nearest];
-      ++selection_.samples;
       if (sample.standing.rank >= 0) {
-        ++selection_.with_linkage;
-        ++selection_.defects[static_cast<std::size_t>(sample.defect)];
+        selection_.counts.add(sample.defects);
       } else {
-        ++selection_.missing[static_cast<std::size_t>(sample.missing)];
+        selection_.counts.add(sample.missing);
       }
-      selection_.usable += sample.margin >= 0.0 ? 1 : 0;
       nearest = sample.standing.is_better_than(best.standing) ? i : nearest;
     }
-    if (selection_.usable == 0 && selection_.with_linkage > 0) {
-      selection_.nearest = selected(nearest);
+    if (selection_.counts.usable == 0 && selection_.counts.with_linkage > 0) {
+      SelectedLinkage found = selected(nearest);
+      improve(found);
+      (found.candidate.is_usable() ? selection_.best.emplace_back()
+                                   : selection_.nearest.emplace()) = std::move(found);
     }
-    if (selection_.with_linkage == 0 && !samples_.empty() &&
+    if (selection_.counts.with_linkage == 0 && !samples_.empty() &&
         samples_[nearest].missing != Missing::motion) {
       selection_.nearest_choice = choice_at(index_of(nearest));
     }
@@ -234,7 +234,7 @@ class Selector {
         choice.push_back(one.choice[i] + share * (to - one.choice[i]));
       }
       const std::optional<LinkageCandidate> found = make_(choice);
-      return found && found->defect == Defect::none &&
+      return found && found->is_usable() &&
              found->margin() >= (1.0 - kDip) * one.candidate.margin();
     });
   }
@@ -309,7 +309,7 @@ class Selector {
     choice[i] = within(i, choice[i] + share * step(i));
     choice[j] = within(j, choice[j] + other * step(j));
     std::optional<LinkageCandidate> found = make_(choice);
-    if (!found || !found->standing().is_better_than(one.candidate.standing())) {
+    if (!found || !sample_of(*found).standing.is_better_than(sample_of(one.candidate).standing)) {
       return false;
     }
     one = {.choice = std::move(choice), .candidate = *std::move(found)};

@@ -1,7 +1,6 @@
 // The best linkage over what a task leaves free.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -10,6 +9,7 @@
 
 #include "math/numbers/for_each_number.hpp"
 #include "studies/synthesis/selection/selection_choice.hpp"
+#include "studies/synthesis/selection/selection_counts.hpp"
 
 namespace kinestat {
 
@@ -27,8 +27,6 @@ int samples_along(int samples, double numbers);
 /// How many of the best a report and its picture have.
 inline constexpr int kBestLinkages = 10;
 
-inline constexpr std::size_t kDefectCount = static_cast<std::size_t>(Defect::size) + 1;
-
 struct SelectedLinkage {
   std::vector<double> choice;  ///< one number a range
   LinkageCandidate candidate;
@@ -40,11 +38,7 @@ struct Selection {
   std::optional<SelectedLinkage> nearest;  ///< without a usable one: what comes nearest
   std::optional<std::vector<double>>
       nearest_choice;  ///< without any linkage: that which comes nearest to one
-  int samples = 0;
-  int with_linkage = 0;  ///< samples that have a linkage at all
-  int usable = 0;        ///< samples that have one without defect and within the limits
-  std::array<int, kDefectCount> defects{};   ///< samples with a linkage by its Defect
-  std::array<int, kMissingCount> missing{};  ///< the others by their Missing
+  SelectionCounts counts;
 };
 
 /// Whether the second half of the numbers stands for the same as the first.
@@ -52,11 +46,13 @@ enum class ChoiceHalves { differ, alike };
 
 /// Every combination of the ranges; of those that no neighbour surpasses the `keep` best are
 /// improved between their neighbours, step by step along each number, as long as the margin of the
-/// transmission angle grows. Where none is usable, the nearest has the mildest defect, and of those
-/// that miss a limit it misses it least. The same result in every run, whatever `for_each` does at
-/// once. Without `lacking` a choice without a linkage misses dyads. The best are different ones: of
-/// those between which the straight way hardly leads down only the better is kept. Where `halves`
-/// are alike, one for each dyad, their exchange makes no other linkage, and the best have it once.
+/// transmission angle grows. Where none is usable, the nearest passes the positions if any does and
+/// misses the fewest limits, of these the mildest, and that least; it is improved likewise, and
+/// may then be usable, and the best. The
+/// same result in every run, whatever `for_each` does at once. Without `lacking` a choice without a
+/// linkage misses dyads. The best are different ones: of those between which the straight way
+/// hardly leads down only the better is kept. Where `halves` are alike, one for each dyad, their
+/// exchange makes no other linkage, and the best have it once.
 Selection select_linkages(std::span<const SelectionRange> ranges,
                           const CandidateMaker& make,
                           int keep,

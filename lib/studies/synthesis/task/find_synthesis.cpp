@@ -110,7 +110,7 @@ std::vector<LeftOutLinkages> left_out_of(const SynthesisTask& task,
   for (const LinkageCandidate& one :
        rank_linkages(task.dyads->dyads, task.positions, of_any_kind)) {
     const LinkageType type = one.linkage.type();
-    if (one.defect == Defect::none && type != asked) {
+    if (one.is_usable() && type != asked) {
       ++usable[type];
     }
   }

@@ -152,7 +152,7 @@ class LinkageMover {
 };
 
 bool has_digits(const LinkageCandidate& candidate) {
-  return candidate.defect != Defect::digits;
+  return candidate.defect() != Defect::digits;
 }
 
 void check_task(const SynthesisAnalysis& analysis,
@@ -162,8 +162,8 @@ void check_task(const SynthesisAnalysis& analysis,
   task.checks.resize(task.linkages.size());
   for (std::size_t i = 0; i < task.linkages.size(); ++i) {
     const LinkageCandidate& candidate = task.linkages[i];
-    const bool is_asked = options.verifies || options.written == WrittenLinkages::all ||
-                          candidate.defect == Defect::none;
+    const bool is_asked =
+        options.verifies || options.written == WrittenLinkages::all || candidate.is_usable();
     if (!is_asked || !has_digits(candidate)) {
       continue;
     }

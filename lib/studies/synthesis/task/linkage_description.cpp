@@ -305,8 +305,8 @@ std::vector<std::string> linkage_comment(const SynthesisAnalysis& analysis,
                   link_of(input_of(candidate.linkage, drive)),
                   other,
                   link_of(output_of(candidate.linkage, drive)))};
-  if (candidate.defect != Defect::none) {
-    lines.push_back(fmt::format("It is not usable: {}.", phrase_of(candidate.defect)));
+  if (!candidate.is_usable()) {
+    lines.push_back(fmt::format("It is not usable: {}.", phrase_of(candidate.defects)));
   }
   if (candidate.best().working_arc) {
     lines.push_back(fmt::format("The transmission angle stays {} from the dead points on its way.",

@@ -53,7 +53,7 @@ void add_files(SynthesisAnalysis& analysis,
   SynthesisTask& task = analysis.tasks[number];
   task.files.resize(task.linkages.size());
   for (std::size_t i = 0; i < task.linkages.size(); ++i) {
-    if (which == WrittenLinkages::all || task.linkages[i].defect == Defect::none) {
+    if (which == WrittenLinkages::all || task.linkages[i].is_usable()) {
       task.files[i] = fmt::format("{}/{}", folder, name_of(analysis, number, i));
       files.push_back({.path = task.files[i],
                        .content = text_of(analysis, task, i),

@@ -16,7 +16,7 @@ namespace kinestat {
 namespace {
 
 bool has_usable(const SynthesisTask& task) {
-  return !task.linkages.empty() && task.linkages.front().defect == Defect::none;
+  return !task.linkages.empty() && task.linkages.front().is_usable();
 }
 
 bool lacks_digits(const SynthesisTask& task) {
@@ -38,11 +38,10 @@ SelectionCounts counts_of(const std::vector<SynthesisTask>& tasks) {
   SelectionCounts counts;
   for (const SynthesisTask& task : tasks) {
     for (const LinkageCandidate& one : task.linkages) {
-      ++counts.defects[static_cast<std::size_t>(one.defect)];
+      counts.add(one.defects);
     }
     if (task.linkages.empty() && task.dyads) {
-      const Missing missing = task.dyads->dyads.size() < 2 ? Missing::dyads : Missing::kind;
-      ++counts.missing[static_cast<std::size_t>(missing)];
+      counts.add(task.dyads->dyads.size() < 2 ? Missing::dyads : Missing::kind);
     }
   }
   return counts;
@@ -52,7 +51,7 @@ bool has_no_choice(const SynthesisAnalysis& analysis) {
   return analysis.selection && analysis.selection->samples == 0;
 }
 
-std::string reason_of(const SynthesisAnalysis& analysis) {
+std::string reason_of(const SynthesisAnalysis& analysis, const SelectionCounts& counts) {
   if (std::ranges::any_of(analysis.tasks, lacks_digits)) {
     return fmt::format("the positions are too close to each other for {} digits",
                        analysis.digits.value_or(kDoubleDigits));
@@ -60,23 +59,34 @@ std::string reason_of(const SynthesisAnalysis& analysis) {
   if (has_no_choice(analysis)) {
     return "the curve of the points to choose from does not pass through their area";
   }
-  return unusable_text(analysis.selection.value_or(counts_of(analysis.tasks)));
+  return unusable_text(counts);
 }
 
-std::string hint_of(const SynthesisAnalysis& analysis) {
+// What a limit alone stands in the way of.
+std::string one_limit_hint(const SelectionCounts& counts) {
+  const std::string limits = one_limit_text(counts);
+  return limits.empty() ? "" : fmt::format("there would be {}; ", limits);
+}
+
+std::string hint_of(const SynthesisAnalysis& analysis, const SelectionCounts& counts) {
   for (const SynthesisTask& task : analysis.tasks) {
     if (!task.left_out.empty()) {
       return fmt::format("'linkage: any' has a usable {}", word_of(task.left_out.front().type));
     }
   }
   const bool has_no_digits = std::ranges::any_of(analysis.tasks, lacks_digits);
-  return has_no_digits ? "write the positions with more digits, or give derivatives instead of "
-                         "positions that close in"
-         : has_no_choice(analysis) ? "widen the area of 'vary', or give other points"
-         : analysis.selection
-             ? "widen the ranges of 'vary', or the limits; the report has what comes nearest"
-             : "move a position, or leave some of it open: 'kinestat help synthesis' has 'vary'; "
-               "the report has what comes nearest";
+  if (has_no_digits) {
+    return "write the positions with more digits, or give derivatives instead of positions that "
+           "close in";
+  }
+  if (has_no_choice(analysis)) {
+    return "widen the area of 'vary', or give other points";
+  }
+  return one_limit_hint(counts) +
+         (analysis.selection
+              ? "widen the ranges of 'vary', or the limits"
+              : "move a position, or leave some of it open: 'kinestat help synthesis' has 'vary'") +
+         "; the report has what comes nearest";
 }
 
 void warn_of_degenerate(const LinkageCandidate& best,
@@ -120,10 +130,11 @@ void add_usability_findings(const SynthesisAnalysis& analysis, Diagnostics& foun
   if (!is_asked || std::ranges::any_of(analysis.tasks, has_usable)) {
     return;
   }
+  const SelectionCounts counts = analysis.selection.value_or(counts_of(analysis.tasks));
   found.error("E0802",
               analysis.description.synthesis->where,
-              fmt::format("no linkage is usable: {}", reason_of(analysis)),
-              hint_of(analysis));
+              fmt::format("no linkage is usable: {}", reason_of(analysis, counts)),
+              hint_of(analysis, counts));
 }
 
 void warn_of_degenerate_best(const SynthesisAnalysis& analysis, Diagnostics& found) {

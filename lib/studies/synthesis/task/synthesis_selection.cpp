@@ -33,20 +33,6 @@ std::optional<Tasks> find_possible_tasks(const SynthesisValues& values,
   return std::nullopt;
 }
 
-void add_counts(const Selection& selection, SynthesisAnalysis& analysis) {
-  for (SelectionCounts* counts : {&*analysis.selection, &analysis.selections.back().counts}) {
-    counts->samples += selection.samples;
-    counts->with_linkage += selection.with_linkage;
-    counts->usable += selection.usable;
-    for (std::size_t i = 0; i < kDefectCount; ++i) {
-      counts->defects[i] += selection.defects[i];
-    }
-    for (std::size_t i = 0; i < kMissingCount; ++i) {
-      counts->missing[i] += selection.missing[i];
-    }
-  }
-}
-
 // What a report shows of a selection: the best, or else what comes nearest.
 std::vector<SelectedLinkage> shown_of(const Selection& selection) {
   std::vector<SelectedLinkage> shown = selection.best;
@@ -70,7 +56,7 @@ void select_task(const SynthesisValues& values,
                                               kBestLinkages,
                                               for_each,
                                               shortfalls_of(make_task));
-  add_counts(selection, analysis);
+  analysis.selections.back().counts += selection.counts;
   std::vector<std::vector<double>> choices;
   for (const SelectedLinkage& one : shown_of(selection)) {
     choices.push_back(one.choice);
@@ -110,7 +96,7 @@ bool select_dyads(const SynthesisValues& values,
   }
   const Selection selection =
       select_linkages(ranges, make, kBestLinkages, for_each, {}, choice.halves());
-  add_counts(selection, analysis);
+  analysis.selections.back().counts += selection.counts;
   for (const SelectedLinkage& one : shown_of(selection)) {
     SynthesisTask task;
     task.choice = SynthesisChoice{};
@@ -166,6 +152,9 @@ bool select_tasks(const SynthesisValues& values,
     } else if (!select_dyads(values, (*possible)[task], for_each, found, analysis)) {
       return false;
     }
+  }
+  for (const AngleSelection& one : analysis.selections) {
+    *analysis.selection += one.counts;
   }
   return true;
 }
