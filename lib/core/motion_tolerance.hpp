@@ -76,6 +76,11 @@ inline constexpr double kLeastLook = 1e-6;
 /// Steps that differ by less than this share are equal.
 inline constexpr double kSameStep = 1e-9;
 
+/// How near motions are looked at before and behind a place where values jump, as share of a step;
+/// steps that are no farther apart than twice that belong to one place.
+inline constexpr double kApproach = 0x1p-20;
+inline constexpr double kSameApproach = 2.5 * kApproach;
+
 /// Drives that part by less from a straight line run along it [rad, or shares of the size]: what
 /// happens on it happens on their way.
 inline constexpr double kStraightWay = 1e-13;

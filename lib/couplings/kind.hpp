@@ -54,6 +54,11 @@ enum class FrictionKind {
   fluid     ///< nothing: of a torque converter, whose characteristic says all
 };
 
+/// Whether such friction is a couple about the axis of the coupling; otherwise it is a force.
+constexpr bool is_couple(FrictionKind kind) {
+  return kind != FrictionKind::guide && kind != FrictionKind::sliding;
+}
+
 /// Between which bodies teeth mesh.
 enum class Teeth {
   none,

@@ -28,6 +28,7 @@ constexpr ReportWord kReportWords[] = {
     {"velocity", &MotionReport::velocity},
     {"acceleration", &MotionReport::acceleration},
     {"action", &MotionReport::action},
+    {"reaction", &MotionReport::reaction},
     {"power", &MotionReport::power},
     {"ratio", &MotionReport::ratio},
     {"transmission_angle", &MotionReport::transmission_angle},

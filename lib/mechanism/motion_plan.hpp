@@ -42,6 +42,7 @@ struct MotionReport {
   bool velocity = false;
   bool acceleration = false;
   bool action = false;
+  bool reaction = false;  ///< resultant forces of couplings, their friction and what it loses
   bool power = false;
   bool ratio = false;
   bool transmission_angle = false;

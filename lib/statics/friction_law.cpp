@@ -45,13 +45,12 @@ PressingPartOf<Scalar> force_part(const Mat3Of<Scalar>& of_force, const Scalar& 
 template <class Scalar>
 FrictionLawOf<Scalar> law_of(const SlidingOf<Scalar>& s,
                              const WrenchOf<Scalar>& unit,
-                             const Scalar& speed,
-                             bool is_couple) {
+                             const Scalar& speed) {
   FrictionLawOf<Scalar> law;
   law.coupling = s.friction.coupling;
   law.unit = unit;
   law.speed = speed;
-  law.is_couple = is_couple;
+  law.is_couple = is_couple(kind_of(s.topology.coupling(law.coupling).type).friction);
   return law;
 }
 
@@ -67,8 +66,7 @@ FrictionLawOf<Scalar> turning(const SlidingOf<Scalar>& s) {
   const Vec3Of<Scalar> axis = s.unit.angular;
   const Scalar rate = s.twist.angular.dot(axis);
   const Scalar sense = against(rate);
-  FrictionLawOf<Scalar> law =
-      law_of(s, unit_couple<Scalar>(sense * axis), Scalar(-sense * rate), true);
+  FrictionLawOf<Scalar> law = law_of(s, unit_couple<Scalar>(sense * axis), Scalar(-sense * rate));
   const std::optional<Scalar> tau = tau_at(s.friction, law.speed);
   law.constant = static_cast<double>(s.friction.planets) *
                  (tau.value_or(Scalar(0.0)) + s.friction.viscous * law.speed);
@@ -233,7 +231,7 @@ FrictionLawOf<Scalar> guide(const SlidingOf<Scalar>& s) {
   const Scalar sense = against(rate);
   const Scalar mu = s.friction.mu;
   FrictionLawOf<Scalar> law =
-      law_of(s, unit_force<Scalar>(sense * axis, s.at), Scalar(-sense * rate), false);
+      law_of(s, unit_force<Scalar>(sense * axis, s.at), Scalar(-sense * rate));
   law.constant = s.friction.viscous * law.speed;
   add_across(s, axis, mu, law);
   if (value_of(s.friction.radius) > 0.0) {
@@ -268,7 +266,7 @@ FrictionLawOf<Scalar> contact(const SlidingOf<Scalar>& s) {
   const Scalar speed = sqrt(velocity.squaredNorm());
   const Vec3Of<Scalar> direction =
       value_of(speed) > 0.0 ? Vec3Of<Scalar>(-velocity / speed) : Vec3Of<Scalar>::Zero();
-  FrictionLawOf<Scalar> law = law_of(s, unit_force<Scalar>(direction, s.at), speed, false);
+  FrictionLawOf<Scalar> law = law_of(s, unit_force<Scalar>(direction, s.at), speed);
   const CouplingTopology& coupling = s.topology.coupling(s.friction.coupling);
   const int pressing = normal_action(s.topology, coupling);
   const Vec3Of<Scalar> normal = s.unit_action(pressing).force;
@@ -288,7 +286,7 @@ FrictionLawOf<Scalar> fluid(const SlidingOf<Scalar>& s) {
   const Scalar sense = value_of(size) < 0.0 ? -1.0 : 1.0;
   const Scalar slip = converter.slip(s.converter.pump, s.converter.turbine);
   FrictionLawOf<Scalar> law =
-      law_of(s, unit_couple<Scalar>(sense * s.unit.angular), Scalar(-sense * slip), true);
+      law_of(s, unit_couple<Scalar>(sense * s.unit.angular), Scalar(-sense * slip));
   law.constant = sense * size;
   law.has_value = couple.has_value();
   return law;
@@ -353,8 +351,7 @@ bool is_free_at_rest(const Topology& topology,
                      const CouplingFriction& friction) {
   const bool is_drag =
       kind_of(topology.coupling(friction.coupling).type).friction == FrictionKind::drag;
-  const bool is_viscous = friction.mu == 0.0 && friction.tau == 0.0 && friction.cables.empty();
-  return is_drag || is_viscous || engages_any(topology, motions);
+  return is_drag || vanishes_at_rest(friction) || engages_any(topology, motions);
 }
 
 std::vector<std::optional<FrictionLaw>> find_friction_laws(const Mechanism& mechanism,

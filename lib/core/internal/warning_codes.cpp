@@ -180,8 +180,8 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "actions jump from those of one direction to those of the other. At the reversal itself "
      "they may be anything between the two, and a row exactly there has none. The message names "
      "the rows before and after, or the end of the range if it lies there; take more steps to "
-     "narrow the interval. The same holds while all drives rest, in the dwells of a profile and "
-     "where it begins and ends."},
+     "narrow the interval. The same holds for what rests while a drive does, in the dwells of a "
+     "profile and where it begins and ends."},
     {"W0509",
      done,
      "dead points may be missing",

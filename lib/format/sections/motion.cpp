@@ -160,7 +160,7 @@ const Mapping<TracePoint>& trace_point() {
 
 void declare_report(Mapping<MotionDescription>& m) {
   m.key("report",
-        "What each step reports: position, velocity, acceleration, action, power, ratio, "
+        "What each step reports: position, velocity, acceleration, action, reaction, power, ratio, "
         "transmission_angle, mechanical_advantage, dynamics, an actuator, COUPLING.FREEDOM and "
         "COUPLING.ACTION, or columns by their names, NAME/QUANTITY.")
       .may(&MotionDescription::report, one_or_more(column_name()), "[velocity, d.wz]")
@@ -168,6 +168,7 @@ void declare_report(Mapping<MotionDescription>& m) {
       .offer("velocity", "velocities of the freedoms")
       .offer("acceleration", "accelerations of the freedoms")
       .offer("action", "the actions of the couplings")
+      .offer("reaction", "resultant forces of the couplings, with friction and its loss")
       .offer("power", "the powers of the couplings")
       .offer("ratio", "input speed over output speed")
       .offer("transmission_angle", "the angle that tells how well the force drives the output")

@@ -67,6 +67,11 @@ struct CouplingFrictionOf {
 
 using CouplingFriction = CouplingFrictionOf<double>;
 
+/// Whether it is zero at rest, so that nothing jumps where the motion reverses.
+inline bool vanishes_at_rest(const CouplingFriction& friction) {
+  return friction.mu == 0.0 && friction.tau == 0.0 && friction.cables.empty();
+}
+
 /// The couple tau [N·m], which does not depend on the load, at `speed`, the absolute value of the
 /// relative angular velocity [rad/s]. Empty if the expression of the file has no value there, or a
 /// negative one.

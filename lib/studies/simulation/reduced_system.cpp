@@ -286,10 +286,14 @@ void ReducedSystem::add_springs(const std::vector<SpringState>& springs,
 }
 
 double ReducedSystem::uncut_tension(std::size_t spring) const {
+  return uncut_elastic_tension(spring) +
+         mechanism_.springs[spring].damping * springs_[spring].rate - spring_forces_[spring];
+}
+
+double ReducedSystem::uncut_elastic_tension(std::size_t spring) const {
   Spring both = mechanism_.springs[spring];
   both.acts = SpringSense::both;
-  const SpringState& now = springs_[spring];
-  return elastic_tension(both, now.position) + both.damping * now.rate - spring_forces_[spring];
+  return elastic_tension(both, springs_[spring].position);
 }
 
 std::optional<BodyId> ReducedSystem::wrong_rotor() const {

@@ -55,6 +55,10 @@ class ReducedSystem {
   /// What a spring between two points would pull in that state if it acted both ways [N].
   double uncut_tension(std::size_t spring) const;
 
+  /// The same without its damping: at its zero it begins or ceases to store energy, which may be
+  /// after it has ceased to act.
+  double uncut_elastic_tension(std::size_t spring) const;
+
   /// What the rates of a freedom are for unit speeds of all coordinates there.
   VecX direction_of(int freedom) const;
   VecX direction_of(std::span<const SlidingTerm> slides) const;

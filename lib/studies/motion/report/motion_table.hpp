@@ -126,6 +126,7 @@ struct MotionTable {
   std::vector<MotionEvent> events;
   std::vector<ColumnFigures> figures;  ///< parallel to the columns
   bool looks_between_steps = false;    ///< extremes are more than those of steps and dead points
+  std::vector<double> corners;         ///< steps at which values turn sharply or jump
   bool may_lack_dead_points = false;   ///< more would have had to be looked at than is feasible
   std::vector<FrictionTurn> friction_turns;  ///< where actions are reported
   double worst_closure =

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "studies/motion/motion.hpp"
+#include "studies/motion/task/columns/motion_column_choice.hpp"
 #include "studies/motion/task/cycle/find_motion_dynamics.hpp"
-#include "studies/motion/task/motion_column_choice.hpp"
 #include "studies/motion/task/motion_findings.hpp"
 #include "studies/motion/task/motion_table_maker.hpp"
 

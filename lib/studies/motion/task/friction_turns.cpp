@@ -12,23 +12,6 @@ namespace kinestat {
 
 namespace {
 
-Vec3 sliding_of(const Topology& topology, CouplingId id, const CaseAnalysis& one) {
-  Vec3 result = Vec3::Zero();
-  if (one.action && std::ranges::find(one.action->at_rest, id) != one.action->at_rest.end()) {
-    return result;
-  }
-  const CouplingTopology& coupling = topology.coupling(id);
-  const bool has_axis = kind_of(coupling.type).friction != FrictionKind::sliding;
-  Eigen::Index count = 0;
-  for (int i = 0; i < coupling.freedom_count && count < result.size(); ++i) {
-    const auto f = static_cast<std::size_t>(coupling.first_freedom + i);
-    if (has_axis || !topology.freedoms[f].is_rotation) {
-      result[count++] = one.motion->rates[f];
-    }
-  }
-  return result;
-}
-
 class TurnFinder {
  public:
   TurnFinder(const std::vector<FrictionSliding>& sliding, MotionTable& table)
@@ -96,15 +79,37 @@ class TurnFinder {
 
 }  // namespace
 
-FrictionSliding sliding_at(const Mechanism& mechanism, const MotionPosition& position) {
+Vec3 sliding_of(const Topology& topology,
+                CouplingId coupling,
+                std::span<const std::optional<double>> rates) {
+  const CouplingTopology& one = topology.coupling(coupling);
+  const bool has_axis = kind_of(one.type).friction != FrictionKind::sliding;
+  Vec3 result = Vec3::Zero();
+  Eigen::Index count = 0;
+  for (int i = 0; i < one.freedom_count && count < result.size(); ++i) {
+    const auto f = static_cast<std::size_t>(one.first_freedom + i);
+    if (has_axis || !topology.freedoms[f].is_rotation) {
+      result[count++] = rates[f].value_or(0.0);
+    }
+  }
+  return result;
+}
+
+FrictionSliding sliding_at(const Mechanism& mechanism,
+                           const MotionPlan& plan,
+                           const MotionPosition& position) {
   FrictionSliding sliding;
   if (!position.solved || !position.solved->motion || position.solved->motion->rates.empty()) {
     return sliding;
   }
-  sliding.stands =
-      std::ranges::all_of(position.solved->motion->rates, [](double rate) { return rate == 0.0; });
+  sliding.stands = has_drive_at_rest(plan, position);
+  const std::vector<double>& known = position.solved->motion->rates;
+  const std::vector<std::optional<double>> rates(known.begin(), known.end());
+  const std::optional<StaticSolution>& action = position.solved->action;
   for (const CouplingFriction& friction : mechanism.frictions) {
-    sliding.rates.push_back(sliding_of(mechanism.topology, friction.coupling, *position.solved));
+    const CouplingId id = friction.coupling;
+    const bool rests = action && std::ranges::find(action->at_rest, id) != action->at_rest.end();
+    sliding.rates.push_back(rests ? Vec3(Vec3::Zero()) : sliding_of(mechanism.topology, id, rates));
   }
   return sliding;
 }
@@ -114,6 +119,9 @@ void find_friction_turns(const Mechanism& mechanism,
                          MotionTable& table) {
   TurnFinder finder(sliding, table);
   for (std::size_t f = 0; f < mechanism.frictions.size(); ++f) {
+    if (vanishes_at_rest(mechanism.frictions[f])) {
+      continue;
+    }
     const CouplingId id = mechanism.frictions[f].coupling;
     FrictionTurn turn = finder.find(f, mechanism.topology.coupling(id).name);
     if (turn.count > 0) {
@@ -130,13 +138,15 @@ CaseFindings told_of_row(const CaseFindings& said,
   for (const CaseFinding& one : said.items()) {
     if (one.code != "E0606") {
       told.add(one);
-    } else if (sliding.stands && table.duration) {
+    } else if (sliding.stands) {
       told.warning(
           "W0508",
           one.where,
-          fmt::format("case '{}': friction has no direction while the drives rest", table.label),
+          fmt::format("case '{}': friction has no direction while {}",
+                      table.label,
+                      table.drives.size() > 1 ? "a drive rests" : "the drive rests"),
           "at rest it may be anything up to its limit: these rows have no actions; means, RMS and "
-          "energies count none there");
+          "energies leave it out there");
     } else if (row.status != kDeadPointEvent) {
       told.add(one);
     }

@@ -1,6 +1,8 @@
 // Where friction turns round on a motion.
 #pragma once
 
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "cases/case_findings.hpp"
@@ -16,14 +18,21 @@ struct FrictionSliding {
   /// bearing, guide or thread; the velocity along the freedoms that slide of a contact, whose turns
   /// have no friction. Zero where the friction has no direction; empty where no motion is known.
   std::vector<Vec3> rates;
-  bool stands = false;  ///< nothing moves, as where the drives rest
+  bool stands = false;  ///< a drive of a motion in time rests
 };
 
-FrictionSliding sliding_at(const Mechanism& mechanism, const MotionPosition& position);
+FrictionSliding sliding_at(const Mechanism& mechanism,
+                           const MotionPlan& plan,
+                           const MotionPosition& position);
+
+/// The same of one coupling with friction, by the rates of all freedoms [rad/s or m/s].
+Vec3 sliding_of(const Topology& topology,
+                CouplingId coupling,
+                std::span<const std::optional<double>> rates);
 
 /// Adds to the table the couplings that slide one way and then the other, by the sliding of each of
 /// its rows. Rows between are at its dead point, wherever the steps fall; so are the first and the
-/// last row where it rests in that one alone. Where nothing moves there is no dead point.
+/// last row where it rests in that one alone. Where a drive rests there is no dead point.
 void find_friction_turns(const Mechanism& mechanism,
                          const std::vector<FrictionSliding>& sliding,
                          MotionTable& table);

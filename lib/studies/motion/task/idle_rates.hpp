@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "studies/mobility/passive_freedom.hpp"
+#include "studies/motion/task/columns/motion_columns.hpp"
 #include "studies/motion/task/found_motion.hpp"
-#include "studies/motion/task/motion_columns.hpp"
 
 namespace kinestat {
 

@@ -471,6 +471,26 @@ std::vector<int> watched_freedoms(const Mechanism& mechanism, const MotionNetwor
   return watched;
 }
 
+MotionEnd end_of(MotionStatus status) {
+  switch (status) {
+    case MotionStatus::completed:
+      return MotionEnd::complete;
+    case MotionStatus::limit:
+    case MotionStatus::lift_off:
+      return MotionEnd::limited;
+    case MotionStatus::drives_locked:
+      return MotionEnd::drives_locked;
+    case MotionStatus::not_assembled:
+      return MotionEnd::not_assembled;
+    case MotionStatus::singular:
+    case MotionStatus::lost_branch:
+    case MotionStatus::undetermined:
+    case MotionStatus::not_movable:
+      return MotionEnd::lost;
+  }
+  return MotionEnd::lost;
+}
+
 DeadPoints find_dead_points(const Mechanism& mechanism, const FoundMotion& motion) {
   return motion.solution.path ? DeadPointsOnPath(mechanism, motion).run()
                               : DeadPointFinder(mechanism, motion.network, motion.solution).run();

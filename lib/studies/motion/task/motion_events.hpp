@@ -22,6 +22,9 @@ struct DeadPoints {
   bool may_lack_some = false;     ///< there was more to look at than the limit of work allows
 };
 
+/// How a motion ends that was found so.
+MotionEnd end_of(MotionStatus status);
+
 /// Those whose dead points are looked for.
 std::vector<int> watched_freedoms(const Mechanism& mechanism, const MotionNetwork& network);
 

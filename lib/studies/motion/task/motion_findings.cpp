@@ -393,8 +393,8 @@ bool check_report(const MotionPlan& plan,
   const MotionReport& report = plan.report;
   const bool needs_ends = report.ratio || report.transmission_angle || report.mechanical_advantage;
   const bool needs_motion = report.velocity || report.acceleration || report.power || needs_ends;
-  const bool needs_action =
-      report.action || report.power || report.dynamics || !report.actions.empty();
+  const bool needs_action = report.action || report.reaction || report.power || report.dynamics ||
+                            !report.actions.empty();
   if (plan.which < 0) {
     if (!needs_motion && !needs_action) {
       return true;

@@ -182,9 +182,15 @@ void MotionPositions::place(const Configuration& configuration, MotionPosition& 
   }
 }
 
-void MotionPositions::move(const Configuration& configuration, const MotionPosition& position) {
+void MotionPositions::move(const Configuration& configuration, MotionPosition& position) {
   move_mechanism(network_, drawn_, configuration, position.state.poses, mechanism_, moved_);
   moved_.closure_error = std::max(detail_.closure_error, position.state.bounds.place);
+  if (detail_.statics) {
+    for (const ActuatorTopology& actuator : mechanism_.topology.actuators) {
+      const auto action = static_cast<std::size_t>(actuator.action);
+      position.drive_directions.push_back(moved_.geometry.actions[action].force);
+    }
+  }
 }
 
 // A position that closes by least squares has no exact screws, and so no rank of its own: how the
@@ -285,14 +291,33 @@ void MotionPositions::solve_passes(const Configuration& configuration,
 void MotionPositions::solve_at_rest(const Case& which,
                                     const KnownState& known,
                                     MotionPosition& position) {
-  const auto rests = [](const std::optional<double>& rate) { return rate == 0.0; };
   const std::optional<StaticSolution>& action = position.solved->action;
-  if (now_ && action && action->status == SolveStatus::at_rest && position.has_speeds() &&
-      std::ranges::all_of(position.state.rates, rests)) {
-    const std::vector<CouplingFriction> frictions = std::exchange(moved_.frictions, {});
-    position.without_friction = solve_row(moved_, which, known);
-    moved_.frictions = frictions;
+  if (!action || action->status != SolveStatus::at_rest || !has_drive_at_rest(plan_, position)) {
+    return;
   }
+  const auto rests = [&](const CouplingFriction& friction) {
+    return std::ranges::find(action->at_rest, friction.coupling) != action->at_rest.end();
+  };
+  std::vector<CouplingFriction> frictions = moved_.frictions;
+  std::erase_if(moved_.frictions, rests);
+  position.without_friction = solve_row(moved_, which, known);
+  moved_.frictions = std::move(frictions);
+}
+
+MotionPosition MotionPosition::or_without_friction() const {
+  MotionPosition result = *this;
+  if (without_friction) {
+    result.solved = without_friction;
+  }
+  return result;
+}
+
+bool has_drive_at_rest(const MotionPlan& plan, const MotionPosition& position) {
+  const auto rests = [&](const PlannedDrive& drive) {
+    return position.solved->motion->rates[static_cast<std::size_t>(drive.freedom)] == 0.0;
+  };
+  return plan.schedule && position.solved && position.solved->motion &&
+         !position.solved->motion->rates.empty() && std::ranges::any_of(plan.drives, rests);
 }
 
 }  // namespace kinestat

@@ -36,9 +36,14 @@ struct MotionPosition {
   SpeedsKnown speeds = SpeedsKnown::not_by_state;  ///< what the case says of them
   std::optional<CaseAnalysis> solved;              ///< the passes of the case; its motion alone
                                                    ///< where velocities are missing
-  std::optional<CaseAnalysis> without_friction;    ///< of drives at rest, where friction has no
-                                                   ///< direction: what acts if there is none
+  std::optional<CaseAnalysis> without_friction;    ///< where a drive rests and frictions have no
+                                                   ///< direction: what acts without these
   std::optional<double> transmission_angle;        ///< [rad]
+  std::vector<Vec3> drive_directions = {};  ///< of each actuator whose action is solved the unit
+                                            ///< force on the head of its coupling; zero: a couple
+
+  /// The same, with what acts without friction where it has no direction.
+  MotionPosition or_without_friction() const;
 
   /// The state has those of the case.
   bool has_speeds() const { return speeds == SpeedsKnown::all; }
@@ -48,6 +53,9 @@ struct MotionPosition {
 inline bool has_motion(const MotionPosition& position) {
   return position.has_speeds() && !position.state.is_singular;
 }
+
+/// Whether a drive of a motion in time rests there, perhaps while others move.
+bool has_drive_at_rest(const MotionPlan& plan, const MotionPosition& position);
 
 /// What acts with the losses of meshes; null where the mechanism has none, or they lock, or
 /// equilibrium leaves them open.
@@ -81,7 +89,7 @@ class MotionPositions {
   Case case_at(double time) const;
   void hold_known(const Case& which, MotionState& state) const;
   void place(const Configuration& configuration, MotionPosition& position);
-  void move(const Configuration& configuration, const MotionPosition& position);
+  void move(const Configuration& configuration, MotionPosition& position);
   void solve_passes(const Configuration& configuration,
                     const GivenSpeeds& speeds,
                     MotionPosition& position);

@@ -8,13 +8,14 @@
 #include "core/tolerance.hpp"
 #include "mechanism/label_kind.hpp"
 #include "studies/motion/motion.hpp"
+#include "studies/motion/task/columns/motion_column_choice.hpp"
+#include "studies/motion/task/columns/motion_columns.hpp"
 #include "studies/motion/task/drive_counts.hpp"
-#include "studies/motion/task/figures/curve_corners.hpp"
+#include "studies/motion/task/figures/motion_corners.hpp"
+#include "studies/motion/task/figures/speed_poles.hpp"
 #include "studies/motion/task/figures/unbounded_quotients.hpp"
 #include "studies/motion/task/friction_turns.hpp"
 #include "studies/motion/task/idle_rates.hpp"
-#include "studies/motion/task/motion_column_choice.hpp"
-#include "studies/motion/task/motion_columns.hpp"
 #include "studies/motion/task/motion_events.hpp"
 #include "studies/motion/task/position_findings.hpp"
 
@@ -36,26 +37,6 @@ bool is_rate(QuantityKind kind) {
 
 bool is_rate_of_rate(QuantityKind kind) {
   return kind == QuantityKind::angular_acceleration || kind == QuantityKind::acceleration;
-}
-
-MotionEnd end_of(MotionStatus status) {
-  switch (status) {
-    case MotionStatus::completed:
-      return MotionEnd::complete;
-    case MotionStatus::limit:
-    case MotionStatus::lift_off:
-      return MotionEnd::limited;
-    case MotionStatus::drives_locked:
-      return MotionEnd::drives_locked;
-    case MotionStatus::not_assembled:
-      return MotionEnd::not_assembled;
-    case MotionStatus::singular:
-    case MotionStatus::lost_branch:
-    case MotionStatus::undetermined:
-    case MotionStatus::not_movable:
-      return MotionEnd::lost;
-  }
-  return MotionEnd::lost;
 }
 
 class TableMaker {
@@ -241,7 +222,8 @@ class TableMaker {
     row.at_rest = values_at_rest(position, solution_.shares[static_cast<std::size_t>(p)]);
     table_.rows.push_back(std::move(row));
     poles_.look(readings_, position);
-    sliding_.push_back(sliding_at(mechanism_, position));
+    sliding_.push_back(sliding_at(mechanism_, plan_, position));
+    springs_.push_back(position.solved ? position.solved->springs : std::vector<SpringState>());
   }
 
   // A driven freedom stands where its drive does.
@@ -322,12 +304,8 @@ class TableMaker {
   // What acts there without friction, if only its direction is open.
   std::vector<std::optional<double>> values_at_rest(const MotionPosition& position,
                                                     double share) const {
-    if (!position.without_friction) {
-      return {};
-    }
-    MotionPosition at_rest = position;
-    at_rest.solved = at_rest.without_friction;
-    return values_at(at_rest, share, is_any);
+    return position.without_friction ? values_at(position.or_without_friction(), share, is_any)
+                                     : std::vector<std::optional<double>>();
   }
 
   // Extremes of positions lie where a freedom turns back.
@@ -347,7 +325,10 @@ class TableMaker {
 
     std::vector<Placed> placed;
     const DeadPoints dead_points =
-        scope_.dead_points ? find_dead_points(mechanism_, motion_) : DeadPoints{};
+        scope_.dead_points || gives_speed_behind_drives(plan_, mechanism_)
+            ? find_dead_points(mechanism_, motion_)
+            : DeadPoints{};
+    poles_at_ = find_speed_poles(motion_, mechanism_, dead_points.points);
     table_.may_lack_dead_points = dead_points.may_lack_some;
     MotionPositions positions(mechanism_, plan_, motion_.network, motion_.drawn, {});
     for (const DeadPoint& point : dead_points.points) {
@@ -404,14 +385,19 @@ class TableMaker {
     MotionPositions positions(mechanism_, plan_, motion_.network, motion_.drawn, detail_);
     WayBetween way(motion_.network, solution_);
     const std::size_t first = table_.drives.size();
-    const std::vector<FigurePlace> places = find_curve_corners(
-        mechanism_, motion_, detail_, [this](const auto& position, double share) {
-          return FigureValues{.values = values_at(position, share, is_any),
-                              .at_rest = values_at_rest(position, share)};
-        });
+    Corners corners =
+        find_corners(mechanism_,
+                     motion_,
+                     detail_,
+                     {.sliding = sliding_, .springs = springs_, .poles = poles_at_},
+                     [this](const auto& position, double share) {
+                       return FigureValues{.values = values_at(position, share, is_any),
+                                           .at_rest = values_at_rest(position, share)};
+                     });
+    table_.corners = std::move(corners.steps);
     add_figures(
         solution_.shares,
-        places,
+        corners.places,
         climbed,
         [&](std::size_t column, std::size_t row, double share) -> std::optional<double> {
           if (share <= solution_.shares[row]) {
@@ -419,7 +405,8 @@ class TableMaker {
           }
           const auto there = way.follow(
               solution_.configuration_at(static_cast<int>(row)), solution_.shares[row], share);
-          return there ? read(column - first, positions.at(*there, share)) : std::nullopt;
+          return there ? read(column - first, positions.at(*there, share).or_without_friction())
+                       : std::nullopt;
         },
         drive_at,
         share_at,
@@ -480,8 +467,10 @@ class TableMaker {
   std::vector<MotionReading> readings_;
   std::vector<int> driven_;               // of each reading the drive whose position it is, or -1
   std::vector<FrictionSliding> sliding_;  // of each row
-  std::vector<CaseFindings> said_;        // likewise
+  std::vector<std::vector<SpringState>> springs_;  // likewise
+  std::vector<CaseFindings> said_;                 // likewise
   UnboundedQuotients poles_;
+  std::vector<double> poles_at_;  // of speeds
   MotionTable table_;
 };
 

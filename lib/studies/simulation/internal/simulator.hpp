@@ -105,7 +105,10 @@ class Simulator : private StateInTime {
   // The first time in it at which a curve over a position or a speed is at a point, or a spring
   // that acts one way begins or ceases to act.
   std::optional<double> find_turn();
-  std::optional<double> find_spring_turn(std::size_t spring, double from, double to);
+  std::optional<double> find_spring_turn(std::size_t spring,
+                                         double (ReducedSystem::*of)(std::size_t) const,
+                                         double from,
+                                         double to);
 
   // Between a place where it has not happened and one where it has.
   double root(const Happening& what, double low, double high);

@@ -71,13 +71,18 @@ std::optional<double> Simulator::find_turn() {
     first = high;
   }
   for (const std::size_t spring : one_sided_springs_) {
-    const std::optional<double> one = find_spring_turn(spring, from, first.value_or(to));
-    first = one ? one : first;
+    for (const auto of : {&ReducedSystem::uncut_tension, &ReducedSystem::uncut_elastic_tension}) {
+      const std::optional<double> one = find_spring_turn(spring, of, from, first.value_or(to));
+      first = one ? one : first;
+    }
   }
   return first;
 }
 
-std::optional<double> Simulator::find_spring_turn(std::size_t spring, double from, double to) {
+std::optional<double> Simulator::find_spring_turn(std::size_t spring,
+                                                  double (ReducedSystem::*of)(std::size_t) const,
+                                                  double from,
+                                                  double to) {
   std::vector<double> ignored(free_count());
   const auto tension = [&](double time) -> std::optional<double> {
     std::vector<double> y(state_.size());
@@ -85,7 +90,7 @@ std::optional<double> Simulator::find_spring_turn(std::size_t spring, double fro
                                  : integration_->state_at(time, y);
     Configuration there;
     return place(time, y, there) && accelerate(time, there, y, ignored)
-               ? std::optional(system_->uncut_tension(spring))
+               ? std::optional(((*system_).*of)(spring))
                : std::nullopt;
   };
   double low = from;

@@ -124,29 +124,53 @@ class SimulationText {
     return table;
   }
 
-  // Of what the rows have, but for time and energies; what never changes has none.
+  struct Sample {
+    double value = 0.0;  // [SI]
+    double time = 0.0;   // [s]
+  };
+
+  // What the rows have of a column, and the events between them of the freedom whose it is.
+  std::vector<Sample> samples_of(const SimulationColumn& column) const {
+    std::vector<Sample> samples;
+    const auto add = [&](const std::optional<double>& value, double time) {
+      if (value) {
+        samples.push_back({.value = *value, .time = time});
+      }
+    };
+    for (std::size_t r = 0; r < column.values.size(); ++r) {
+      add(column.values[r], v_.solution.rows[r].time);
+    }
+    for (const SimulationEvent& one : v_.solution.events) {
+      if (one.element == column.element && column.quantity == "position") {
+        add(one.position, one.time);
+      } else if (one.element == column.element && column.quantity == "velocity") {
+        add(one.speed, one.time);
+        add(one.speed_after, one.time);
+      }
+    }
+    return samples;
+  }
+
+  // But for time and energies; what never changes has none.
   Table extremes() const {
     const std::string at = fmt::format("at [{}]", units_.text(QuantityKind::time));
-    Table table({"Extremes of the rows", "least", at, "greatest", at});
-    const std::vector<std::optional<double>>& times = columns_.front().values;
+    Table table({"Extremes of rows and events", "least", at, "greatest", at});
     for (const SimulationColumn& column : columns_) {
       if (column.quantity == "time" || column.quantity.starts_with(kEnergyWord)) {
         continue;
       }
-      std::optional<std::size_t> least;
-      std::optional<std::size_t> greatest;
-      for (std::size_t r = 0; r < column.values.size(); ++r) {
-        if (column.values[r]) {
-          least = !least || *column.values[r] < *column.values[*least] ? r : *least;
-          greatest = !greatest || *column.values[r] > *column.values[*greatest] ? r : *greatest;
-        }
+      const std::vector<Sample> samples = samples_of(column);
+      if (samples.empty()) {
+        continue;
       }
-      if (least && *column.values[*least] != *column.values[*greatest]) {
+      const auto least = std::ranges::min_element(samples, {}, &Sample::value);
+      const auto greatest = std::ranges::max_element(samples, {}, &Sample::value);
+      if (least->value != greatest->value) {
         table.add({fmt::format("{} [{}]", column.name(), units_.text(column.kind)),
-                   number(column.kind, *column.values[*least]),
-                   number(QuantityKind::time, *times[*least]),
-                   number(column.kind, *column.values[*greatest]),
-                   number(QuantityKind::time, *times[*greatest])});
+                   number(column.kind, least->value),
+                   number(QuantityKind::time, least->time),
+                   number(column.kind, greatest->value),
+                   number(QuantityKind::time, greatest->time)});
       }
     }
     return table;

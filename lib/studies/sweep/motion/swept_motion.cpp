@@ -9,7 +9,7 @@
 #include "core/utf8.hpp"
 #include "mechanism/check/report_name_check.hpp"
 #include "studies/motion/configuration.hpp"
-#include "studies/motion/task/motion_column_offers.hpp"
+#include "studies/motion/task/columns/motion_column_offers.hpp"
 #include "studies/motion/task/motion_events.hpp"
 #include "studies/motion/task/motion_findings.hpp"
 

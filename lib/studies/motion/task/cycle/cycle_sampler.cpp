@@ -153,6 +153,14 @@ std::optional<LegendrePieces> CycleSampler::find(const CycleReading& reading,
   for (std::size_t i = 0; i <= count; ++i) {
     places.push_back(static_cast<double>(i) / static_cast<double>(count));
   }
+  // At corners and jumps pieces begin and end.
+  for (const double corner : motion_.table.corners) {
+    places.push_back(std::clamp(corner / static_cast<double>(steps), 0.0, 1.0));
+  }
+  std::ranges::sort(places);
+  const auto is_same = [](double a, double b) { return b - a < kFinestCyclePiece; };
+  places.erase(std::ranges::unique(places, is_same).begin(), places.end());
+  places.back() = 1.0;
   return LegendrePieces::find(
       functions,
       places,

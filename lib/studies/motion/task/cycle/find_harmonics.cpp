@@ -8,7 +8,7 @@
 
 #include "core/motion_tolerance.hpp"
 #include "math/numbers/zero_within_bound.hpp"
-#include "studies/motion/task/dynamic_columns.hpp"
+#include "studies/motion/task/columns/dynamic_columns.hpp"
 
 namespace kinestat {
 

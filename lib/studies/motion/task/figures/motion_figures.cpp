@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "core/motion_tolerance.hpp"
@@ -24,6 +25,7 @@ class FigureMaker {
               const std::function<double(double)>& share_at,
               MotionTable& table)
       : shares_(shares),
+        corners_(places),
         climbed_(climbed),
         between_(between),
         drive_at_(drive_at),
@@ -41,7 +43,8 @@ class FigureMaker {
                           .share = place.share,
                           .values = &place.of.values,
                           .at_rest = &place.of.at_rest,
-                          .is_corner = true});
+                          .is_corner = true,
+                          .is_approach = !place.approach.empty()});
     }
     std::ranges::stable_sort(samples_, {}, &Sample::step);
     for (const Sample& sample : samples_) {
@@ -75,6 +78,7 @@ class FigureMaker {
     const std::vector<std::optional<double>>* values = nullptr;
     const std::vector<std::optional<double>>* at_rest = nullptr;
     bool is_corner = false;
+    bool is_approach = false;
 
     std::optional<double> value_at_rest(std::size_t column) const {
       return at_rest->empty() ? std::nullopt : (*at_rest)[column];
@@ -90,6 +94,33 @@ class FigureMaker {
       }
     }
     return found;
+  }
+
+  // Without approaches to places where the column does not jump: steps of one length integrate a
+  // smooth turn far better.
+  std::vector<Sample> samples_of_mean(std::size_t column) const {
+    std::vector<Sample> all = samples_of(column);
+    double largest = 0.0;
+    for (const Sample& one : all) {
+      largest = std::max(largest, std::abs((*one.values)[column].value_or(0.0)));
+    }
+    const auto jumps_between = [&](const Sample& one, const Sample& other) {
+      constexpr double kJump = 1e-4;
+      const std::optional<double>& here = (*one.values)[column];
+      const std::optional<double>& there = (*other.values)[column];
+      return !here || !there || std::abs(*here - *there) > kJump * largest;
+    };
+    std::vector<Sample> kept;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const auto jumps_to = [&](std::size_t other) {
+        return other < all.size() && std::abs(all[other].step - all[i].step) < kSameApproach &&
+               jumps_between(all[i], all[other]);
+      };
+      if (!all[i].is_approach || jumps_to(i - 1) || jumps_to(i + 1)) {
+        kept.push_back(all[i]);
+      }
+    }
+    return kept;
   }
 
   std::optional<ColumnExtreme> extreme(std::size_t column, double sign) {
@@ -164,7 +195,7 @@ class FigureMaker {
       sum += width * measure(from, to);
       size += width * measure(std::abs(from), std::abs(to));
     };
-    const std::vector<Sample> samples = samples_of(column);
+    const std::vector<Sample> samples = samples_of_mean(column);
     for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
       const double width = samples[i + 1].step - samples[i].step;
       if (width <= kSameStep) {
@@ -176,14 +207,18 @@ class FigureMaker {
         add(*low, *high, width);
         continue;
       }
-      if (const auto rests = values_at_rest(column, samples[i], samples[i + 1])) {
-        add(rests->first, rests->second, width);
+      if (!low && !high) {
+        const auto inside = values_inside(column, samples[i], samples[i + 1]);
+        if (!inside) {
+          return std::nullopt;
+        }
+        add(inside->first, inside->first, 0.5 * width);
+        add(inside->second, inside->second, 0.5 * width);
         continue;
       }
       const std::optional<double> value =
-          low    ? value_before(column, samples[i].step, samples[i + 1].step, 0.5)
-          : high ? value_before(column, samples[i + 1].step, samples[i].step, 0.5)
-                 : std::nullopt;
+          low ? value_before(column, samples[i].step, samples[i + 1].step, 0.5)
+              : value_before(column, samples[i + 1].step, samples[i].step, 0.5);
       if (!value) {
         return std::nullopt;
       }
@@ -193,16 +228,23 @@ class FigureMaker {
            static_cast<double>(table_.rows.size() - 1);
   }
 
-  // Of two steps between which the drives rest, where only the direction of friction is open.
-  static std::optional<std::pair<double, double>> values_at_rest(std::size_t column,
-                                                                 const Sample& low,
-                                                                 const Sample& high) {
-    if ((*low.values)[column] || (*high.values)[column]) {
-      return std::nullopt;
-    }
-    const std::optional<double> first = low.value_at_rest(column);
-    const std::optional<double> second = high.value_at_rest(column);
-    return first && second ? std::optional(std::pair(*first, *second)) : std::nullopt;
+  // By what to integrate between two samples that have no value, as friction has no direction
+  // there: at Gauss's two points, or on the straight line where nothing looks between the steps.
+  std::optional<std::pair<double, double>> values_inside(std::size_t column,
+                                                         const Sample& low,
+                                                         const Sample& high) const {
+    constexpr double kFirst = 0.5 - 0.5 * std::numbers::inv_sqrt3;
+    const auto inside = [&](double part) -> std::optional<double> {
+      if (between_) {
+        return value_before(column, low.step, high.step, 1.0 - part);
+      }
+      const std::optional<double> first = low.value_at_rest(column);
+      const std::optional<double> second = high.value_at_rest(column);
+      return first && second ? std::optional(std::lerp(*first, *second, part)) : std::nullopt;
+    };
+    const std::optional<double> first = inside(kFirst);
+    const std::optional<double> second = first ? inside(1.0 - kFirst) : std::nullopt;
+    return second ? std::optional(std::pair(*first, *second)) : std::nullopt;
   }
 
   // So much of the way from a step with a value is left to the end, which has none.
@@ -238,20 +280,25 @@ class FigureMaker {
     return values;
   }
 
+  // Of values with half of the way left each.
+  static void look_at(const std::array<double, 3>& values, Growth& growth) {
+    constexpr double kGrows = 0.1;  // of the value
+    const auto [far, near, nearest] = values;
+    const double last = nearest - near;
+    if (std::abs(last) > std::abs(near - far) && std::abs(last) > kGrows * std::abs(nearest)) {
+      (last > 0.0 ? growth.grows : growth.falls) = true;
+    }
+  }
+
   // They do where each half of what is left of the way adds more than the last, as near to the end
   // as there are values.
   void look_towards(std::size_t column, double from, double end, Growth& growth) const {
-    constexpr double kGrows = 0.1;  // of the value
     for (const double left : {0x1p-20, 0x1p-14, 0x1p-8, 0x1p-2}) {
       const auto values = values_towards(column, from, end, left);
       if (!values) {
         continue;
       }
-      const auto [far, near, nearest] = *values;
-      const double last = nearest - near;
-      if (std::abs(last) > std::abs(near - far) && std::abs(last) > kGrows * std::abs(nearest)) {
-        (last > 0.0 ? growth.grows : growth.falls) = true;
-      }
+      look_at(*values, growth);
       return;
     }
   }
@@ -266,10 +313,18 @@ class FigureMaker {
         look_towards(column, has_this ? here : here + 1.0, has_this ? here + 1.0 : here, growth);
       }
     }
+    for (const FigurePlace& place : corners_) {
+      if (!place.approach.empty() && place.approach[0][column] && place.approach[1][column] &&
+          place.of.values[column]) {
+        look_at({*place.approach[0][column], *place.approach[1][column], *place.of.values[column]},
+                growth);
+      }
+    }
     return growth;
   }
 
   std::span<const double> shares_;
+  std::span<const FigurePlace> corners_;
   const std::vector<std::optional<ClimbedColumn>>& climbed_;
   const BetweenSteps& between_;
   const std::function<double(double)>& drive_at_;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "studies/motion/report/motion_table.hpp"
-#include "studies/motion/task/motion_columns.hpp"
+#include "studies/motion/task/columns/motion_columns.hpp"
 
 namespace kinestat {
 

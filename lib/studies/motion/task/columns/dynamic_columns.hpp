@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/motion/task/motion_columns.hpp"
+#include "studies/motion/task/columns/motion_columns.hpp"
 
 namespace kinestat {
 

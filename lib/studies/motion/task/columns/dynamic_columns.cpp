@@ -1,4 +1,4 @@
-#include "studies/motion/task/dynamic_columns.hpp"
+#include "studies/motion/task/columns/dynamic_columns.hpp"
 
 #include <functional>
 #include <string>

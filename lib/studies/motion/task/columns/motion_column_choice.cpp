@@ -1,4 +1,4 @@
-#include "studies/motion/task/motion_column_choice.hpp"
+#include "studies/motion/task/columns/motion_column_choice.hpp"
 
 #include <algorithm>
 #include <set>
@@ -13,7 +13,7 @@
 #include "core/utf8.hpp"
 #include "mechanism/motion_column_names.hpp"
 #include "studies/motion/configuration.hpp"
-#include "studies/motion/task/motion_column_offers.hpp"
+#include "studies/motion/task/columns/motion_column_offers.hpp"
 #include "studies/motion/task/motion_findings.hpp"
 
 namespace kinestat {

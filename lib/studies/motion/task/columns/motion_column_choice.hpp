@@ -7,7 +7,7 @@
 #include "core/diagnostic.hpp"
 #include "description/mechanism_description.hpp"
 #include "mechanism/motion_plan.hpp"
-#include "studies/motion/task/motion_columns.hpp"
+#include "studies/motion/task/columns/motion_columns.hpp"
 
 namespace kinestat {
 

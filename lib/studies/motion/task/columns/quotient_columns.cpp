@@ -1,4 +1,4 @@
-#include "studies/motion/task/quotient_columns.hpp"
+#include "studies/motion/task/columns/quotient_columns.hpp"
 
 #include <cmath>
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "studies/motion/task/motion_columns.hpp"
+#include "studies/motion/task/columns/motion_columns.hpp"
 
 namespace kinestat {
 

@@ -1,4 +1,4 @@
-#include "studies/motion/task/motion_column_offers.hpp"
+#include "studies/motion/task/columns/motion_column_offers.hpp"
 
 #include <algorithm>
 #include <string>

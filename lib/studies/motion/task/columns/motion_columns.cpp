@@ -1,4 +1,4 @@
-#include "studies/motion/task/motion_columns.hpp"
+#include "studies/motion/task/columns/motion_columns.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,9 +14,10 @@
 #include "math/numbers/zero_within_bound.hpp"
 #include "mechanism/label_kind.hpp"
 #include "mechanism/springs/spring_quantities.hpp"
-#include "studies/motion/task/dynamic_columns.hpp"
-#include "studies/motion/task/motion_column_choice.hpp"
-#include "studies/motion/task/quotient_columns.hpp"
+#include "studies/motion/task/columns/dynamic_columns.hpp"
+#include "studies/motion/task/columns/motion_column_choice.hpp"
+#include "studies/motion/task/columns/quotient_columns.hpp"
+#include "studies/motion/task/columns/reaction_columns.hpp"
 
 namespace kinestat {
 
@@ -78,6 +79,7 @@ class ReadingList {
     add_velocities();
     add_accelerations();
     add_actions();
+    add_reactions();
     add_springs();
     add_powers();
     add_losses();
@@ -310,6 +312,12 @@ class ReadingList {
     }
   }
 
+  void add_reactions() {
+    if (detail_.statics && report().reaction) {
+      std::ranges::move(reaction_readings(units_, mechanism_), std::back_inserter(readings_));
+    }
+  }
+
   void add_springs() {
     for (std::size_t i = 0; report().action && i < mechanism_.springs.size(); ++i) {
       const Spring& spring = mechanism_.springs[i];
@@ -443,8 +451,9 @@ MotionDetail detail_of(const MotionPlan& plan, const Mechanism& mechanism) {
   const bool has_case = plan.which >= 0;
   const bool has_names = !report.freedoms.empty() || !report.actuators.empty();
   const bool has_statics =
-      has_case && (report.action || report.power || report.ratio || report.mechanical_advantage ||
-                   report.dynamics || !report.actions.empty() || !report.actuators.empty());
+      has_case && (report.action || report.reaction || report.power || report.ratio ||
+                   report.mechanical_advantage || report.dynamics || !report.actions.empty() ||
+                   !report.actuators.empty());
   const bool has_inertia =
       has_statics && mechanism.cases[static_cast<std::size_t>(plan.which)].has_inertia();
   return {.velocity = has_speed && (report.velocity || report.acceleration || report.is_default ||

@@ -1,0 +1,158 @@
+#include "studies/motion/task/columns/reaction_columns.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <utility>
+
+#include "couplings/kinds.hpp"
+#include "mechanism/gears/central_hinge.hpp"
+#include "mechanism/gears/planet_load.hpp"
+
+namespace kinestat {
+
+namespace {
+
+const StaticSolution* actions_at(const MotionPosition& at) {
+  return at.solved && at.solved->action && !at.solved->action->wrenches.empty()
+             ? &*at.solved->action
+             : nullptr;
+}
+
+// The force by which the tail of a coupling acts on its head, without that of its actuators.
+std::optional<Vec3> force_of(const Topology& topology, const MotionPosition& at, CouplingId id) {
+  const StaticSolution& action = at.solved->action.value();
+  const std::optional<Wrench>& wrench = action.wrenches[static_cast<std::size_t>(id.value)];
+  if (!wrench) {
+    return std::nullopt;
+  }
+  const CouplingTopology& coupling = topology.coupling(id);
+  Vec3 force = wrench->force;
+  for (int a = coupling.first_action; a < coupling.first_action + coupling.action_count; ++a) {
+    const auto i = static_cast<std::size_t>(a);
+    const int actuator = topology.actions[i].actuator;
+    if (actuator >= 0) {
+      force -= action.magnitudes[i].value_or(0.0) *
+               at.drive_directions[static_cast<std::size_t>(actuator)];
+    }
+  }
+  return force;
+}
+
+// The hinge in a position: its axis is fixed in the tail of its coupling.
+CentralHinge moved_hinge(CentralHinge hinge, BodyId tail, const MotionPosition& at) {
+  hinge.axis = at.state.poses[static_cast<std::size_t>(tail.value)].rotation * hinge.axis;
+  return hinge;
+}
+
+class ReactionReadings {
+ public:
+  ReactionReadings(const FileUnits& units, const Mechanism& mechanism)
+      : units_(units), mechanism_(mechanism), topology_(mechanism.topology) {}
+
+  std::vector<MotionReading> run() {
+    const std::vector<std::optional<CentralHinge>> central = find_central_hinges(mechanism_);
+    for (int e = 0; e < topology_.coupling_count(); ++e) {
+      const CouplingId id{e};
+      if (bears_force(topology_.coupling(id))) {
+        add_force(id, central[static_cast<std::size_t>(e)]);
+      }
+      const auto has_friction = [&](const auto& one) { return one.coupling == id; };
+      if (std::ranges::any_of(mechanism_.frictions, has_friction)) {
+        add_friction(id);
+      }
+    }
+    return std::move(readings_);
+  }
+
+ private:
+  bool bears_force(const CouplingTopology& coupling) const {
+    for (int a = coupling.first_action; a < coupling.first_action + coupling.action_count; ++a) {
+      const ActionLabel& action = topology_.actions[static_cast<std::size_t>(a)];
+      if (!action.is_couple && action.actuator < 0) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void add(CouplingId id,
+           const char* quantity,
+           QuantityKind kind,
+           std::function<std::optional<double>(const MotionPosition&)> value) {
+    readings_.push_back({.column = {.element = topology_.coupling(id).name,
+                                    .quantity = quantity,
+                                    .unit = units_.text(kind)},
+                         .kind = kind,
+                         .value = std::move(value),
+                         .is_size = true});
+  }
+
+  void add_force(CouplingId id, const std::optional<CentralHinge>& hinge) {
+    const BodyId tail = topology_.coupling(id).tail;
+    const double share = most_loaded_share(mechanism_, topology_.coupling(id));
+    add(id,
+        "force",
+        QuantityKind::force,
+        [&topology = topology_, id, hinge, tail, share](
+            const MotionPosition& at) -> std::optional<double> {
+          if (actions_at(at) == nullptr) {
+            return std::nullopt;
+          }
+          const std::optional<CentralHinge> moved =
+              hinge ? std::optional(moved_hinge(*hinge, tail, at)) : std::nullopt;
+          bool is_known = true;
+          const Vec3 bears = borne_force(moved, id, [&](CouplingId other) -> Vec3 {
+            const std::optional<Vec3> force = force_of(topology, at, other);
+            is_known = is_known && force.has_value();
+            return force.value_or(Vec3::Zero());
+          });
+          return is_known ? std::optional(bears.norm() * share) : std::nullopt;
+        });
+  }
+
+  // Its friction in the list of a solved case; that of couplings at rest is not there.
+  static std::optional<std::size_t> find_friction(const MotionPosition& at, CouplingId id) {
+    const StaticSolution* const action = actions_at(at);
+    if (action == nullptr) {
+      return std::nullopt;
+    }
+    const auto found = std::ranges::find_if(action->friction, [&](const FrictionAction& one) {
+      return one.coupling == id && !one.between;
+    });
+    return found == action->friction.end()
+               ? std::nullopt
+               : std::optional(static_cast<std::size_t>(found - action->friction.begin()));
+  }
+
+  void add_friction(CouplingId id) {
+    add(id,
+        "friction",
+        is_couple(kind_of(topology_.coupling(id).type).friction) ? QuantityKind::moment
+                                                                 : QuantityKind::force,
+        [id](const MotionPosition& at) -> std::optional<double> {
+          const auto found = find_friction(at, id);
+          return found ? std::optional(at.solved->action->friction[*found].magnitude)
+                       : std::nullopt;
+        });
+    add(id, "loss", QuantityKind::power, [id](const MotionPosition& at) -> std::optional<double> {
+      const auto found = find_friction(at, id);
+      return found && at.solved->power ? std::optional(-at.solved->power->friction[*found])
+                                       : std::nullopt;
+    });
+  }
+
+  const FileUnits& units_;
+  const Mechanism& mechanism_;
+  const Topology& topology_;
+  std::vector<MotionReading> readings_;
+};
+
+}  // namespace
+
+std::vector<MotionReading> reaction_readings(const FileUnits& units, const Mechanism& mechanism) {
+  return ReactionReadings(units, mechanism).run();
+}
+
+}  // namespace kinestat

@@ -1,0 +1,309 @@
+#include "studies/motion/task/figures/motion_corners.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/motion_tolerance.hpp"
+#include "math/dense/root_search.hpp"
+#include "studies/motion/motion.hpp"
+
+namespace kinestat {
+
+namespace {
+
+constexpr std::size_t kMostCorners = 10000;
+
+class CornerFinder {
+ public:
+  CornerFinder(const Mechanism& mechanism,
+               const FoundMotion& motion,
+               const MotionDetail& detail,
+               const SpecialSteps& special,
+               const ValuesAt& values_at)
+      : mechanism_(mechanism),
+        motion_(motion),
+        special_(special),
+        values_at_(values_at),
+        seeking_(mechanism, motion.plan, motion.network, motion.drawn, seeking_detail(mechanism)),
+        reading_(mechanism, motion.plan, motion.network, motion.drawn, detail),
+        way_(motion.network, motion.solution) {}
+
+  Corners find() {
+    const int count = motion_.solution.position_count();
+    for (const Curve& curve : mechanism_.curves) {
+      std::optional<double> before = count > 0 ? argument(curve, 0.0) : std::nullopt;
+      for (int row = 0; row + 1 < count; ++row) {
+        const std::optional<double> behind = argument(curve, row + 1.0);
+        if (before && behind) {
+          add_corners(curve, row, *before, *behind);
+        }
+        if (steps_.size() > kMostCorners) {
+          return {};
+        }
+        before = behind;
+      }
+    }
+    for (std::size_t i = 0; i < mechanism_.springs.size(); ++i) {
+      add_contacts(i);
+    }
+    Corners found;
+    for (const double step : steps_) {
+      add_place(step, found.places);
+    }
+    add_breaks(found.places);
+    for (const double step : special_steps()) {
+      add_approaches(step, found.places);
+      steps_.push_back(step);
+    }
+    std::ranges::stable_sort(found.places, {}, &FigurePlace::step);
+    std::ranges::sort(steps_);
+    found.steps = std::move(steps_);
+    return found;
+  }
+
+ private:
+  // Speeds are only looked at where a curve is over one.
+  static MotionDetail seeking_detail(const Mechanism& mechanism) {
+    MotionDetail detail;
+    detail.velocity =
+        !mechanism.frictions.empty() || std::ranges::any_of(mechanism.curves, [](const Curve& one) {
+          return one.over == Curve::Over::speed;
+        });
+    return detail;
+  }
+
+  // Empty where the motion cannot be followed to there.
+  std::optional<MotionPosition> position_at(double step,
+                                            MotionPositions& positions,
+                                            std::optional<double> at = {}) {
+    const double row = std::min(std::floor(step), motion_.solution.position_count() - 1.0);
+    const double share = share_at_step(motion_, step);
+    const double begin = motion_.solution.shares[static_cast<std::size_t>(row)];
+    std::optional<Configuration> there = motion_.solution.configuration_at(static_cast<int>(row));
+    if (share > begin) {
+      there = way_.follow(*there, begin, share);
+    }
+    const std::optional<double> time = motion_.plan.schedule
+                                           ? std::optional(at.value_or(step / motion_.plan.steps))
+                                           : std::nullopt;
+    return there ? std::optional(positions.at(*there, share, time)) : std::nullopt;
+  }
+
+  std::optional<double> argument(const Curve& curve, double step) {
+    const std::optional<MotionPosition> position = position_at(step, seeking_);
+    if (!position) {
+      return std::nullopt;
+    }
+    switch (curve.over) {
+      case Curve::Over::time:
+        return position->time;
+      case Curve::Over::position:
+        return position->freedoms[static_cast<std::size_t>(curve.freedom)];
+      case Curve::Over::speed:
+        return position->has_speeds()
+                   ? position->state.rates[static_cast<std::size_t>(curve.freedom)]
+                   : std::nullopt;
+    }
+    return std::nullopt;
+  }
+
+  // At its points between the two arguments.
+  void add_corners(const Curve& curve, int row, double before, double behind) {
+    const auto [low, high] = std::minmax(before, behind);
+    const double first = curve.period ? std::floor((low - curve.at.front()) / *curve.period) : 0.0;
+    for (double turn = first; turn == first || curve.period; ++turn) {
+      const double shift = curve.period ? turn * *curve.period : 0.0;
+      if (curve.at.front() + shift >= high || steps_.size() > kMostCorners) {
+        break;
+      }
+      for (const double point : curve.at) {
+        if (low < point + shift && point + shift < high) {
+          steps_.push_back(step_at(curve, row, point + shift));
+        }
+      }
+    }
+  }
+
+  // Of a spring that acts one way alone.
+  void add_contacts(std::size_t spring) {
+    const auto acts_in = [&](const std::vector<SpringState>& springs) -> std::optional<bool> {
+      return spring < springs.size() ? std::optional(springs[spring].force != 0.0) : std::nullopt;
+    };
+    const bool is_one_sided = mechanism_.springs[spring].acts != SpringSense::both;
+    for (std::size_t row = 0; is_one_sided && row + 1 < special_.springs.size(); ++row) {
+      const std::optional<bool> here = acts_in(special_.springs[row]);
+      const std::optional<bool> next = acts_in(special_.springs[row + 1]);
+      if (!here || !next || *here == *next) {
+        continue;
+      }
+      const auto acts_as_here = [&](double step) {
+        const std::optional<MotionPosition> position = position_at(step, reading_);
+        return position && position->solved && acts_in(position->solved->springs) == here ? 1.0
+                                                                                          : -1.0;
+      };
+      const auto begin = static_cast<double>(row);
+      steps_.push_back(root_between(acts_as_here, begin, begin + 1.0));
+    }
+  }
+
+  double step_at(const Curve& curve, int row, double wanted) {
+    return root_between(
+        [&](double step) {
+          const std::optional<double> found = argument(curve, step);
+          return found ? *found - wanted : std::numeric_limits<double>::quiet_NaN();
+        },
+        row,
+        row + 1.0);
+  }
+
+  void add_place(double step, std::vector<FigurePlace>& corners) {
+    if (const auto position = position_at(step, reading_)) {
+      const double share = share_at_step(motion_, step);
+      corners.push_back({.step = step, .share = share, .of = values_at_(*position, share)});
+    }
+  }
+
+  // Where a law changes its acceleration there are two values, that before and that behind, at one
+  // place.
+  void add_breaks(std::vector<FigurePlace>& corners) {
+    if (!motion_.plan.schedule) {
+      return;
+    }
+    for (const double time : motion_.plan.schedule->breaks()) {
+      const double step = time * motion_.plan.steps;
+      if (step >= motion_.solution.position_count() - 1.0 || corners.size() > kMostCorners) {
+        return;
+      }
+      steps_.push_back(step);
+      const double before = DriveSchedule::before(time);
+      if (const auto position = position_at(step, reading_, before)) {
+        corners.push_back({.step = before * motion_.plan.steps,
+                           .share = motion_.plan.schedule->share_at(before),
+                           .of = values_at_(*position, share_at_step(motion_, step))});
+      }
+      if (step != std::floor(step)) {
+        add_place(step, corners);
+      }
+    }
+  }
+
+  double last_step() const { return motion_.solution.position_count() - 1.0; }
+
+  // Each once, in order; what falls on a row but for rounding is at the row.
+  std::vector<double> special_steps() {
+    std::vector<double> all(special_.poles.begin(), special_.poles.end());
+    bool jumps = false;
+    for (std::size_t f = 0; f < mechanism_.frictions.size(); ++f) {
+      if (!vanishes_at_rest(mechanism_.frictions[f])) {
+        add_friction_turns(f, all);
+        jumps = true;
+      }
+    }
+    if (motion_.plan.schedule && jumps) {
+      all.push_back(0.0);
+      all.push_back(last_step());
+      for (const double time : motion_.plan.schedule->turns()) {
+        all.push_back(std::min(time * motion_.plan.steps, last_step()));
+      }
+    }
+    for (double& step : all) {
+      step = std::abs(step - std::round(step)) < kSameStep ? std::round(step) : step;
+    }
+    std::ranges::sort(all);
+    const auto is_same = [](double a, double b) { return b - a < kSameStep; };
+    all.erase(std::ranges::unique(all, is_same).begin(), all.end());
+    return all;
+  }
+
+  // Of two rows between which it slides one way and then the other, or of a row that it rests in.
+  void add_friction_turns(std::size_t friction, std::vector<double>& steps) {
+    const auto sliding = [&](std::size_t row) {
+      const std::vector<Vec3>& rates = special_.sliding[row].rates;
+      return rates.empty() ? Vec3(Vec3::Zero()) : rates[friction];
+    };
+    for (std::size_t row = 0; row + 1 < special_.sliding.size(); ++row) {
+      const Vec3 here = sliding(row);
+      const Vec3 next = sliding(row + 1);
+      if (here.isZero(0.0) != next.isZero(0.0)) {
+        steps.push_back(static_cast<double>(here.isZero(0.0) ? row : row + 1));
+      } else if (here.dot(next) < 0.0) {
+        steps.push_back(turn_between(friction, here, static_cast<double>(row)));
+      }
+    }
+  }
+
+  double turn_between(std::size_t friction, const Vec3& before, double row) {
+    return root_between(
+        [&](double step) {
+          const std::optional<MotionPosition> position = position_at(step, seeking_);
+          const CouplingId id = mechanism_.frictions[friction].coupling;
+          return position && has_motion(*position)
+                     ? sliding_of(mechanism_.topology, id, position->state.rates).dot(before)
+                     : std::numeric_limits<double>::quiet_NaN();
+        },
+        row,
+        row + 1.0);
+  }
+
+  void add_approaches(double step, std::vector<FigurePlace>& corners) {
+    if (step > 0.0 && step <= last_step()) {
+      add_approach(std::ceil(step) - 1.0, step, corners);
+    }
+    if (step >= 0.0 && step < last_step()) {
+      add_approach(std::floor(step) + 1.0, step, corners);
+    }
+  }
+
+  // As near as there are values, to so much of the way from a row.
+  void add_approach(double row, double step, std::vector<FigurePlace>& corners) {
+    FigurePlace place;
+    for (const double left : {4.0 * kApproach, 2.0 * kApproach, kApproach}) {
+      place.step = std::lerp(step, row, left);
+      place.share = share_at_step(motion_, place.step);
+      const std::optional<MotionPosition> position = position_at(place.step, reading_);
+      if (!position) {
+        return;
+      }
+      place.approach.push_back(std::move(place.of.values));
+      place.of = values_at_(*position, place.share);
+    }
+    place.approach.erase(place.approach.begin());
+    corners.push_back(std::move(place));
+  }
+
+  const Mechanism& mechanism_;
+  const FoundMotion& motion_;
+  const SpecialSteps& special_;
+  const ValuesAt& values_at_;
+  MotionPositions seeking_;
+  MotionPositions reading_;
+  WayBetween way_;
+  std::vector<double> steps_;
+};
+
+}  // namespace
+
+double share_at_step(const FoundMotion& motion, double step) {
+  if (motion.plan.schedule) {
+    return motion.plan.schedule->share_at(step / motion.plan.steps);
+  }
+  const std::vector<double>& shares = motion.solution.shares;
+  const auto row = static_cast<std::size_t>(step);
+  return row + 1 < shares.size() ? std::lerp(shares[row], shares[row + 1], step - std::floor(step))
+                                 : shares.back();
+}
+
+Corners find_corners(const Mechanism& mechanism,
+                     const FoundMotion& motion,
+                     const MotionDetail& detail,
+                     const SpecialSteps& special,
+                     const ValuesAt& values_at) {
+  const bool has_any = !mechanism.curves.empty() || motion.plan.schedule ||
+                       !mechanism.frictions.empty() || !mechanism.springs.empty() ||
+                       !special.poles.empty();
+  return has_any ? CornerFinder(mechanism, motion, detail, special, values_at).find() : Corners{};
+}
+
+}  // namespace kinestat

@@ -1,0 +1,46 @@
+// Where the values of a motion turn sharply or jump: at the points of curves, where the law of a
+// drive changes its acceleration, and where friction turns round.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "studies/motion/task/figures/motion_figures.hpp"
+#include "studies/motion/task/friction_turns.hpp"
+#include "studies/motion/task/motion_position.hpp"
+
+namespace kinestat {
+
+/// The share of the ranges at which a motion is after so many steps, whole or not: in time where it
+/// is a motion in time.
+double share_at_step(const FoundMotion& motion, double step);
+
+/// What columns have at a position, at a share of the ranges.
+using ValuesAt = std::function<FigureValues(const MotionPosition& position, double share)>;
+
+/// What is special between the steps and at them.
+struct SpecialSteps {
+  std::span<const FrictionSliding> sliding;  ///< of each row: where friction turns round it jumps
+  std::span<const std::vector<SpringState>> springs;  ///< of each row: those that act one way alone
+                                                      ///< begin and cease to
+  std::span<const double> poles;  ///< in steps: where speeds may grow without bound
+};
+
+struct Corners {
+  std::vector<FigurePlace> places;
+  std::vector<double> steps;  ///< at which values turn sharply or jump, in order
+};
+
+/// In order: the places between the steps at which a curve of the mechanism, over time, a position
+/// or a speed, is at one of its points; the values before and behind a jump of a drive's
+/// acceleration; where a spring begins or ceases to act; and what is approached from either side
+/// where friction turns round or rests, and at poles. None of a motion that passes more than some
+/// ten thousand.
+Corners find_corners(const Mechanism& mechanism,
+                     const FoundMotion& motion,
+                     const MotionDetail& detail,
+                     const SpecialSteps& special,
+                     const ValuesAt& values_at);
+
+}  // namespace kinestat
