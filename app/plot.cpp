@@ -45,10 +45,10 @@ void add_choices(CLI::App& command, PlotChoice& choice) {
       choice.form,
       "svg, or text for other programs: dot for graphs,\n"
       "gnuplot for charts");
-  with_value(
-      command,
-      command.add_option("-o,--out", choice.path, "file for the picture; default: standard output"),
-      "FILE");
+  with_value(command,
+             command.add_option(
+                 "-o,--out", choice.path, "file for the picture; default: -, standard output"),
+             "FILE");
   add_flag(
       command,
       "--force",
@@ -77,8 +77,9 @@ void add_plot(CLI::App& command, Job& job) {
   add_accuracy(command, options->files.analyse.accuracy);
   add_strict(command, options->files);
   run_when_chosen(command, job, [options] {
-    return plot_file(
-        options->files.paths.front(), options->choice, options->files.analyse, seconds);
+    PlotChoice choice = options->choice;
+    choice.path = choice.path == kStandardOutput ? "" : choice.path;
+    return plot_file(options->files.paths.front(), choice, options->files.analyse, seconds);
   });
 }
 

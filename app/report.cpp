@@ -39,7 +39,17 @@ void open_written(const std::string& page, Outcome& outcome) {
 
 Outcome run_report(const ReportCommand& options) {
   HtmlReportOptions page = options.page;
-  if (page.path.empty() && (options.opens || writes_to_terminal())) {
+  if (page.path == kStandardOutput && options.opens) {
+    Outcome outcome;
+    add_message("E0101",
+                "--open shows a page in a file, and --out - writes it to standard output",
+                "name a file, --out page.html, or leave --open out",
+                outcome);
+    return outcome;
+  }
+  if (page.path == kStandardOutput) {
+    page.path.clear();
+  } else if (page.path.empty() && (options.opens || writes_to_terminal())) {
     page.path = page_beside(options.files.paths);
   }
   Outcome outcome = html_report_of_files(options.files.paths, page, options.files.analyse);
@@ -65,8 +75,9 @@ void add_report(CLI::App& command, Job& job) {
              command.add_option("-o,--out",
                                 options->page.path,
                                 "file for the page, which needs neither a network\n"
-                                "nor other files; default: standard output, or on a\n"
-                                "terminal FILE.html beside the mechanism file"),
+                                "nor other files; - is standard output, which is also\n"
+                                "the default but on a terminal: there it is FILE.html\n"
+                                "beside the mechanism file"),
              "FILE");
   add_flag(
       command, "--open", [options] { options->opens = true; }, "show the page in a browser");

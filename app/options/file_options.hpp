@@ -19,6 +19,9 @@ struct FileOptions {
   AnalyseOptions analyse;
 };
 
+/// What stands for standard output where a file is to be written.
+inline constexpr const char* kStandardOutput = "-";
+
 /// Declares --set and --max-file-size.
 void add_loading(CLI::App& command, LoadOptions& options);
 

@@ -210,9 +210,10 @@ class AffineFit {
                                              std::span<const std::size_t>);
 
   AffineFit(const std::vector<FreeParameter>& parameters,
+            const std::vector<std::vector<double>>& points,
             const std::vector<std::optional<Probe>>& probes,
             std::size_t index)
-      : parameters_(parameters), probes_(probes), index_(index) {}
+      : parameters_(parameters), points_(points), probes_(probes), index_(index) {}
 
   /// Those that depend on a parameter, or do so in another way than affinely. `is_first` says which
   /// of two kinds a magnitude is.
@@ -228,7 +229,7 @@ class AffineFit {
     if (std::ranges::all_of(values, &Magnitudes::has_value)) {
       add_rounding(rounding_at, largest, values);
     }
-    return dependent(values, fit_affine(parameters_, values, largest));
+    return dependent(values, fit_affine(parameters_, points_, values, largest));
   }
 
  private:
@@ -259,9 +260,44 @@ class AffineFit {
   }
 
   const std::vector<FreeParameter>& parameters_;
+  const std::vector<std::vector<double>>& points_;  // parallel to the probes
   const std::vector<std::optional<Probe>>& probes_;
   std::size_t index_;
 };
+
+struct Probes {
+  std::vector<std::vector<double>> points;
+  std::vector<std::optional<Probe>> probes;  // parallel
+};
+
+// Where a parameter cannot have so much more, as a share near one, it is moved the other way or
+// less far, and its step is what it was moved by; a point at which all move comes nearer.
+Probes probe(const Analysis& analysis,
+             const std::vector<Probed>& free,
+             std::vector<FreeParameter>& parameters) {
+  constexpr double kWays[] = {1.0, -0.25, 0.0625, -0.0625};
+  const std::size_t singly = parameters.size() + 1;  // probes at which one is moved, or none
+  std::vector<std::vector<double>> points = affine_probes(parameters);
+  std::vector<std::optional<Probe>> probes = {
+      Probe{.mechanism = analysis.mechanism, .cases = analysis.cases}};
+  for (std::size_t p = 1; p < points.size(); ++p) {
+    points[p] = affine_probes(parameters)[p];
+    const std::vector<double> wanted = points[p];
+    probes.emplace_back();
+    for (const double way : kWays) {
+      for (std::size_t i = 0; i < wanted.size(); ++i) {
+        points[p][i] = points[0][i] + way * (wanted[i] - points[0][i]);
+      }
+      if ((probes[p] = solve_at(analysis.description, free, points[p]))) {
+        break;
+      }
+    }
+    if (probes[p] && p < singly) {
+      parameters[p - 1].step = points[p][p - 1] - points[0][p - 1];
+    }
+  }
+  return {.points = std::move(points), .probes = std::move(probes)};
+}
 
 AffineDependence find_affine_dependence(const Analysis& analysis) {
   AffineDependence result{.parameters = {},
@@ -276,15 +312,10 @@ AffineDependence find_affine_dependence(const Analysis& analysis) {
     result.parameters.push_back(
         {.name = analysis.description.parameters[one.index].name.text, .unit = one.unit});
   }
-  std::vector<std::optional<Probe>> probes;
-  for (const std::vector<double>& values : affine_probes(parameters)) {
-    probes.push_back(probes.empty()
-                         ? Probe{.mechanism = analysis.mechanism, .cases = analysis.cases}
-                         : solve_at(analysis.description, free, values));
-  }
+  const auto [points, probes] = probe(analysis, free, parameters);
   const Topology& topology = analysis.mechanism.topology;
   for (std::size_t c = 0; c < analysis.cases.size(); ++c) {
-    const AffineFit fit(parameters, probes, c);
+    const AffineFit fit(parameters, points, probes, c);
     result.cases[c].rates = fit.run(rates_of, rate_rounding_at, [&](std::size_t f) {
       return topology.freedoms[f].is_rotation;
     });

@@ -17,8 +17,8 @@
 #include "mechanism/bind/bind.hpp"
 #include "ratio_table.hpp"
 #include "studies/motion/motion.hpp"
+#include "studies/motion/task/columns/motion_columns.hpp"
 #include "studies/motion/task/find_motion.hpp"
-#include "studies/motion/task/motion_columns.hpp"
 #ifdef KINESTAT_HAS_SIMBODY
 #include "simbody_rows.hpp"
 #endif

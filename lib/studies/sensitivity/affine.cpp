@@ -99,9 +99,9 @@ std::vector<std::vector<double>> affine_probes(std::span<const FreeParameter> pa
 }
 
 std::vector<std::optional<AffineValue>> fit_affine(std::span<const FreeParameter> parameters,
+                                                   std::span<const std::vector<double>> probes,
                                                    std::span<const Magnitudes> at_probes,
                                                    std::span<const double> scale) {
-  const std::vector<std::vector<double>> probes = affine_probes(parameters);
   KINESTAT_EXPECTS(at_probes.size() == probes.size());
   std::vector<std::optional<AffineValue>> result(scale.size());
   if (!std::ranges::all_of(at_probes, &Magnitudes::has_value)) {

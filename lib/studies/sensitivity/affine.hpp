@@ -35,9 +35,12 @@ std::vector<std::vector<double>> affine_probes(std::span<const FreeParameter> pa
 using Magnitudes = std::optional<std::vector<BoundedNumber>>;
 
 /// The dependence of every magnitude on the parameters, or empty for one that is not affine in them
-/// (to kAffine of its largest term) or has no solution at a probe. `at_probes` is parallel to
-/// affine_probes; `scale` holds, for every magnitude, the size that counts as one of its terms.
+/// (to kAffine of its largest term) or has no solution at a probe. The probes are those of
+/// affine_probes, of which the last, at which all are moved, may be nearer to the first;
+/// `at_probes` is parallel to them; `scale` holds, for every magnitude, the size that counts as one
+/// of its terms.
 std::vector<std::optional<AffineValue>> fit_affine(std::span<const FreeParameter> parameters,
+                                                   std::span<const std::vector<double>> probes,
                                                    std::span<const Magnitudes> at_probes,
                                                    std::span<const double> scale);
 

@@ -1,5 +1,6 @@
 #include "studies/sweep/ranked_row.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <charconv>
 #include <cmath>
@@ -27,12 +28,13 @@ std::uint64_t read_number(const char* head, std::size_t which) {
 
 }  // namespace
 
-double rank_key(double value, RankOrder order) {
+double rank_key(double value, RankOrder order, double terms) {
   constexpr int kBits = 41;
   int exponent = 0;
-  const double mantissa = std::frexp(order == RankOrder::largest ? value : -value, &exponent);
+  std::frexp(std::max(std::abs(value), terms), &exponent);
+  const double better = order == RankOrder::largest ? value : -value;
   // Zero has one sign.
-  return std::ldexp(std::nearbyint(std::ldexp(mantissa, kBits)), exponent - kBits) + 0.0;
+  return std::ldexp(std::nearbyint(std::ldexp(better, kBits - exponent)), exponent - kBits) + 0.0;
 }
 
 bool is_better(const RankKeys& a,

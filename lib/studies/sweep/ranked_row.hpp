@@ -15,8 +15,9 @@ namespace kinestat {
 using RankKeys = std::array<double, kMostCriteria>;
 
 /// The key of a value: without the last twelve or so of its 53 bits, which are rounding, so that
-/// what is the same by the formulas of a mechanism ties.
-double rank_key(double value, RankOrder order);
+/// what is the same by the formulas of a mechanism ties. A difference has the rounding of its
+/// terms, whose size is `terms`.
+double rank_key(double value, RankOrder order, double terms = 0.0);
 
 struct RankedRow {
   RankKeys keys = {};

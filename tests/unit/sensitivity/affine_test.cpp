@@ -28,7 +28,7 @@ std::vector<std::optional<AffineValue>> fit(const std::vector<FreeParameter>& pa
     at_probes.emplace_back(std::move(values));
   }
   const std::vector<double> scale(functions.size(), 1.0);
-  return fit_affine(parameters, at_probes, scale);
+  return fit_affine(parameters, affine_probes(parameters), at_probes, scale);
 }
 
 const std::vector<FreeParameter> kTwo = {{.value = 3.0, .step = 1.0}, {.value = -2.0, .step = 4.0}};
@@ -71,7 +71,7 @@ TEST(Affine, WritesRoundingOfTheParameterAsZero) {
     at_probes.push_back(std::vector<BoundedNumber>{{.value = probe[0]}});
   }
 
-  const auto fits = fit_affine(one, at_probes, std::vector<double>{1.0});
+  const auto fits = fit_affine(one, affine_probes(one), at_probes, std::vector<double>{1.0});
 
   ASSERT_TRUE(fits[0]);
   EXPECT_NEAR(fits[0]->coefficients[0], 1.0, 1e-13);
@@ -87,7 +87,8 @@ TEST(Affine, TellsASmallSlopeFromWhatAMagnitudeMayBeOffBy) {
                                                    {.value = value, .bound = 1e-12}});
   }
 
-  const auto fits = fit_affine(kTwo, at_probes, std::vector<double>{100.0, 100.0});
+  const auto fits =
+      fit_affine(kTwo, affine_probes(kTwo), at_probes, std::vector<double>{100.0, 100.0});
 
   ASSERT_TRUE(fits[0] && fits[1]);
   EXPECT_NEAR(fits[0]->coefficients[0], 1e-13, 1e-27);
@@ -132,7 +133,7 @@ TEST(Affine, KnowsNothingWhereAProbeHasNoSolution) {
                                     std::vector{BoundedNumber{.value = 1.0}});
   at_probes[2].reset();
 
-  EXPECT_FALSE(fit_affine(kTwo, at_probes, std::vector<double>{1.0})[0]);
+  EXPECT_FALSE(fit_affine(kTwo, affine_probes(kTwo), at_probes, std::vector<double>{1.0})[0]);
 }
 
 }  // namespace

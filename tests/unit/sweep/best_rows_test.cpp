@@ -68,6 +68,15 @@ TEST(RankKey, DiffersByMoreThanRoundingAlone) {
   EXPECT_FALSE(std::signbit(rank_key(0.0, RankOrder::smallest)));
 }
 
+TEST(RankKey, HasTheRoundingOfTheTermsOfADifference) {
+  const double rounding = 0.1 + 0.2 - 0.3;
+
+  EXPECT_EQ(rank_key(rounding, RankOrder::smallest, 0.3), 0.0);
+  EXPECT_EQ(rank_key(1e-9 + rounding, RankOrder::largest, 0.3),
+            rank_key(1e-9, RankOrder::largest, 0.3));
+  EXPECT_NE(rank_key(1e-9, RankOrder::largest, 0.3), rank_key(1.01e-9, RankOrder::largest, 0.3));
+}
+
 // By the definition: no other row is nowhere worse, and better somewhere or, as good, before it.
 std::vector<std::uint64_t> front_by_definition(const std::vector<std::vector<double>>& rows,
                                                const std::vector<double>& signs) {

@@ -1,6 +1,7 @@
 #include "studies/sweep/task/row_choice.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <variant>
@@ -82,7 +83,11 @@ class ChoiceSearch {
       refuse(*error);
       return;
     }
-    choice.ranks.push_back({.value = SlotExpression(formula, slot_of()), .order = one.order});
+    const bool has_terms = std::ranges::any_of(formula.nodes(), [](const Node& node) {
+      return node.kind == NodeKind::add || node.kind == NodeKind::subtract;
+    });
+    choice.ranks.push_back(
+        {.value = SlotExpression(formula, slot_of()), .order = one.order, .has_terms = has_terms});
   }
 
  private:
@@ -183,6 +188,21 @@ std::optional<std::size_t> RowJudge::failing_condition(const SweepRow& row) {
              : std::nullopt;
 }
 
+// How large what a criterion adds up is, by what a small share of each name in it changes.
+double RowJudge::terms_of(const Rank& rank, double value) {
+  constexpr double kShare = 0x1p-26;
+  changed_ = scope_.slots();
+  double terms = 0.0;
+  for (const int slot : rank.value.slots()) {
+    Quantity& name = changed_.values[static_cast<std::size_t>(slot)];
+    const double before = std::exchange(name.value, name.value * (1.0 + kShare));
+    const std::optional<Quantity> changed = rank.value.evaluate(changed_, scratch_);
+    terms += changed ? std::abs(changed->value - value) / kShare : 0.0;
+    name.value = before;
+  }
+  return terms;
+}
+
 std::optional<RankKeys> RowJudge::rank() {
   RankKeys keys = {};
   for (std::size_t i = 0; i < choice_.ranks.size(); ++i) {
@@ -191,7 +211,8 @@ std::optional<RankKeys> RowJudge::rank() {
     if (!value) {
       return std::nullopt;
     }
-    keys[i] = rank_key(value->value, rank.order);
+    const double terms = rank.has_terms ? terms_of(rank, value->value) : 0.0;
+    keys[i] = rank_key(value->value, rank.order, terms);
   }
   return keys;
 }

@@ -18,6 +18,7 @@ namespace kinestat {
 struct Rank {
   SlotExpression value;
   RankOrder order = RankOrder::largest;
+  bool has_terms = false;  ///< it adds or subtracts
 };
 
 struct RowChoice {
@@ -52,8 +53,11 @@ class RowJudge {
   std::optional<RankKeys> rank();
 
  private:
+  double terms_of(const Rank& rank, double value);
+
   const RowChoice& choice_;
   RowScope scope_;
+  Slots changed_;
   std::vector<Quantity> scratch_;
 };
 
