@@ -52,11 +52,9 @@ class ReducedSystem {
 
   std::span<const double> held_actions() const { return held_; }
 
-  /// What a spring between two points would pull in that state if it acted both ways [N].
+  /// What a spring between two points would pull in that state if it acted both ways [N], and the
+  /// same without its damping: at its zero it begins or ceases to store energy.
   double uncut_tension(std::size_t spring) const;
-
-  /// The same without its damping: at its zero it begins or ceases to store energy, which may be
-  /// after it has ceased to act.
   double uncut_elastic_tension(std::size_t spring) const;
 
   /// What the rates of a freedom are for unit speeds of all coordinates there.

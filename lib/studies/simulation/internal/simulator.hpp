@@ -101,12 +101,12 @@ class Simulator : private StateInTime {
   void end_by(const Happening& what);
 
   std::optional<Happening> find_first();  // in the last step
-
   // The first time in it at which a curve over a position or a speed is at a point, or a spring
   // that acts one way begins or ceases to act.
   std::optional<double> find_turn();
+  using SpringValue = double (ReducedSystem::*)(std::size_t) const;
   std::optional<double> find_spring_turn(std::size_t spring,
-                                         double (ReducedSystem::*of)(std::size_t) const,
+                                         SpringValue of,
                                          double from,
                                          double to);
 

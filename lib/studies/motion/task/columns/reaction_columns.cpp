@@ -9,6 +9,7 @@
 #include "couplings/kinds.hpp"
 #include "mechanism/gears/central_hinge.hpp"
 #include "mechanism/gears/planet_load.hpp"
+#include "studies/motion/task/friction_turns.hpp"
 
 namespace kinestat {
 
@@ -44,6 +45,16 @@ std::optional<Vec3> force_of(const Topology& topology, const MotionPosition& at,
 CentralHinge moved_hinge(CentralHinge hinge, BodyId tail, const MotionPosition& at) {
   hinge.axis = at.state.poses[static_cast<std::size_t>(tail.value)].rotation * hinge.axis;
   return hinge;
+}
+
+// Whatever its friction, it takes no power there.
+bool rests(const Topology& topology, const MotionPosition& at, CouplingId id) {
+  if (!at.solved || !at.solved->motion || at.solved->motion->rates.empty()) {
+    return false;
+  }
+  const std::vector<double>& known = at.solved->motion->rates;
+  const std::vector<std::optional<double>> rates(known.begin(), known.end());
+  return sliding_of(topology, id, rates).isZero(0.0);
 }
 
 class ReactionReadings {
@@ -136,11 +147,17 @@ class ReactionReadings {
           return found ? std::optional(at.solved->action->friction[*found].magnitude)
                        : std::nullopt;
         });
-    add(id, "loss", QuantityKind::power, [id](const MotionPosition& at) -> std::optional<double> {
-      const auto found = find_friction(at, id);
-      return found && at.solved->power ? std::optional(-at.solved->power->friction[*found])
-                                       : std::nullopt;
-    });
+    add(id,
+        "loss",
+        QuantityKind::power,
+        [id, &topology = topology_](const MotionPosition& at) -> std::optional<double> {
+          if (rests(topology, at, id)) {
+            return 0.0;
+          }
+          const auto found = find_friction(at, id);
+          return found && at.solved->power ? std::optional(-at.solved->power->friction[*found])
+                                           : std::nullopt;
+        });
   }
 
   const FileUnits& units_;
