@@ -55,6 +55,7 @@ DECISIONS = {
     "lib/studies/motion/lanes/lane_dead_point_search.cpp": "search: rates so slow that the whole motion decides",
     "lib/studies/motion/report/motion_text.cpp": "words: a range whose ends are the same number is constant",
     "lib/studies/motion/task/motion_events.cpp": "search: rates so slow that their bounds are asked for",
+    "lib/studies/motion/task/figures/motion_figures.cpp": "search: whether a column jumps at a place",
     "lib/studies/motion/task/idle_rates.cpp": "rank: what a passive freedom moves",
     "lib/studies/sweep/task/state_solver.cpp": "comparison of two ways to the same state",
     "lib/studies/sweep/task/tape_solver.cpp": "search: states whose output may rest are analysed whole",

@@ -442,6 +442,7 @@ CaseFindings find_case_findings(const JudgedFile& file,
   }
   if (one.action) {
     add_action_value_findings(file, one, found);
+    add_tooth_findings(file, one, found);
   }
   add_power_findings(file, one, found);
   if (const ShiftState* state = find_state(file, one)) {

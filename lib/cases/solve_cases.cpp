@@ -205,8 +205,9 @@ LoadedFlanks solve_on_flanks(const Mechanism& drawn,
 }
 
 // Torques decide on the flanks wherever equilibrium does, and the second answer is the last; it may
-// take more where bearings have friction. Friction under which no flanks fit their forces lets
-// nothing move.
+// take more where bearings have friction, or where wheels are not held by hinges. Friction under
+// which no flanks fit their forces lets nothing move; without it the case is that of the flanks as
+// drawn, of which the findings say that they do not fit.
 LoadedFlanks solve_on_loaded_flanks(const Mechanism& drawn,
                                     const Bases& bases,
                                     const Case& which,
@@ -223,6 +224,10 @@ LoadedFlanks solve_on_loaded_flanks(const Mechanism& drawn,
   }
   const bool fits = result.action.magnitudes.empty() || most_rounds == 0 ||
                     find_coast_flanks(drawn.geometry, result) == result.turned;
+  const bool loses_answer = !result.turned.empty() && result.action.magnitudes.empty();
+  if ((!fits || loses_answer) && drawn.frictions.empty()) {
+    return solve_on_flanks(drawn, bases, which, accuracy, motion, {});
+  }
   if (!fits) {
     result.action.status = SolveStatus::locked_by_friction;
     result.action.magnitudes.clear();

@@ -81,6 +81,9 @@ inline constexpr double kSameStep = 1e-9;
 inline constexpr double kApproach = 0x1p-20;
 inline constexpr double kSameApproach = 2.5 * kApproach;
 
+/// By so much of its largest value a column differs there, or does not jump.
+inline constexpr double kJump = 1e-4;
+
 /// Drives that part by less from a straight line run along it [rad, or shares of the size]: what
 /// happens on it happens on their way.
 inline constexpr double kStraightWay = 1e-13;

@@ -28,6 +28,7 @@ enum class CouplingKey {
   contact,
   line_of_action,
   screw,
+  flank,
   from,
   to,
   freedoms,

@@ -27,6 +27,7 @@ constexpr auto kKeysOfGear = std::to_array<KindKey>({
     {CouplingKey::contact},
     {CouplingKey::line_of_action,
      "The direction of the force of the tail on the head, instead of tangent and pressure angle."},
+    {CouplingKey::flank},
 });
 
 // Teeth: rolling, or the relative screw that is given; their contact is a point contact.
@@ -59,6 +60,7 @@ constexpr auto kKeysOfTeeth = std::to_array<KindKey>({
     {CouplingKey::turning_axis},
     {CouplingKey::line_of_action},
     {CouplingKey::screw},
+    {CouplingKey::flank},
 });
 
 constexpr auto kNamesOfBevelGear = std::to_array<std::string_view>({"bevel"});

@@ -10,6 +10,7 @@
 
 #include "description/cable_description.hpp"
 #include "description/converter_description.hpp"
+#include "description/flank.hpp"
 #include "description/friction_description.hpp"
 #include "description/screw_description.hpp"
 #include "description/value.hpp"
@@ -94,7 +95,8 @@ struct CouplingDescription {
   std::optional<Value> normal_pressure_angle;     ///< of a mesh of `gears`, instead
   std::optional<Value> helix_angle;               ///< of a gear
   bool internal = false;                          ///< of a gear: one of the two is a ring
-  bool contact = false;  ///< of a gear: the contact of the teeth instead of a rolling pair
+  bool contact = false;         ///< of a gear: the contact of the teeth instead of a rolling pair
+  Flank flank = Flank::loaded;  ///< of teeth; of a mesh `gears` says it
   std::shared_ptr<const ScrewDescription> screw;  ///< relative motion of a bevel gear, worm, rack
   std::optional<PointDescription> from;           ///< of a cable: its end on the tail
   std::optional<PointDescription> to;             ///< of a cable: its end on the head

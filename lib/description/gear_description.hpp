@@ -5,12 +5,10 @@
 #include <string_view>
 #include <vector>
 
+#include "description/flank.hpp"
 #include "description/value.hpp"
 
 namespace kinestat {
-
-/// Which flank carries: that on which the load presses, or always the same as in the source.
-enum class Flank { loaded, fixed };
 
 /// Which of two triangles a further axis stands on, seen from its neighbour.
 enum class PlanetSide { left, right };

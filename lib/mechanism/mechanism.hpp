@@ -14,6 +14,7 @@
 #include "mechanism/couplings/coupling_friction.hpp"
 #include "mechanism/curves/curve.hpp"
 #include "mechanism/gears/lossy_mesh.hpp"
+#include "mechanism/gears/tooth_flanks.hpp"
 #include "mechanism/geometry.hpp"
 #include "mechanism/inertia/body_mass.hpp"
 #include "mechanism/springs/spring.hpp"
@@ -29,6 +30,9 @@ struct Mechanism {
   Geometry geometry;
   std::vector<CouplingFriction> frictions;  ///< of the couplings that have friction
   std::vector<CableContact> contacts;       ///< of cables with pulleys
+  std::vector<ToothRule> tooth_rules;       ///< of teeth that the file writes as couplings
+  std::vector<int> one_flanked;             ///< actions: forces of teeth of which the file does not
+                                            ///< say where the flank is that another load presses
   std::vector<LossyMesh> lossy_meshes;
   LossModel loss_model = LossModel::carrier;  ///< the model whose efficiency is preferred
   CouplingGraph graph;

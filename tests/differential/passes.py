@@ -13,7 +13,8 @@ CASE = "case"
 
 # Findings on a solved state: each must come from every pass that sees the state.
 JUDGEMENTS = {"E0501", "E0502", "E0503", "E0601", "E0602", "E0603", "E0604", "E0606", "E0701",
-              "W0601", "W0602", "W0603", "W0604", "W0605", "W0606", "W0607", "W0701", "W0702"}
+              "W0601", "W0602", "W0603", "W0604", "W0605", "W0606", "W0607", "W0610",
+              "W0701", "W0702"}
 
 
 @dataclass

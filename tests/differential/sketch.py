@@ -173,6 +173,8 @@ class Coupling:
             if not isinstance(axis, str):
                 axis = vector([Fraction(x) for x in axis], self.is_planar)
             parts.append(f"{key}: {axis}")
+        if self.type == "gear":
+            parts.append("flank: fixed")  # the exact network has one line of action
         return f"  {self.name}: {{{', '.join(parts)}}}"
 
 

@@ -85,7 +85,8 @@ std::string line_of(const NetworkCoupling& coupling, Space space) {
     }
     line += fmt::format(", passive: [{}]", fmt::join(kept, ", "));
   }
-  return line + "}\n";
+  // A line of action at random has no other flank that were the same in a reversed coupling.
+  return line + (has_teeth(coupling.type) ? ", flank: fixed}\n" : "}\n");
 }
 
 std::string line_of(const NetworkActuator& actuator, const NetworkCoupling& coupling) {

@@ -302,6 +302,18 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "values for the two directions of motion, and the report has the one without loss, which lies "
      "between them. To start from rest takes the larger of the two. Give the drive a very small "
      "speed in the direction of the coming motion to get it."},
+    {"W0610",
+     done,
+     "other flank of teeth is not known",
+     "Teeth only push. Under a load of the other sense they press with their other flank, whose "
+     "line of action is mirrored in the common pitch plane. The program finds this plane from the "
+     "'tangent' of a gear, or from the axes about which the two bodies turn, their revolutes, "
+     "cylindrical couplings, clutches and brakes, and the guide of a rack. Here there are none, or "
+     "they do not agree with the motion of the teeth, the teeth are only a contact ('contact: "
+     "true'), or their force changes its sense with the flank. The case has the line of action of "
+     "the file with a negative force, so that the two bodies pull on each other: torques are "
+     "right, the forces that part the bodies have the wrong sense. Write 'flank: fixed' for teeth "
+     "whose line of action holds for both loads."},
     {"W0701",
      done,
      "loss of a mesh is not known",

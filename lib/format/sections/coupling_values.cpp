@@ -226,6 +226,12 @@ Form<std::vector<PointOfBody>> points_of_bodies() {
   return form;
 }
 
+Form<Flank> flank_of_teeth() {
+  return choice_of<Flank>(
+      {{"loaded", "in each case the one on which the torque presses, as with real teeth"},
+       {"fixed", "always the same one, as in sources with one line of action"}});
+}
+
 bool is_pair(const YamlNode& node) {
   return node.kind == YamlKind::sequence && node.items.size() == 2;
 }

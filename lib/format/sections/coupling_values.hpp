@@ -24,6 +24,9 @@ Form<std::vector<Name>> coupling_ends();
 /// Exactly two; a radius that is not there is that of a flat body.
 Form<std::vector<std::optional<Value>>> contact_radii();
 
+/// Which flank of teeth carries their load.
+Form<Flank> flank_of_teeth();
+
 /// A rotation or a translation.
 Form<ScrewDescription> motion_screw();
 Form<std::vector<ScrewDescription>> motion_screws();

@@ -150,6 +150,19 @@ constexpr auto kRows = std::to_array<KeyRow>({
        key.may(&Coupling::screw,
                [] { return called(motion_screw(), "the relative screw of {0}"); });
      }},
+    {CouplingKey::flank,
+     "flank",
+     "Which flank carries the load. With the other one the line of action is mirrored in the "
+     "common "
+     "pitch plane at 'at', which follows from the tangent, or from the axes about which revolutes, "
+     "clutches and the like let the two bodies turn, or the guide of a rack.",
+     [](Key key) {
+       key.may(
+              &Coupling::flank,
+              [] { return called(flank_of_teeth(), "the flank of {0}"); },
+              "fixed")
+           .usual("loaded");
+     }},
     {CouplingKey::from,
      "from",
      "Where the cable leaves the tail, in the drawn position.",

@@ -1,4 +1,5 @@
 // The section `gears`.
+#include "format/sections/coupling_values.hpp"
 #include "format/sections/sections.hpp"
 #include "forms/number_forms.hpp"
 #include "forms/value_forms.hpp"
@@ -147,11 +148,7 @@ void declare_teeth(Mapping<GearsDescription>& m) {
       .may(&GearsDescription::helix_angle, angle(), "15 deg")
       .usual("0");
   m.key("flank", "Which flank carries the load.")
-      .may(&GearsDescription::flank,
-           choice_of<Flank>(
-               {{"loaded", "in each case the one on which the torque presses, as with real teeth"},
-                {"fixed", "always the same one, as in sources with one line of action"}}),
-           "fixed")
+      .may(&GearsDescription::flank, flank_of_teeth(), "fixed")
       .usual("loaded");
 }
 

@@ -56,6 +56,7 @@ class DerivativeBinder {
       add_coupling(e, std::move(drawn), result);
       has_point.push_back(has_place(coupling));
     }
+    rebinder_.complete(geometry);
     geometry.references = bind_reference_points<Dual>(
         description_, has_point, mechanism_.topology, geometry, evaluator_);
     drop_rounding(geometry, result.parameter_count);

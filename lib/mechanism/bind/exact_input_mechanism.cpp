@@ -42,6 +42,7 @@ std::optional<ExactInputMechanism> bind_exact_input(const MechanismDescription& 
   for (std::size_t e = 0; e < description.couplings.size(); ++e) {
     (void)rebinder.add_coupling(e, rebinder.drawn(description.couplings[e]), geometry);
   }
+  rebinder.complete(geometry);
   ExactInputMechanism result;
   for (const TwistOf<ExactInput>& motion : geometry.motions) {
     result.motions.push_back(exact_input_screw(motion));

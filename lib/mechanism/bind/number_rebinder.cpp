@@ -6,6 +6,7 @@
 
 #include "core/contract.hpp"
 #include "couplings/coupling_catalogue.hpp"
+#include "mechanism/bind/tooth_rules.hpp"
 #include "mechanism/check/expect.hpp"
 #include "mechanism/gears/planet_weight.hpp"
 #include "mechanism/label_kind.hpp"
@@ -38,13 +39,21 @@ CouplingScrewsOf<Scalar> NumberRebinder<Scalar>::add_coupling(std::size_t e,
   for (int a = topology.first_action; a < topology.first_action + topology.action_count; ++a) {
     add_action(a, topology, screws, constraints, geometry.at, result);
   }
-  if (geometry.other_flank) {
+  const bool bears =
+      topology.action_count > 0 &&
+      mechanism_.topology.actions[static_cast<std::size_t>(topology.first_action)].actuator < 0;
+  if (geometry.other_flank && bears) {
     geometry.line_of_action = *geometry.other_flank;
     const auto other = coupling_screws<Scalar>(coupling.type, flank_space(), geometry);
     result.other_flanks.push_back(
         {.action = topology.first_action, .screw = other.constraints.front().screw});
   }
   return screws;
+}
+
+template <class Scalar>
+void NumberRebinder<Scalar>::complete(GeometryOf<Scalar>& result) const {
+  complete_flanks<Scalar>(mechanism_.tooth_rules, mechanism_.topology, result);
 }
 
 template <class Scalar>

@@ -45,6 +45,9 @@ class NumberRebinder {
                                         CouplingGeometryOf<Scalar> geometry,
                                         GeometryOf<Scalar>& result) const;
 
+  /// Completes a geometry to which all couplings were added.
+  void complete(GeometryOf<Scalar>& result) const;
+
   CaseNumbersOf<Scalar> bind_case(const CaseDescription& description, const Case& bound);
 
  private:

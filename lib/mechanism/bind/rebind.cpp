@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "core/contract.hpp"
+#include "core/index.hpp"
 #include "core/tolerance.hpp"
 #include "couplings/coupling_catalogue.hpp"
 #include "couplings/kinds.hpp"
@@ -103,6 +104,17 @@ bool has_more_than_couplings(const MechanismDescription& description, const Mech
          std::ranges::any_of(description.couplings, may_rub);
 }
 
+// Whether complete_flanks puts the other flank of a coupling first.
+bool is_other_first(const Mechanism& mechanism,
+                    std::size_t coupling,
+                    const CouplingGeometry& drawn) {
+  const CouplingId id{static_cast<int>(coupling)};
+  const auto rule = std::ranges::find(mechanism.tooth_rules, id, &ToothRule::coupling);
+  return rule != mechanism.tooth_rules.end() && rule->has_other &&
+         is_pulling(
+             *rule, mechanism.topology, mechanism.geometry.motions, drawn.at, drawn.line_of_action);
+}
+
 // Whether every screw of a coupling is a line through its point, or has no line: then a point that
 // moves takes them along, and nothing else of the coupling changes.
 bool has_lines_through(const Topology& topology,
@@ -160,7 +172,17 @@ bool Rebinder::add_couplings(const Mechanism& mechanism, const std::vector<bool>
       return false;
     }
   }
-  return find_extent(points_).origin.isZero(0.0);
+  const bool keeps_flanks = std::ranges::none_of(
+      mechanism.tooth_rules, [&](const ToothRule& rule) { return !rule.has_other && moves(rule); });
+  return keeps_flanks && find_extent(points_).origin.isZero(0.0);
+}
+
+// Whether it may tell another flank.
+bool Rebinder::moves(const ToothRule& rule) const {
+  const auto moves = [&](int freedom) {
+    return freedom >= 0 && moves_[at(mechanism_->topology.freedoms[at(freedom)].coupling.value)];
+  };
+  return moves_[at(rule.coupling.value)] || moves(rule.tail) || moves(rule.head);
 }
 
 bool Rebinder::add_coupling(std::size_t e,
@@ -179,7 +201,10 @@ bool Rebinder::add_coupling(std::size_t e,
   const auto drawn =
       bind_geometry<double>(coupling, description_->space, frame(), evaluator, found);
   KINESTAT_EXPECTS(drawn.has_value());
-  const int flank = drawn->other_flank ? flanks_++ : -1;
+  const auto& flanks = mechanism.geometry.other_flanks;
+  const int force = mechanism.topology.couplings[e].first_action;
+  const auto other = std::ranges::find(flanks, force, &OtherFlankOf<double>::action);
+  const bool has_flank = drawn->other_flank && other != flanks.end();
   const std::optional<std::size_t> point =
       has_place(coupling) ? std::optional(points_.size()) : std::nullopt;
   add_points(coupling, *drawn, points_);
@@ -204,16 +229,20 @@ bool Rebinder::add_coupling(std::size_t e,
                         .is_bound_whole = shape_varies,
                         .is_in_gears = is_in_gears,
                         .gear_axis = gear_axis,
-                        .flank = flank,
+                        .flank = has_flank ? static_cast<int>(other - flanks.begin()) : -1,
+                        .is_other_first = is_other_first(mechanism, e, *drawn),
                         .point = point};
   if (coupling.is_mesh()) {
     moving.tangent = gears_->frame().layout.meshes[static_cast<std::size_t>(coupling.mesh)].tangent;
   } else if (!gear_axis) {
     add_numbers(coupling, varies, moving);
   }
+  if (moving.is_other_first) {
+    std::swap(moving.drawn.line_of_action, *moving.drawn.other_flank);
+  }
   add_constraints(coupling, moving);
   moving.is_through_point =
-      !shape_varies && has_lines_through(*topology_, e, mechanism.geometry, drawn->at);
+      !shape_varies && has_lines_through(mechanism_->topology, e, mechanism.geometry, drawn->at);
   moves_[e] = true;
   turns_[e] = shape_varies || coupling.is_mesh();
   moving_.push_back(std::move(moving));
@@ -255,9 +284,9 @@ void Rebinder::add_constraints(const CouplingDescription& coupling, MovingCoupli
   const CouplingScrews screws = coupling_screws(
       coupling.type, moving.is_in_space ? Space::spatial : description_->space, moving.drawn);
   const CouplingTopology& topology =
-      topology_->couplings[static_cast<std::size_t>(moving.coupling)];
+      mechanism_->topology.couplings[static_cast<std::size_t>(moving.coupling)];
   for (int a = topology.first_action; a < topology.first_action + topology.action_count; ++a) {
-    const ActionLabel& label = topology_->actions[static_cast<std::size_t>(a)];
+    const ActionLabel& label = mechanism_->topology.actions[static_cast<std::size_t>(a)];
     const auto at = std::ranges::find(screws.constraints, label.name, &NamedWrench::name);
     KINESTAT_EXPECTS(label.actuator >= 0 || at != screws.constraints.end());
     moving.constraints.push_back(
@@ -276,7 +305,7 @@ void Rebinder::add_primaries(const Mechanism& mechanism, const std::vector<bool>
         primaries_.push_back({.which = c,
                               .is_motion = true,
                               .primary = i,
-                              .kind = kind_of(topology_->freedoms[f]),
+                              .kind = kind_of(mechanism_->topology.freedoms[f]),
                               .value = SlotExpression(one.motions[i].value.expression, slot_of)});
       }
     }
@@ -286,7 +315,7 @@ void Rebinder::add_primaries(const Mechanism& mechanism, const std::vector<bool>
         primaries_.push_back({.which = c,
                               .is_motion = false,
                               .primary = i,
-                              .kind = kind_of(topology_->actions[a]),
+                              .kind = kind_of(mechanism_->topology.actions[a]),
                               .value = SlotExpression(one.actions[i].value.expression, slot_of)});
       }
     }
@@ -316,7 +345,15 @@ bool Rebinder::rebind_geometry(const Slots& slots, Geometry& geometry) {
     const bool goes_along = moving.is_through_point && !moving.has_turned;
     goes_along ? move_lines(moving, geometry) : write_screws(moving, geometry);
   }
-  return true;
+  return std::ranges::none_of(mechanism_->tooth_rules, [&](const ToothRule& rule) {
+    const auto moving = std::ranges::find(moving_, rule.coupling.value, &MovingCoupling::coupling);
+    const Vec3& point =
+        moving != moving_.end()
+            ? moving->drawn.at
+            : mechanism_->geometry.points[static_cast<std::size_t>(rule.coupling.value)];
+    const Vec3& line = geometry.actions[static_cast<std::size_t>(rule.action)].force;
+    return moves(rule) && is_pulling(rule, mechanism_->topology, geometry.motions, point, line);
+  });
 }
 
 // The lines of teeth go on through a pitch point that moves along; where the tangent turns with the
@@ -380,12 +417,15 @@ bool Rebinder::bind_whole(const Slots& slots, MovingCoupling& moving) {
     return false;
   }
   moving.drawn = *drawn;
+  if (moving.is_other_first) {
+    std::swap(moving.drawn.line_of_action, *moving.drawn.other_flank);
+  }
   return true;
 }
 
 void Rebinder::write_screws(const MovingCoupling& moving, Geometry& geometry) const {
   const CouplingTopology& topology =
-      topology_->couplings[static_cast<std::size_t>(moving.coupling)];
+      mechanism_->topology.couplings[static_cast<std::size_t>(moving.coupling)];
   const CouplingGeometry& drawn = moving.drawn;
   const CouplingScrews screws = coupling_screws(topology.type, description_->space, drawn);
   const CouplingScrews in_space =
@@ -401,9 +441,9 @@ void Rebinder::write_screws(const MovingCoupling& moving, Geometry& geometry) co
       geometry.actions[action] = constraints[static_cast<std::size_t>(moving.constraints[a])].screw;
       continue;
     }
-    const auto actuator = static_cast<std::size_t>(topology_->actions[action].actuator);
-    const auto freedom =
-        static_cast<std::size_t>(topology_->actuators[actuator].freedom - topology.first_freedom);
+    const auto actuator = static_cast<std::size_t>(mechanism_->topology.actions[action].actuator);
+    const auto freedom = static_cast<std::size_t>(mechanism_->topology.actuators[actuator].freedom -
+                                                  topology.first_freedom);
     geometry.actions[action] = internal_action<double>(screws.freedoms[freedom], drawn.at).screw;
   }
   if (moving.flank >= 0) {
@@ -413,7 +453,7 @@ void Rebinder::write_screws(const MovingCoupling& moving, Geometry& geometry) co
 
 void Rebinder::move_lines(const MovingCoupling& moving, Geometry& geometry) const {
   const CouplingTopology& topology =
-      topology_->couplings[static_cast<std::size_t>(moving.coupling)];
+      mechanism_->topology.couplings[static_cast<std::size_t>(moving.coupling)];
   const Vec3& point = moving.drawn.at;
   for (int f = topology.first_freedom; f < topology.first_freedom + topology.freedom_count; ++f) {
     Twist& twist = geometry.motions[static_cast<std::size_t>(f)];
@@ -437,7 +477,7 @@ void Rebinder::write_flank(const MovingCoupling& moving, Geometry& geometry) con
   CouplingGeometry drawn = moving.drawn;
   drawn.line_of_action = *drawn.other_flank;
   const CouplingTopology& topology =
-      topology_->couplings[static_cast<std::size_t>(moving.coupling)];
+      mechanism_->topology.couplings[static_cast<std::size_t>(moving.coupling)];
   const Space space = moving.is_in_space ? Space::spatial : description_->space;
   geometry.other_flanks[static_cast<std::size_t>(moving.flank)].screw =
       coupling_screws(topology.type, space, drawn).constraints.front().screw;

@@ -22,6 +22,7 @@ using TapedScrew = std::array<TapeNumber, 6>;
 struct TapedScrews {
   std::vector<TapedScrew> motions;
   std::vector<TapedScrew> actions;
+  std::vector<TapedScrew> flanks;  ///< the other ones
 };
 
 /// The values of the primaries of a case on a tape, parallel to the lists of the Case. A value that
@@ -33,15 +34,13 @@ struct TapedPrimaries {
 
 /// How a tape checks that the world origin is near enough, in units of the mechanism, for screws.
 enum class NearOrigin {
-  by_fixed_points,  ///< with the size of the points that do not move: cheap, but a lane in which a
-                    ///< point moves too far has no answer
+  by_fixed_points,  ///< that do not move: cheap, but a lane whose points go far has no answer
   by_all_points     ///< with the size of all points
 };
 
 /// Binds a mechanism again for other values of its parameters. It evaluates only what depends on
-/// those that vary, with the same functions as bind and hence the same bits. It can do so if only
-/// couplings and primaries depend on them, near the origin of the world; other mechanisms must be
-/// bound anew. Each thread needs its own.
+/// those that vary, with the functions of bind and hence the same bits. It can if only couplings
+/// and primaries depend on them, near the origin of the world. Each thread needs its own.
 class Rebinder {
  public:
   /// `mechanism` must be what bind made of the description, which must outlive the result. `varies`
@@ -51,10 +50,9 @@ class Rebinder {
                                       const Mechanism& mechanism,
                                       const std::vector<bool>& varies);
 
-  /// For each coupling: whether its numbers may change.
+  /// For each coupling: whether its numbers may change, and whether directions of its screws may.
   const std::vector<bool>& moves() const { return moves_; }
 
-  /// For each coupling: whether the directions of its screws may change, too.
   const std::vector<bool>& turns() const { return turns_; }
 
   /// Sets the unit motions, the unit actions and the other flanks to these parameters. The points,
@@ -62,7 +60,7 @@ class Rebinder {
   /// if the mechanism is too far from the origin of the world.
   bool rebind_geometry(const Slots& slots, Geometry& geometry);
 
-  /// Sets the primaries of the cases, which must be in the order of the description.
+  /// Sets the primaries of the cases, in the order of the description.
   bool rebind_cases(const Slots& slots, std::span<Case> cases);
 
   /// Records on a tape what rebind_geometry does; `slots` are the parameters on the tape. The bits
@@ -89,17 +87,18 @@ class Rebinder {
 
   struct MovingCoupling {
     int coupling = 0;
-    CouplingGeometry drawn;            ///< what does not vary is right in it
-    std::array<Number, 3> at;          ///< [m]
-    std::vector<int> constraints;      ///< of each action: its constraint in the catalogue, or -1
-    bool is_in_space = false;          ///< its actions, though the mechanism is planar
-    bool is_bound_whole = false;       ///< more of it varies than the point
-    bool is_in_gears = false;          ///< its place follows from teeth and modules:
-    std::optional<int> gear_axis;      ///< on which it stands; otherwise it is a mesh
-    int flank = -1;                    ///< of geometry.other_flanks
-    Vec3 tangent = Vec3::Zero();       ///< of a mesh, as bound last
-    bool has_turned = false;           ///< its teeth, from where they were drawn
-    bool is_through_point = false;     ///< all its lines are; nothing else varies
+    CouplingGeometry drawn;         ///< what does not vary is right in it
+    std::array<Number, 3> at;       ///< [m]
+    std::vector<int> constraints;   ///< of each action: its constraint in the catalogue, or -1
+    bool is_in_space = false;       ///< its actions, though the mechanism is planar
+    bool is_bound_whole = false;    ///< more of it varies than the point
+    bool is_in_gears = false;       ///< its place follows from teeth and modules:
+    std::optional<int> gear_axis;   ///< on which it stands; otherwise it is a mesh
+    int flank = -1;                 ///< of geometry.other_flanks
+    Vec3 tangent = Vec3::Zero();    ///< of a mesh, as bound last
+    bool has_turned = false;        ///< its teeth, from where they were drawn
+    bool is_other_first = false;    ///< of its flanks: the one that pushes under a positive force
+    bool is_through_point = false;  ///< all its lines are; nothing else varies
     std::optional<std::size_t> point;  ///< of all points, if the file gives it
   };
 
@@ -112,7 +111,7 @@ class Rebinder {
   };
 
   Rebinder(const MechanismDescription& description, const Mechanism& mechanism)
-      : description_(&description), topology_(&mechanism.topology) {}
+      : description_(&description), mechanism_(&mechanism) {}
 
   bool add_couplings(const Mechanism& mechanism, const std::vector<bool>& varies);
   bool add_coupling(std::size_t e, const Mechanism& mechanism, const std::vector<bool>& varies);
@@ -133,12 +132,13 @@ class Rebinder {
                      std::vector<std::array<TapeNumber, 3>>& points,
                      LaneRecorder& recorder) const;
 
+  bool moves(const ToothRule& rule) const;
+
   const MechanismDescription* description_;
-  const Topology* topology_;
+  const Mechanism* mechanism_;
   Space action_space_ = Space::spatial;
   ParameterTable table_;  ///< for couplings that are bound whole
   std::optional<GearPlaces> gears_;
-  int flanks_ = 0;  ///< so many couplings so far have others
   std::vector<bool> moves_;
   std::vector<bool> turns_;
   std::vector<MovingCoupling> moving_;

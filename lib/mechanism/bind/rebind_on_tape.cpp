@@ -86,6 +86,72 @@ bool demand_near_fixed(const std::vector<TapedPoint>& points, LaneRecorder& reco
   return true;
 }
 
+// A rule of teeth on a tape.
+struct TapedRule {
+  const ToothRule& rule;
+  const Mechanism& mechanism;
+  TapedPoint point;
+  const TapedScrews& screws;
+};
+
+// How far the axis of a wheel is from the teeth, along `normal`: v · (n x a). Empty of what does
+// not turn about the axis of rolling, and of a wheel that is not known.
+std::optional<TapeNumber> arm_on_tape(const TapedRule& teeth,
+                                      int freedom,
+                                      const Vec3& normal,
+                                      LaneRecorder& recorder) {
+  const Topology& topology = teeth.mechanism.topology;
+  const std::vector<Twist>& motions = teeth.mechanism.geometry.motions;
+  const auto rolls = static_cast<std::size_t>(topology.coupling(teeth.rule.coupling).first_freedom);
+  if (freedom < 0) {
+    return std::nullopt;
+  }
+  const auto f = static_cast<std::size_t>(freedom);
+  const Vec3& axis = motions[f].angular;
+  if (axis.isZero(0.0) || axis.cross(motions[rolls].angular).norm() > kParallelAxes) {
+    return std::nullopt;
+  }
+  const TapedPoint turned = moment_of(teeth.point, axis, recorder);
+  const Vec3 along = normal.cross(axis);
+  TapeNumber arm = recorder.constant(0.0);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const TapeNumber velocity = recorder.subtract(teeth.screws.motions[f][3 + i], turned[i]);
+    const double part = along[static_cast<Eigen::Index>(i)];
+    arm = recorder.add(arm, recorder.multiply(velocity, recorder.constant(part)));
+  }
+  return arm;
+}
+
+// That the flank which pushes stays the same: both axes stay on their sides of the teeth, and of
+// two on one side the nearer one is the same.
+bool demand_sides(const TapedRule& teeth, LaneRecorder& recorder) {
+  const Mechanism& mechanism = teeth.mechanism;
+  const Vec3 normal =
+      pitch_normal<double>(teeth.rule, mechanism.topology, mechanism.geometry).normalized();
+  const auto tail = arm_on_tape(teeth, teeth.rule.tail, normal, recorder);
+  const auto head = arm_on_tape(teeth, teeth.rule.head, normal, recorder);
+  if (!tail || !head) {
+    return false;
+  }
+  const TapeNumber zero = recorder.constant(0.0);
+  const auto demand_positive = [&](TapeNumber number) {
+    recorder.demand_at_most(recorder.smaller(number, zero), zero);
+  };
+  const auto size_of = [&](TapeNumber arm) {
+    return recorder.value(arm) < 0.0 ? recorder.subtract(zero, arm) : arm;
+  };
+  const TapeNumber of_tail = size_of(*tail);
+  const TapeNumber of_head = size_of(*head);
+  demand_positive(of_tail);
+  demand_positive(of_head);
+  if (recorder.value(*tail) * recorder.value(*head) > 0.0) {
+    const bool is_head_nearer = recorder.value(of_head) <= recorder.value(of_tail);
+    demand_positive(is_head_nearer ? recorder.subtract(of_tail, of_head)
+                                   : recorder.subtract(of_head, of_tail));
+  }
+  return true;
+}
+
 }  // namespace
 
 bool Rebinder::record_points(std::span<const std::optional<TapeQuantity>> slots,
@@ -137,8 +203,12 @@ std::optional<TapedScrews> Rebinder::record_screws(
   for (const Wrench& wrench : geometry.actions) {
     screws.actions.push_back(constant_screw(wrench.coordinates(), recorder));
   }
+  for (const OtherFlankOf<double>& flank : geometry.other_flanks) {
+    screws.flanks.push_back(constant_screw(flank.screw.coordinates(), recorder));
+  }
   for (const MovingCoupling& moving : moving_) {
-    const CouplingTopology& one = topology_->couplings[static_cast<std::size_t>(moving.coupling)];
+    const CouplingTopology& one =
+        mechanism_->topology.couplings[static_cast<std::size_t>(moving.coupling)];
     const TapedPoint& point = points[*moving.point];
     for (int f = one.first_freedom; f < one.first_freedom + one.freedom_count; ++f) {
       const Vec3& axis = geometry.motions[static_cast<std::size_t>(f)].angular;
@@ -154,8 +224,31 @@ std::optional<TapedScrews> Rebinder::record_screws(
                           screws.actions[static_cast<std::size_t>(a)].begin());
       }
     }
+    if (moving.flank >= 0) {
+      const auto f = static_cast<std::size_t>(moving.flank);
+      std::ranges::copy(moment_of(point, geometry.other_flanks[f].screw.force, recorder),
+                        screws.flanks[f].begin());
+    }
   }
-  return screws;
+  const auto point_of = [&](CouplingId id) {
+    const auto moving = std::ranges::find(moving_, id.value, &MovingCoupling::coupling);
+    if (moving != moving_.end()) {
+      return points[*moving->point];
+    }
+    TapedPoint point;
+    std::ranges::transform(geometry.points[static_cast<std::size_t>(id.value)],
+                           point.begin(),
+                           [&](double x) { return recorder.constant(x); });
+    return point;
+  };
+  const bool keep_sides = std::ranges::all_of(mechanism_->tooth_rules, [&](const ToothRule& rule) {
+    return !moves(rule) || demand_sides({.rule = rule,
+                                         .mechanism = *mechanism_,
+                                         .point = point_of(rule.coupling),
+                                         .screws = screws},
+                                        recorder);
+  });
+  return keep_sides ? std::optional(std::move(screws)) : std::nullopt;
 }
 
 TapedPrimaries Rebinder::record_primaries(std::size_t index,

@@ -12,6 +12,7 @@
 #include "core/utf8.hpp"
 #include "mechanism/bind/extent.hpp"
 #include "mechanism/bind/reference_points.hpp"
+#include "mechanism/bind/tooth_rules.hpp"
 #include "mechanism/cases/actuator_binder.hpp"
 #include "mechanism/check/expect.hpp"
 #include "mechanism/check/geometry_check.hpp"
@@ -56,6 +57,7 @@ class StructureBinder {
         geometry_(result.geometry),
         frictions_(result.frictions),
         is_unplaced_(result.is_unplaced),
+        result_(result),
         actuators_(description, result, found) {}
 
   void run() {
@@ -77,6 +79,7 @@ class StructureBinder {
     for (const Joint& joint : joints) {
       add_coupling(joint);
     }
+    turn_teeth(joints.size());
     geometry_.references =
         bind_reference_points<double>(description_, has_point_, topology_, geometry_, evaluator_);
   }
@@ -215,7 +218,7 @@ class StructureBinder {
     has_point_.push_back(has_place(coupling));
     is_unplaced_.push_back(!has_place(coupling) && !is_on_axis(coupling));
     add_screws(id, screws);
-    if (local.other_flank) {
+    if (local.other_flank && !screws.constraints.empty()) {
       add_other_flank(binder, local);
     }
     actuators_.add(id, coupling, drawn, local.at);
@@ -224,6 +227,17 @@ class StructureBinder {
 
   bool is_on_axis(const CouplingDescription& coupling) const {
     return gears_ && gears_->layout.train.axis_between(coupling.tail.text, coupling.head.text) >= 0;
+  }
+
+  // Couplings with an error are no joints.
+  void turn_teeth(std::size_t joint_count) {
+    if (joint_count != description_.couplings.size()) {
+      return;
+    }
+    const std::vector<TurningTeeth> teeth = find_turning_teeth(description_, topology_, geometry_);
+    result_.tooth_rules = find_tooth_rules(topology_, geometry_, teeth);
+    complete_flanks(result_.tooth_rules, topology_, geometry_);
+    result_.one_flanked = find_one_flanked(description_, topology_, geometry_);
   }
 
   // Of the mesh that was added last; its force is its only constraint.
@@ -304,6 +318,7 @@ class StructureBinder {
   Geometry& geometry_;
   std::vector<CouplingFriction>& frictions_;
   std::vector<bool>& is_unplaced_;
+  Mechanism& result_;
   std::map<std::string, BodyId> body_ids_;
   std::map<std::string, SourceRange> declared_;
   std::vector<bool> has_point_;  ///< of each coupling of the topology

@@ -52,8 +52,7 @@ class ReducedSystem {
 
   std::span<const double> held_actions() const { return held_; }
 
-  /// What a spring between two points would pull in that state if it acted both ways [N], and the
-  /// same without its damping: at its zero it begins or ceases to store energy.
+  /// What a spring would pull if it acted both ways [N], and the same without its damping.
   double uncut_tension(std::size_t spring) const;
   double uncut_elastic_tension(std::size_t spring) const;
 
@@ -88,8 +87,7 @@ class ReducedSystem {
                     std::span<const double> accelerations,
                     bool with_actions);
 
-  /// Of one without accelerations because it is singular, or nearly: positions, potential, and the
-  /// speeds that are determined. None where that is not why: `obstacle`.
+  /// Of a singular one, or nearly: positions, potential, the speeds that are determined.
   std::optional<ReducedState> tell_singular(const Configuration& configuration,
                                             std::span<const double> speeds);
 

@@ -184,6 +184,11 @@ class GeometryBinder {
       take(bind_line_of_action<Scalar>(coupling_, space_, geometry_.axis, evaluator_, found_),
            geometry_.line_of_action);
     }
+    // Where teeth only touch, the other flank touches elsewhere.
+    if (found_.error_count() == errors_before && turns_flank(coupling_) && !coupling_.contact) {
+      geometry_.other_flank =
+          bind_other_line_of_action<Scalar>(coupling_, space_, geometry_.axis, evaluator_, found_);
+    }
   }
 
   void bind_mesh() {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/tolerance.hpp"
+#include "couplings/kinds.hpp"
 #include "mechanism/check/geometry_check.hpp"
 #include "screw/exact_input_vector.hpp"
 
@@ -57,7 +58,12 @@ class ToothBinder {
             "add tangent: x (or a vector) and pressure_angle: 20 deg, or line_of_action: a vector");
       return std::nullopt;
     }
-    return from_tangent(axis);
+    return from_tangent(axis, 1.0);
+  }
+
+  std::optional<Vec3Of<Scalar>> bind_other(const AxisOf<Scalar>& axis) {
+    const bool has_tangent = coupling_.tangent && coupling_.pressure_angle;
+    return has_tangent ? from_tangent(axis, -1.0) : std::nullopt;
   }
 
   std::optional<Vec3Of<Scalar>> bind(const MeshTeethOf<Scalar>& teeth) {
@@ -128,7 +134,8 @@ class ToothBinder {
     return false;
   }
 
-  std::optional<Vec3Of<Scalar>> from_tangent(const AxisOf<Scalar>& axis) {
+  // On the flank 1 a positive pressure angle pushes along axis x tangent, on -1 against it.
+  std::optional<Vec3Of<Scalar>> from_tangent(const AxisOf<Scalar>& axis, double flank) {
     const auto tangent = directions_.bind(*coupling_.tangent, DirectionRole::in_plane);
     const std::optional<Scalar> beta = angle(coupling_.helix_angle, "helix angle");
     const std::optional<Scalar> normal = beta ? normal_pressure_angle(*beta) : std::nullopt;
@@ -141,7 +148,7 @@ class ToothBinder {
             "the tangent touches both pitch circles at the pitch point")) {
       return std::nullopt;
     }
-    return force_of_teeth(axis.direction, tangent->direction, *normal, *beta);
+    return force_of_teeth(axis.direction, tangent->direction, Scalar(flank) * *normal, *beta);
   }
 
   static Vec3Of<Scalar> force_of_teeth(const Vec3Of<Scalar>& a,
@@ -171,6 +178,20 @@ std::optional<Vec3Of<Scalar>> bind_line_of_action(const CouplingDescription& cou
   return ToothBinder<Scalar>(coupling, space, evaluator, found).bind(axis);
 }
 
+bool turns_flank(const CouplingDescription& coupling) {
+  return has_teeth(coupling.type) && !coupling.is_mesh() && !is_counted_only(coupling) &&
+         coupling.flank == Flank::loaded;
+}
+
+template <class Scalar>
+std::optional<Vec3Of<Scalar>> bind_other_line_of_action(const CouplingDescription& coupling,
+                                                        Space space,
+                                                        const AxisOf<Scalar>& axis,
+                                                        EvaluatorOf<Scalar>& evaluator,
+                                                        Diagnostics& found) {
+  return ToothBinder<Scalar>(coupling, space, evaluator, found).bind_other(axis);
+}
+
 template <class Scalar>
 std::optional<Vec3Of<Scalar>> bind_mesh_line_of_action(const CouplingDescription& coupling,
                                                        Space space,
@@ -198,5 +219,14 @@ template std::optional<Vec3Of<ExactInput>> bind_line_of_action(const CouplingDes
                                                                const AxisOf<ExactInput>&,
                                                                EvaluatorOf<ExactInput>&,
                                                                Diagnostics&);
+template std::optional<Vec3> bind_other_line_of_action(
+    const CouplingDescription&, Space, const Axis&, EvaluatorOf<double>&, Diagnostics&);
+template std::optional<Vec3Of<Dual>> bind_other_line_of_action(
+    const CouplingDescription&, Space, const AxisOf<Dual>&, EvaluatorOf<Dual>&, Diagnostics&);
+template std::optional<Vec3Of<ExactInput>> bind_other_line_of_action(const CouplingDescription&,
+                                                                     Space,
+                                                                     const AxisOf<ExactInput>&,
+                                                                     EvaluatorOf<ExactInput>&,
+                                                                     Diagnostics&);
 
 }  // namespace kinestat

@@ -17,6 +17,18 @@ std::optional<Vec3Of<Scalar>> bind_line_of_action(const CouplingDescription& cou
                                                   EvaluatorOf<Scalar>& evaluator,
                                                   Diagnostics& found);
 
+/// Whether the file writes teeth as a coupling that turn to their other flank under load.
+bool turns_flank(const CouplingDescription& coupling);
+
+/// That of the other flank, whose normal is mirrored at the tangent: with -αn. Empty of a line that
+/// is given, which does not say where the tangent is. The other line must have been bound.
+template <class Scalar>
+std::optional<Vec3Of<Scalar>> bind_other_line_of_action(const CouplingDescription& coupling,
+                                                        Space space,
+                                                        const AxisOf<Scalar>& axis,
+                                                        EvaluatorOf<Scalar>& evaluator,
+                                                        Diagnostics& found);
+
 /// Likewise of a mesh of `gears`, whose axis is z and whose tangent follows from the train.
 template <class Scalar>
 std::optional<Vec3Of<Scalar>> bind_mesh_line_of_action(const CouplingDescription& coupling,

@@ -105,10 +105,7 @@ class Simulator : private StateInTime {
   // that acts one way begins or ceases to act.
   std::optional<double> find_turn();
   using SpringValue = double (ReducedSystem::*)(std::size_t) const;
-  std::optional<double> find_spring_turn(std::size_t spring,
-                                         SpringValue of,
-                                         double from,
-                                         double to);
+  std::optional<double> spring_turn(std::size_t spring, SpringValue of, double from, double to);
 
   // Between a place where it has not happened and one where it has.
   double root(const Happening& what, double low, double high);

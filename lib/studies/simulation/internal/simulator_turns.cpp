@@ -72,17 +72,17 @@ std::optional<double> Simulator::find_turn() {
   }
   for (const std::size_t spring : one_sided_springs_) {
     for (const auto of : {&ReducedSystem::uncut_tension, &ReducedSystem::uncut_elastic_tension}) {
-      const std::optional<double> one = find_spring_turn(spring, of, from, first.value_or(to));
+      const std::optional<double> one = spring_turn(spring, of, from, first.value_or(to));
       first = one ? one : first;
     }
   }
   return first;
 }
 
-std::optional<double> Simulator::find_spring_turn(std::size_t spring,
-                                                  double (ReducedSystem::*of)(std::size_t) const,
-                                                  double from,
-                                                  double to) {
+std::optional<double> Simulator::spring_turn(std::size_t spring,
+                                             double (ReducedSystem::*of)(std::size_t) const,
+                                             double from,
+                                             double to) {
   std::vector<double> ignored(free_count());
   const auto tension = [&](double time) -> std::optional<double> {
     std::vector<double> y(state_.size());

@@ -228,7 +228,7 @@ class CaseRecorder {
       for (const int i : coast_flanks) {
         const auto flank = static_cast<std::size_t>(i);
         screws_[static_cast<std::size_t>(geometry_.other_flanks[flank].action)] =
-            recorder_.numbers_.flanks[flank];
+            recorder_.numbers_.screws->flanks[flank];
       }
       load_coast_flanks(coast_flanks, geometry_);
       for (Geometry& sample : samples_) {

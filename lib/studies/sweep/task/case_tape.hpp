@@ -46,7 +46,6 @@ struct SweptNumbers {
   const Rebinder* rebinder = nullptr;  ///< null: `bound` says what moves
   const BoundNumbers* bound = nullptr;
   const TapedScrews* screws = nullptr;
-  std::span<const TapedScrew> flanks;  ///< the other ones, as the geometry has them
   std::span<const Geometry> samples;   ///< of some states
   std::span<const TapeNumber> shares;  ///< of each lossy mesh
   bool keeps_axes = false;             ///< of gears: they stay the lines that they are

@@ -21,7 +21,8 @@ bool moves_as(const Geometry& geometry,
     return is_equal;
   };
   return std::ranges::all_of(geometry.motions, is_same) &&
-         std::ranges::all_of(geometry.actions, is_same);
+         std::ranges::all_of(geometry.actions, is_same) &&
+         std::ranges::all_of(geometry.other_flanks, is_same, &OtherFlankOf<double>::screw);
 }
 
 // A tape of the screws alone gives the bits that binding gives; a cheap test is no good where it
@@ -31,7 +32,7 @@ bool moves_as_samples(const TapedScrews& taped,
                       std::span<const SweepSample> samples,
                       const SweepNotes& notes) {
   std::vector<TapeNumber> outputs;
-  for (const auto* screws : {&taped.motions, &taped.actions}) {
+  for (const auto* screws : {&taped.motions, &taped.actions, &taped.flanks}) {
     for (const TapedScrew& screw : *screws) {
       outputs.insert(outputs.end(), screw.begin(), screw.end());
     }
@@ -83,17 +84,10 @@ TapedScrews take_screws(const Mechanism& mechanism,
   for (std::size_t a = 0; a < mechanism.geometry.actions.size(); ++a) {
     screws.actions.push_back(take_screw(SweepInput::From::action, a, mechanism, moves, notes));
   }
-  return screws;
-}
-
-std::vector<TapedScrew> take_flanks(const Mechanism& mechanism,
-                                    const std::function<bool(const SweepInput&)>& moves,
-                                    SweepNotes& notes) {
-  std::vector<TapedScrew> flanks;
   for (std::size_t i = 0; i < mechanism.geometry.other_flanks.size(); ++i) {
-    flanks.push_back(take_screw(SweepInput::From::flank, i, mechanism, moves, notes));
+    screws.flanks.push_back(take_screw(SweepInput::From::flank, i, mechanism, moves, notes));
   }
-  return flanks;
+  return screws;
 }
 
 }  // namespace kinestat

@@ -26,9 +26,4 @@ TapedScrews take_screws(const Mechanism& mechanism,
                         const std::function<bool(const SweepInput&)>& moves,
                         SweepNotes& notes);
 
-/// Likewise the screws of other flanks, parallel to those of the geometry.
-std::vector<TapedScrew> take_flanks(const Mechanism& mechanism,
-                                    const std::function<bool(const SweepInput&)>& moves,
-                                    SweepNotes& notes);
-
 }  // namespace kinestat

@@ -77,16 +77,6 @@ std::pair<SweepNotes, TapedScrews> note_geometry(const SweepTask& task,
   return {std::move(notes), std::move(screws)};
 }
 
-std::vector<TapedScrew> note_flanks(const SweepTask& task,
-                                    const Rebinder* rebinder,
-                                    const std::optional<BoundNumbers>& bound,
-                                    SweepNotes& notes) {
-  const auto moves = [&](const SweepInput& input) {
-    return rebinder != nullptr ? moves_with(*rebinder, task.mechanism, input) : bound->moves(input);
-  };
-  return take_flanks(task.mechanism, moves, notes);
-}
-
 std::vector<TapeNumber> note_shares(const SweepTask& task,
                                     const std::optional<BoundNumbers>& bound,
                                     SweepNotes& notes) {
@@ -190,8 +180,6 @@ std::optional<SweepTapes> record_tapes(const SweepTask& task) {
   }
   auto [notes, screws] =
       rebinder ? note_geometry(task, *rebinder, samples) : note_bound(task, *bound);
-  const std::vector<TapedScrew> flanks =
-      note_flanks(task, rebinder ? &*rebinder : nullptr, bound, notes);
   const std::vector<TapeNumber> shares = note_shares(task, bound, notes);
   const std::vector<Geometry> geometries = geometries_of(samples);
   auto cases =
@@ -200,7 +188,6 @@ std::optional<SweepTapes> record_tapes(const SweepTask& task) {
                  {.rebinder = rebinder ? &*rebinder : nullptr,
                   .bound = bound ? &*bound : nullptr,
                   .screws = &screws,
-                  .flanks = flanks,
                   .samples = geometries,
                   .shares = shares,
                   .keeps_axes = !asks_power(task.columns) ||

@@ -105,7 +105,6 @@ class FigureMaker {
       largest = std::max(largest, std::abs((*one.values)[column].value_or(0.0)));
     }
     const auto jumps_between = [&](const Sample& one, const Sample& other) {
-      constexpr double kJump = 1e-4;
       const std::optional<double>& here = (*one.values)[column];
       const std::optional<double>& there = (*other.values)[column];
       return !here || !there || std::abs(*here - *there) > kJump * largest;
