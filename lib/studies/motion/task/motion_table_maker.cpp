@@ -12,7 +12,7 @@
 #include "studies/motion/task/columns/motion_columns.hpp"
 #include "studies/motion/task/drive_counts.hpp"
 #include "studies/motion/task/figures/motion_corners.hpp"
-#include "studies/motion/task/figures/speed_poles.hpp"
+#include "studies/motion/task/figures/poles.hpp"
 #include "studies/motion/task/figures/unbounded_quotients.hpp"
 #include "studies/motion/task/friction_turns.hpp"
 #include "studies/motion/task/idle_rates.hpp"
@@ -324,11 +324,10 @@ class TableMaker {
     };
 
     std::vector<Placed> placed;
-    const DeadPoints dead_points =
-        scope_.dead_points || gives_speed_behind_drives(plan_, mechanism_)
-            ? find_dead_points(mechanism_, motion_)
-            : DeadPoints{};
-    poles_at_ = find_speed_poles(motion_, mechanism_, dead_points.points);
+    const DeadPoints dead_points = scope_.dead_points || may_have_poles(plan_, mechanism_)
+                                       ? find_dead_points(mechanism_, motion_)
+                                       : DeadPoints{};
+    poles_at_ = find_poles(motion_, mechanism_, dead_points.points);
     table_.may_lack_dead_points = dead_points.may_lack_some;
     MotionPositions positions(mechanism_, plan_, motion_.network, motion_.drawn, {});
     for (const DeadPoint& point : dead_points.points) {
@@ -366,15 +365,20 @@ class TableMaker {
   void add_column_figures() {
     const auto drive_at = [this](double share) { return drives_at(share).front(); };
     const auto share_at = [this](double step) { return share_at_step(motion_, step); };
-    if (readings_.empty() || (!scope_.extremes && table_.columns.size() > kMostClimbed)) {
-      add_figures(solution_.shares, {}, {}, {}, drive_at, share_at, table_);
+    std::vector<double> steps;
+    for (std::size_t r = 0; r < table_.rows.size(); ++r) {
+      steps.push_back(step_of_row(motion_, r));
+    }
+    if (readings_.empty()) {
+      add_figures(solution_.shares, steps, {}, {}, {}, drive_at, share_at, table_);
       return;
     }
-    table_.looks_between_steps = true;
+    table_.looks_between_steps = scope_.extremes || table_.columns.size() <= kMostClimbed;
     std::vector<std::optional<ClimbedColumn>> climbed(table_.drives.size());  // the drives are not
     for (const MotionReading& one : readings_) {
       climbed.emplace_back();
-      if (!scope_.extremes || is_among(*scope_.extremes, one.column.name())) {
+      if (scope_.extremes ? is_among(*scope_.extremes, one.column.name())
+                          : table_.looks_between_steps) {
         climbed.back() = ClimbedColumn();
         if (one.folds) {
           climbed.back()->folds = {.least = in_unit(one.kind, one.folds->least),
@@ -395,22 +399,23 @@ class TableMaker {
                                            .at_rest = values_at_rest(position, share)};
                      });
     table_.corners = std::move(corners.steps);
-    add_figures(
-        solution_.shares,
-        corners.places,
-        climbed,
-        [&](std::size_t column, std::size_t row, double share) -> std::optional<double> {
-          if (share <= solution_.shares[row]) {
-            return std::nullopt;
-          }
-          const auto there = way.follow(
-              solution_.configuration_at(static_cast<int>(row)), solution_.shares[row], share);
-          return there ? read(column - first, positions.at(*there, share).or_without_friction())
-                       : std::nullopt;
-        },
-        drive_at,
-        share_at,
-        table_);
+    const BetweenSteps between = [&](std::size_t column, std::size_t row, double share) {
+      const auto there =
+          share > solution_.shares[row]
+              ? way.follow(
+                    solution_.configuration_at(static_cast<int>(row)), solution_.shares[row], share)
+              : std::nullopt;
+      return there ? read(column - first, positions.at(*there, share).or_without_friction())
+                   : std::nullopt;
+    };
+    add_figures(solution_.shares,
+                steps,
+                corners.places,
+                climbed,
+                table_.looks_between_steps ? between : BetweenSteps(),
+                drive_at,
+                share_at,
+                table_);
   }
 
   // In the unit of the file. The components of a vector are read from the first on.
@@ -470,7 +475,7 @@ class TableMaker {
   std::vector<std::vector<SpringState>> springs_;  // likewise
   std::vector<CaseFindings> said_;                 // likewise
   UnboundedQuotients poles_;
-  std::vector<double> poles_at_;  // of speeds
+  std::vector<double> poles_at_;  // in steps
   MotionTable table_;
 };
 

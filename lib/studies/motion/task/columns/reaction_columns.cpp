@@ -143,9 +143,11 @@ class ReactionReadings {
         is_couple(kind_of(topology_.coupling(id).type).friction) ? QuantityKind::moment
                                                                  : QuantityKind::force,
         [id](const MotionPosition& at) -> std::optional<double> {
+          if (actions_at(at) == nullptr) {
+            return std::nullopt;
+          }
           const auto found = find_friction(at, id);
-          return found ? std::optional(at.solved->action->friction[*found].magnitude)
-                       : std::nullopt;
+          return found ? at.solved->action->friction[*found].magnitude : 0.0;  // it is left out
         });
     add(id,
         "loss",

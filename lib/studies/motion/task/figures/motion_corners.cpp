@@ -189,7 +189,7 @@ class CornerFinder {
     }
   }
 
-  double last_step() const { return motion_.solution.position_count() - 1.0; }
+  double last_step() const { return step_of_row(motion_, motion_.solution.shares.size() - 1); }
 
   // Each once, in order; what falls on a row but for rounding is at the row.
   std::vector<double> special_steps() {
@@ -252,24 +252,33 @@ class CornerFinder {
       add_approach(std::ceil(step) - 1.0, step, corners);
     }
     if (step >= 0.0 && step < last_step()) {
-      add_approach(std::floor(step) + 1.0, step, corners);
+      add_approach(std::min(std::floor(step) + 1.0, last_step()), step, corners);
     }
+  }
+
+  bool is_pole(double step) const {
+    return std::ranges::any_of(special_.poles,
+                               [&](double pole) { return std::abs(pole - step) < kSameStep; });
   }
 
   // As near as there are values, to so much of the way from a row.
   void add_approach(double row, double step, std::vector<FigurePlace>& corners) {
-    FigurePlace place;
+    FigurePlace place{.of = {}, .is_approach = true};
     for (const double left : {4.0 * kApproach, 2.0 * kApproach, kApproach}) {
+      if (left > kApproach && !is_pole(step)) {
+        continue;
+      }
       place.step = std::lerp(step, row, left);
       place.share = share_at_step(motion_, place.step);
       const std::optional<MotionPosition> position = position_at(place.step, reading_);
       if (!position) {
         return;
       }
-      place.approach.push_back(std::move(place.of.values));
       place.of = values_at_(*position, place.share);
+      if (left > kApproach) {
+        place.farther.push_back(place.of.values);
+      }
     }
-    place.approach.erase(place.approach.begin());
     corners.push_back(std::move(place));
   }
 
@@ -284,6 +293,13 @@ class CornerFinder {
 };
 
 }  // namespace
+
+double step_of_row(const FoundMotion& motion, std::size_t row) {
+  const bool is_last = row + 1 == motion.solution.shares.size();
+  return motion.plan.schedule && is_last
+             ? motion.plan.schedule->time_at(motion.solution.shares[row]) * motion.plan.steps
+             : static_cast<double>(row);
+}
 
 double share_at_step(const FoundMotion& motion, double step) {
   if (motion.plan.schedule) {

@@ -16,6 +16,9 @@ namespace kinestat {
 /// is a motion in time.
 double share_at_step(const FoundMotion& motion, double step);
 
+/// At which step a row is: a motion in time that ends early has its last row between two of them.
+double step_of_row(const FoundMotion& motion, std::size_t row);
+
 /// What columns have at a position, at a share of the ranges.
 using ValuesAt = std::function<FigureValues(const MotionPosition& position, double share)>;
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <string>
 #include <utility>
 
 #include "core/motion_tolerance.hpp"
@@ -18,6 +20,7 @@ namespace {
 class FigureMaker {
  public:
   FigureMaker(std::span<const double> shares,
+              std::span<const double> steps,
               std::span<const FigurePlace> places,
               const std::vector<std::optional<ClimbedColumn>>& climbed,
               const BetweenSteps& between,
@@ -25,6 +28,7 @@ class FigureMaker {
               const std::function<double(double)>& share_at,
               MotionTable& table)
       : shares_(shares),
+        steps_(steps),
         corners_(places),
         climbed_(climbed),
         between_(between),
@@ -32,8 +36,7 @@ class FigureMaker {
         share_at_(share_at),
         table_(table) {
     for (std::size_t r = 0; r < table.rows.size(); ++r) {
-      const auto step = static_cast<double>(r);
-      samples_.push_back({.step = step,
+      samples_.push_back({.step = steps[r],
                           .share = shares[r],
                           .values = &table.rows[r].values,
                           .at_rest = &table.rows[r].at_rest});
@@ -44,7 +47,7 @@ class FigureMaker {
                           .values = &place.of.values,
                           .at_rest = &place.of.at_rest,
                           .is_corner = true,
-                          .is_approach = !place.approach.empty()});
+                          .is_approach = place.is_approach});
     }
     std::ranges::stable_sort(samples_, {}, &Sample::step);
     for (const Sample& sample : samples_) {
@@ -58,6 +61,12 @@ class FigureMaker {
   }
 
   void run() {
+    for (std::size_t c = 0; c < table_.columns.size(); ++c) {
+      double& usual = usual_[table_.columns[c].unit];
+      for (const MotionRow& row : table_.rows) {
+        usual = std::max(usual, std::abs(row.values[c].value_or(0.0)));
+      }
+    }
     for (std::size_t c = 0; c < table_.columns.size(); ++c) {
       const Growth growth = growth_of(c);
       ColumnFigures& figures = table_.figures.emplace_back();
@@ -97,8 +106,8 @@ class FigureMaker {
   }
 
   // Without approaches to places where the column does not jump: steps of one length integrate a
-  // smooth turn far better.
-  std::vector<Sample> samples_of_mean(std::size_t column) const {
+  // smooth turn far better, and no peak is near.
+  std::vector<Sample> samples_with_jumps(std::size_t column) const {
     std::vector<Sample> all = samples_of(column);
     double largest = 0.0;
     for (const Sample& one : all) {
@@ -137,7 +146,10 @@ class FigureMaker {
   }
 
   void climb(std::size_t column, double sign, ColumnExtreme& found) {
-    const std::vector<Sample> samples = samples_of(column);
+    const std::vector<Sample> samples = samples_with_jumps(column);
+    const auto joins_next = [&](std::size_t i) {  // not the other side of a jump
+      return i + 1 < samples.size() && samples[i + 1].step - samples[i].step >= kSameApproach;
+    };
     const auto sample = [&](std::size_t i) -> std::optional<PeakSample> {
       const std::optional<double> value =
           i < samples.size() ? (*samples[i].values)[column] : std::nullopt;
@@ -151,11 +163,11 @@ class FigureMaker {
       const std::optional<PeakSample> before = sample(i - 1);
       const std::optional<PeakSample> there = sample(i);
       const std::optional<PeakSample> behind = sample(i + 1);
-      if (!before || !there || !behind) {
+      if (!before || !there || !behind || !joins_next(i - 1) || !joins_next(i)) {
         continue;
       }
-      const bool is_first = i < 2 || !sample(i - 2);
-      const bool is_last = !sample(i + 2);
+      const bool is_first = i < 2 || !sample(i - 2) || !joins_next(i - 2);
+      const bool is_last = !sample(i + 2) || !joins_next(i + 1);
       if (may_be_peak(before->value, there->value, behind->value, is_first, is_last)) {
         search.add({*before, *there, *behind});
       }
@@ -194,7 +206,7 @@ class FigureMaker {
       sum += width * measure(from, to);
       size += width * measure(std::abs(from), std::abs(to));
     };
-    const std::vector<Sample> samples = samples_of_mean(column);
+    const std::vector<Sample> samples = samples_with_jumps(column);
     for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
       const double width = samples[i + 1].step - samples[i].step;
       if (width <= kSameStep) {
@@ -216,8 +228,9 @@ class FigureMaker {
         continue;
       }
       const std::optional<double> value =
-          low ? value_before(column, samples[i].step, samples[i + 1].step, 0.5)
-              : value_before(column, samples[i + 1].step, samples[i].step, 0.5);
+          width < kSameApproach ? (low ? low : high)
+          : low                 ? value_before(column, samples[i].step, samples[i + 1].step, 0.5)
+                                : value_before(column, samples[i + 1].step, samples[i].step, 0.5);
       if (!value) {
         return std::nullopt;
       }
@@ -289,6 +302,18 @@ class FigureMaker {
     }
   }
 
+  // So near, what grows without bound is far above all that rows have in its unit; and rounding is
+  // below that.
+  void look_at_pole(const std::array<double, 3>& values, std::size_t column, Growth& growth) const {
+    constexpr double kFarAbove = 16.0;
+    const auto [far, near, nearest] = values;
+    const double usual = usual_.at(table_.columns[column].unit);
+    if (usual > 0.0 && std::abs(nearest) > kFarAbove * usual && far * near > 0.0 &&
+        near * nearest > 0.0) {
+      look_at(values, growth);
+    }
+  }
+
   // They do where each half of what is left of the way adds more than the last, as near to the end
   // as there are values.
   void look_towards(std::size_t column, double from, double end, Growth& growth) const {
@@ -302,27 +327,37 @@ class FigureMaker {
     }
   }
 
+  bool is_approached(double step) const {
+    return std::ranges::any_of(corners_, [&](const FigurePlace& place) {
+      return place.is_approach && std::abs(place.step - step) < kSameApproach;
+    });
+  }
+
   Growth growth_of(std::size_t column) const {
     Growth growth;
     const std::vector<MotionRow>& rows = table_.rows;
     for (std::size_t r = 0; r + 1 < rows.size(); ++r) {
       const bool has_this = rows[r].values[column].has_value();
-      if (has_this != rows[r + 1].values[column].has_value()) {
-        const auto here = static_cast<double>(r);
-        look_towards(column, has_this ? here : here + 1.0, has_this ? here + 1.0 : here, growth);
+      const double end = steps_[has_this ? r + 1 : r];
+      if (has_this != rows[r + 1].values[column].has_value() && !is_approached(end)) {
+        look_towards(column, steps_[has_this ? r : r + 1], end, growth);
       }
     }
     for (const FigurePlace& place : corners_) {
-      if (!place.approach.empty() && place.approach[0][column] && place.approach[1][column] &&
+      if (!place.farther.empty() && place.farther[0][column] && place.farther[1][column] &&
           place.of.values[column]) {
-        look_at({*place.approach[0][column], *place.approach[1][column], *place.of.values[column]},
-                growth);
+        look_at_pole(
+            {*place.farther[0][column], *place.farther[1][column], *place.of.values[column]},
+            column,
+            growth);
       }
     }
     return growth;
   }
 
+  std::map<std::string, double> usual_;  // the largest value of the rows, by units
   std::span<const double> shares_;
+  std::span<const double> steps_;  // of the rows
   std::span<const FigurePlace> corners_;
   const std::vector<std::optional<ClimbedColumn>>& climbed_;
   const BetweenSteps& between_;
@@ -336,13 +371,14 @@ class FigureMaker {
 }  // namespace
 
 void add_figures(std::span<const double> shares,
+                 std::span<const double> steps,
                  std::span<const FigurePlace> places,
                  const std::vector<std::optional<ClimbedColumn>>& climbed,
                  const BetweenSteps& between,
                  const std::function<double(double share)>& drive_at,
                  const std::function<double(double step)>& share_at,
                  MotionTable& table) {
-  FigureMaker(shares, places, climbed, between, drive_at, share_at, table).run();
+  FigureMaker(shares, steps, places, climbed, between, drive_at, share_at, table).run();
 }
 
 }  // namespace kinestat

@@ -33,20 +33,21 @@ struct FigurePlace {
   double step = 0.0;   ///< in steps, of time in a motion in time, else of the way
   double share = 0.0;  ///< of the ranges of the drives
   FigureValues of;
-  /// At the end of an approach to a place where values jump or grow without bound: what they are
-  /// where four times and twice as much of the way is left.
-  std::vector<std::vector<std::optional<double>>> approach = {};
+  bool is_approach = false;  ///< beside a place where values jump or grow without bound
+  /// Of the latter: what they are where four times and twice as much of the way is left.
+  std::vector<std::vector<std::optional<double>>> farther = {};
 };
 
-/// Fills the figures of a table whose rows stand at those shares of the ranges and whose events are
-/// known. Extremes are those of the steps and of `places` between them, which are in order, of
-/// positions at dead points too; in the columns that are climbed, which may be fewer than all, they
-/// are looked for between these. Means take the middle of an interval where one of its ends has no
-/// value, as friction has none where it turns round; where both have none, what `between` says of
-/// it, or without that `at_rest`. Where values grow without bound on an approach, or towards a
-/// position that has none, there is no mean, and no extreme in that sense. `drive_at` answers
-/// where the first drive is at a share, in its unit, `share_at` the share at so many steps.
+/// Fills the figures of a table whose rows stand at those shares of the ranges and those steps, and
+/// whose events are known. Extremes are those of the steps and of `places` between them, which are
+/// in order, of positions at dead points too; in the columns that are climbed, which may be fewer
+/// than all, they are looked for between these. Means take the middle of an interval where one of
+/// its ends has no value, as friction has none where it turns round; where both have none, what
+/// `between` says of it, or without that `at_rest`. Where values grow without bound on an approach,
+/// or towards a position that has none, there is no mean, and no extreme in that sense. `drive_at`
+/// answers where the first drive is at a share, in its unit, `share_at` the share at so many steps.
 void add_figures(std::span<const double> shares,
+                 std::span<const double> steps,
                  std::span<const FigurePlace> places,
                  const std::vector<std::optional<ClimbedColumn>>& climbed,
                  const BetweenSteps& between,
