@@ -274,6 +274,8 @@ void add_inertia_findings(const JudgedFile& file, const CaseAnalysis& one, CaseF
 void add_motion_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
   const KinematicSolution& motion = *one.motion;
   const KnownSide side = motion_side(file, one.which);
+  const std::string given =
+      motion.check.missing > 0 ? completions_text(motion.check, side) : std::string();
   add_idle_findings(file, one, found);
   if (motion.status == SolveStatus::dependent && motion.check.dependences.empty()) {
     found.error("E0502",
@@ -292,10 +294,7 @@ void add_motion_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFi
                 fmt::format("case '{}' gives motions that depend on each other: {}",
                             one.which.label,
                             circuits_text(file, motion, side)),
-                removal_text(motion.check, side) +
-                    (motion.check.missing > 0
-                         ? fmt::format(", and {}", completions_text(motion.check, side))
-                         : ""));
+                removal_text(motion.check, side) + (given.empty() ? "" : ", and " + given));
   } else if (motion.status == SolveStatus::overflow) {
     found.error("E0503",
                 one.which.where,
@@ -313,7 +312,7 @@ void add_motion_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFi
                     motion.counts.net_freedom,
                     plain_list(names_of(motion.check.undetermined, side)),
                     converter_text(file, one)),
-        completions_text(motion.check, side) + "; or a coupling is missing, or joins other bodies");
+        given + (given.empty() ? "" : "; or ") + "a coupling is missing, or joins other bodies");
   }
 }
 

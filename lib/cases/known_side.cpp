@@ -84,7 +84,8 @@ KnownSide motion_side(const JudgedFile& file, const Case& which) {
           .kind = [&](int i) { return kind_of(topology.freedoms[static_cast<std::size_t>(i)]); },
           .key = "motion",
           .actuator = [&](int i) { return actuator_of(topology, &ActuatorTopology::freedom, i); },
-          .units = file.description.units};
+          .units = file.description.units,
+          .is_typed = !which.is_gear};
 }
 
 KnownSide action_side(const JudgedFile& file, const Case& which) {
@@ -93,7 +94,8 @@ KnownSide action_side(const JudgedFile& file, const Case& which) {
           .kind = [&](int i) { return kind_of(topology.actions[static_cast<std::size_t>(i)]); },
           .key = "action",
           .actuator = [&](int i) { return actuator_of(topology, &ActuatorTopology::action, i); },
-          .units = file.description.units};
+          .units = file.description.units,
+          .is_typed = !which.is_gear};
 }
 
 std::vector<std::string> names_of(const std::vector<int>& indices, const KnownSide& side) {
@@ -125,7 +127,7 @@ std::string completions_text(const PrimaryCheck& check, const KnownSide& side) {
   const bool may_be_idle = side.key == "action" && !sets.empty();
   const bool is_single = !check.completions.empty() && check.completions.front().size() == 1;
   sets.insert(sets.end(), others.begin(), others.end());
-  if (sets.empty()) {
+  if (sets.empty() || !side.is_typed) {
     return {};
   }
   return fmt::format("add to '{}:' {}{} of {}{}",

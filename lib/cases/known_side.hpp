@@ -18,6 +18,7 @@ struct KnownSide {
   std::string_view key;                      ///< "motion" or "action"
   std::function<std::string(int)> actuator;  ///< the one to which it belongs; empty if none
   const FileUnits& units;
+  bool is_typed = true;  ///< the file has the key; a gear of 'shift' has what that section says
 
   /// The unit of the file, in SI.
   double unit(int index) const { return units.factor(kind(index)); }
@@ -29,7 +30,8 @@ KnownSide action_side(const JudgedFile& file, const Case& which);
 std::vector<std::string> names_of(const std::vector<int>& indices, const KnownSide& side);
 
 /// "add to 'motion:' for example drive or b.wz", with sets in braces if several are missing. Those
-/// of actuators come first, as an engineer would give these. Empty if the check proposes none.
+/// of actuators come first, as an engineer would give these. Empty if the check proposes none, or
+/// if the file has no such key.
 std::string completions_text(const PrimaryCheck& check, const KnownSide& side);
 
 /// "closure of circuit a, b, c, d requires drive = 2.5 load", for each relation between primaries.

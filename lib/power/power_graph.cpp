@@ -38,11 +38,23 @@ class GraphBuilder {
     graph_.meshes = find_mesh_powers(mechanism_, motion_, action_, flow_, meshes);
     graph_.net = find_net_powers(mechanism_, motion_, action_, meshes, graph_.arcs);
     graph_.circulating = find_circulating_power(topology_.body_count(), graph_.net, graph_.meshes);
-    graph_.recirculation = find_recirculation(graph_.net, flow_.input);
+    graph_.recirculation =
+        transmits_only_known() ? find_recirculation(graph_.net, flow_.input) : std::nullopt;
     return std::move(graph_);
   }
 
  private:
+  // The ground, at rest, transmits nothing.
+  bool transmits_only_known() const {
+    for (std::size_t e = 0; e < topology_.couplings.size(); ++e) {
+      const CouplingTopology& coupling = topology_.couplings[e];
+      if (!flow_.into_head[e] && coupling.tail.value != 0 && coupling.head.value != 0) {
+        return false;
+      }
+    }
+    return true;
+  }
+
   void add_coupling(CouplingId id) {
     const auto e = static_cast<std::size_t>(id.value);
     const CouplingTopology& coupling = topology_.couplings[e];

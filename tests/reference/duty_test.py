@@ -15,6 +15,7 @@ import unittest
 from pathlib import Path
 
 import program
+from swept_case import swept
 
 MECHANISMS = Path()
 
@@ -316,6 +317,134 @@ class UnevenPlanets(unittest.TestCase):
         bearings = program.run("duty", "-", text=text)["duty"]["bearings"]
         self.assertAlmostEqual(bearings["c"]["largest"], 70)
         self.assertEqual(bearings["s"]["largest"], 0)
+
+
+# Two lay shafts in parallel share the power as their teeth happen to fit.
+LAY_SHAFTS = """kinestat: 1
+space: planar
+units: {length: mm}
+ground: housing
+bodies: [i, o, l1, l2]
+couplings:
+  bi: {type: revolute, bodies: [housing, i]}
+  bo: {type: revolute, bodies: [housing, o], friction: {tau: 0.5 N*m}}
+  b1: {type: revolute, bodies: [housing, l1]}
+  b2: {type: revolute, bodies: [housing, l2]}
+  K: {type: clutch, bodies: [i, o]}
+  B: {type: brake, bodies: [housing, o]}
+gears:
+  module: 2 mm
+  members:
+    gi: {body: i, teeth: 20}
+    go: {body: o, teeth: 30}
+    a1: {body: l1, teeth: 40}
+    c1: {body: l1, teeth: 30}
+    a2: {body: l2, teeth: 40}
+    c2: {body: l2, teeth: 30}
+  meshes:
+    m1: {members: [gi, a1]}
+    n1: {members: [c1, go]}
+    m2: {members: [gi, a2]}
+    n2: {members: [c2, go]}
+actuators: {in: {coupling: bi}, out: {coupling: bo}}
+cases:
+  run: {motion: {in: 100}, action: {in: 20, K: 0, B: 0}, input: in, output: out}
+"""
+
+
+class OpenLoads(unittest.TestCase):
+    def test_what_equilibrium_leaves_open_has_no_load(self) -> None:
+        """Gears of the shafts bear tangential forces of 20 N m/20 mm and 39.5 N m + 0.5 N m of friction by 30 mm."""
+        text = LAY_SHAFTS + """duty:
+  gear_exponent: 6
+  bearing_exponent: 3
+  points: [{case: run, duration: 10}]
+"""
+        done = program.call("duty", "-", text=text)
+        duty = program.report(done)["duty"]
+        for name, gear in duty["gears"].items():
+            self.assertIsNone(gear["largest"], name)
+            self.assertIsNone(gear["equivalent"], name)
+        for name in ("b1", "b2"):
+            self.assertIsNone(duty["bearings"][name]["largest"])
+            self.assertIsNone(duty["bearings"][name]["equivalent"])
+        for name, force in (("bi", 20 / 0.02), ("bo", 40 / 0.03)):
+            self.assertAlmostEqual(duty["bearings"][name]["largest"],
+                                   force / math.cos(math.radians(20)), delta=1e-9 * force)
+        self.assertAlmostEqual(duty["lost"], 0.5 * 50 * 10)
+        self.assertEqual(done.stderr.count("W0601"), 1)
+        self.assertIn("m2.Rc, n2.Rc (point 1)", done.stderr)
+
+    def test_power_that_may_circulate_is_not_known(self) -> None:
+        recirculation = program.run("analyze", "-", text=LAY_SHAFTS)["cases"]["run"]["power"]["recirculation"]
+        self.assertIsNone(recirculation["factor"])
+        rows, _ = swept(LAY_SHAFTS + "parameters: {q: 1}",
+                        "{vary: {q: {values: [1, 2, 3]}}, report: [ratio, recirculation]}")
+        self.assertEqual([round(row["ratio"], 12) for row in rows], [2.0] * 3)
+        self.assertEqual([row["recirculation"] for row in rows], [None] * 3)
+
+    def test_the_most_loaded_of_open_bearings_is_not_known(self) -> None:
+        text = re.sub(r"cases:\n.*\n", "", LAY_SHAFTS) + """shift:
+  {input: in, output: out, elements: [K, B], input_motion: 100, input_action: 20}
+"""
+        done = program.call("shift", "-", text=text)
+        state = program.report(done)["shift"]["states"]["none"]
+        for key in ("recirculation", "worst_bearing", "worst_mesh"):
+            self.assertIsNone(state[key], key)
+        self.assertIn("W0601", done.stderr)
+        self.assertNotIn("'action:'", done.stderr)  # which a gear does not have
+
+    def test_loads_of_a_belt_with_an_open_pretension(self) -> None:
+        """Teeth press the sun with 50 N m/30 mm; a belt pulls at the bearings of its pulleys."""
+        text = BELT
+        bearings = program.run("duty", "-", text=text)["duty"]["bearings"]
+        self.assertIsNone(bearings["c"]["largest"])
+        self.assertIsNone(bearings["w"]["largest"])
+        self.assertIsNone(bearings["w"]["equivalent"])
+        self.assertAlmostEqual(bearings["s"]["largest"], 50 / 0.03 / math.cos(math.radians(20)))
+
+
+BELT = """kinestat: 1
+space: planar
+units: {length: mm}
+ground: housing
+bodies: [sun, ring, carrier, planet, wheel]
+couplings:
+  s: {type: revolute, bodies: [housing, sun]}
+  r: {type: revolute, bodies: [housing, ring]}
+  c: {type: revolute, bodies: [housing, carrier]}
+  p: {type: revolute, bodies: [carrier, planet]}
+  w: {type: revolute, bodies: [housing, wheel], at: [300, 0]}
+  C: {type: clutch, bodies: [sun, ring]}
+  B: {type: brake, bodies: [housing, ring]}
+gears:
+  module: 2 mm
+  members:
+    sun:    {body: sun, teeth: 30}
+    planet: {body: planet, teeth: 20}
+    ring:   {body: ring, teeth: 70, internal: true}
+  meshes:
+    sp: {members: [sun, planet], carrier: carrier}
+    rp: {members: [ring, planet], carrier: carrier}
+cables:
+  belt:
+    closed: true
+    over:
+      - {pulley: carrier, at: [0, 0], radius: 40, wrap: counterclockwise}
+      - {pulley: wheel, radius: 80, wrap: counterclockwise}
+losses: {gear_external: 0.02, gear_internal: 0.01}
+actuators: {in: {coupling: s}, out: {coupling: w}}
+shift:
+  input: in
+  output: out
+  elements: [C, B]
+  input_motion: 1500 rpm
+  input_action: 50 N*m
+  names: {M1: [B], M2: [C]}
+duty:
+  bearing_exponent: 3
+  points: [{case: M1, duration: 10}]
+"""
 
 
 if __name__ == "__main__":

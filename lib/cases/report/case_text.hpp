@@ -33,7 +33,8 @@ TextBlocks statics_blocks(const Mechanism& mechanism, const CaseAnalysis& one, c
 /// The largest of the forces or moments of a case, and the couplings that bear it.
 struct LargestAction {
   bool is_couple = false;
-  double size = 0.0;  ///< [N or N*m]
+  double size = 0.0;     ///< [N or N*m]
+  bool is_open = false;  ///< equilibrium leaves others open, which may be larger
   std::vector<std::string> couplings = {};
 };
 

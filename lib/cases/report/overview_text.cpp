@@ -32,7 +32,8 @@ TextBlocks overview_blocks(const Analysis& analysis) {
       {.head = with_unit("largest force", QuantityKind::force), .cells = {}},
       {.head = with_unit("largest moment", QuantityKind::moment), .cells = {}}};
   const auto action_cell = [&](const LargestAction& one) {
-    return one.size > 0.0 ? format_short(in.action(one.size, one.is_couple)) : kNoNumber;
+    return one.size > 0.0 && !one.is_open ? format_short(in.action(one.size, one.is_couple))
+                                          : kNoNumber;
   };
   for (const CaseAnalysis& one : analysis.cases) {
     const LargestActions largest = largest_actions(analysis.mechanism, one);

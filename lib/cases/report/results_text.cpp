@@ -125,6 +125,12 @@ std::string lossy_ends_text(const Mechanism& mechanism,
   return fmt::format("  with mesh losses: {}\n", fmt::join(parts, ", "));
 }
 
+bool bears_force(const Topology& topology, const CouplingTopology& coupling) {
+  const auto first = topology.actions.begin() + coupling.first_action;
+  return std::any_of(
+      first, first + coupling.action_count, [](const ActionLabel& one) { return !one.is_couple; });
+}
+
 void count(double size, const std::string& coupling, LargestAction& largest) {
   const double same = kSameValue * std::max(size, largest.size);
   if (size > largest.size + same) {
@@ -142,7 +148,8 @@ std::string largest_text(const char* what, const LargestAction& largest, const I
   const auto shown = static_cast<std::ptrdiff_t>(std::min(largest.couplings.size(), kMost));
   const auto first = largest.couplings.begin();
   const bool is_couple = largest.is_couple;
-  std::string text = fmt::format("largest {} {} {} in {}",
+  std::string text = fmt::format("largest {}{} {} {} in {}",
+                                 largest.is_open ? "determined " : "",
                                  what,
                                  format_short(in.action(largest.size, is_couple)),
                                  in.units().text(action_kind(is_couple)),
@@ -217,17 +224,22 @@ LargestActions largest_actions(const Mechanism& mechanism, const CaseAnalysis& o
   for (std::size_t e = 0; has_wrenches && e < mechanism.topology.couplings.size(); ++e) {
     const CouplingTopology& coupling = mechanism.topology.couplings[e];
     const auto wrench = bounded_wrench(*one.action, CouplingId{static_cast<int>(e)});
-    if (!wrench) {
-      continue;
-    }
-    BoundedWrench with_planets = *wrench;
+    bool is_open = !wrench;
+    BoundedWrench with_planets = wrench.value_or(BoundedWrench{});
     for (std::size_t i = 0; central[e] && i < central[e]->planets.size(); ++i) {
       const CountedCoupling& planet = central[e]->planets[i];
       if (const auto other = bounded_wrench(*one.action, planet.coupling)) {
         const BoundedNumber sign{.value = planet.sign, .bound = 0.0};
         with_planets = with_planets +
                        BoundedWrench{.moment = sign * other->moment, .force = sign * other->force};
+      } else {
+        is_open = true;
       }
+    }
+    if (is_open) {
+      largest.force.is_open = largest.force.is_open || bears_force(mechanism.topology, coupling);
+      largest.moment.is_open = largest.moment.is_open || !mechanism.is_unplaced[e];
+      continue;
     }
     const Vec3& point = mechanism.geometry.points[e];
     const double force =

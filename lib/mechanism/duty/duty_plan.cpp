@@ -157,6 +157,11 @@ class DutyBinder {
 
 }  // namespace
 
+std::string place_of(const DutyPlan& plan, std::size_t point) {
+  const int line = plan.points[point].line;
+  return line > 0 ? fmt::format("in line {}", line) : fmt::format("point {}", point + 1);
+}
+
 std::optional<DutyPlan> bind_duty(const MechanismDescription& description,
                                   const Mechanism& mechanism,
                                   Diagnostics& found) {

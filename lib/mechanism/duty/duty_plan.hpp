@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/diagnostic.hpp"
@@ -15,6 +16,9 @@ struct DutyPlan {
   std::optional<double> gear_exponent;
   std::optional<double> bearing_exponent;
 };
+
+/// "point 3", counted from 1, or "in line 7" of a table.
+std::string place_of(const DutyPlan& plan, std::size_t point);
 
 /// Binds the section. Empty iff an error was added.
 std::optional<DutyPlan> bind_duty(const MechanismDescription& description,

@@ -33,17 +33,24 @@ std::vector<std::optional<CentralHinge>> find_central_hinges(const Mechanism& me
 Vec3 borne(const std::optional<CentralHinge>& hinge, const Vec3& own, const Vec3& with_planets);
 
 /// The force that a coupling bears [N]; `force_of` gives those of all couplings as drawn, of tail
-/// on head.
+/// on head, or none where equilibrium leaves one open: then what depends on it is not known either.
 template <class ForceOf>
-Vec3 borne_force(const std::optional<CentralHinge>& hinge,
-                 CouplingId coupling,
-                 const ForceOf& force_of) {
-  const Vec3 own = force_of(coupling);
-  Vec3 with_planets = own;
-  for (std::size_t i = 0; hinge && i < hinge->planets.size(); ++i) {
-    with_planets += hinge->planets[i].sign * force_of(hinge->planets[i].coupling);
+std::optional<Vec3> borne_force(const std::optional<CentralHinge>& hinge,
+                                CouplingId coupling,
+                                const ForceOf& force_of) {
+  const std::optional<Vec3> own = force_of(coupling);
+  if (!own) {
+    return std::nullopt;
   }
-  return borne(hinge, own, with_planets);
+  Vec3 with_planets = *own;
+  for (std::size_t i = 0; hinge && i < hinge->planets.size(); ++i) {
+    const std::optional<Vec3> of_planet = force_of(hinge->planets[i].coupling);
+    if (!of_planet) {
+      return std::nullopt;
+    }
+    with_planets += hinge->planets[i].sign * *of_planet;
+  }
+  return borne(hinge, *own, with_planets);
 }
 
 }  // namespace kinestat

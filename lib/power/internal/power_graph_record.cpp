@@ -140,12 +140,14 @@ const Record<PowerView>& recirculation_record() {
         keys.number("factor",
                     Bare::number,
                     "Largest power from shaft to shaft over the input power, planets that mesh "
-                    "with each other being one; null without input.",
+                    "with each other being one; null without input, or where equilibrium leaves "
+                    "powers between bodies open.",
                     [](const PowerView& v) { return v.graph.recirculation; })
             .at_least(0);
         keys.list("loops",
                   loop_record(),
-                  "Bodies each of which sends power, by way of others, to all the others.",
+                  "Bodies each of which sends power, by way of others, to all the others; only by "
+                  "powers that equilibrium determines.",
                   [](const PowerView& v, const Each<LoopView>& each) {
                     for (const CirculatingPower& loop : v.graph.circulating) {
                       each({.topology = v.mechanism.topology, .graph = v.graph, .loop = loop});

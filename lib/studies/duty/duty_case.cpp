@@ -79,18 +79,27 @@ void add_forces(const Topology& topology,
                 std::span<const Mesh> meshes,
                 std::span<const MeshTwists> twists,
                 DutyState& state) {
-  std::vector<Wrench> wrenches(topology.couplings.size());
+  std::vector<std::optional<Wrench>> wrenches(topology.couplings.size(), Wrench{});
   for (std::size_t a = 0; a < state.actions.size(); ++a) {
-    Wrench& wrench = wrenches[static_cast<std::size_t>(topology.actions[a].coupling.value)];
-    wrench = wrench + state.actions[a] * geometry.actions[a];
+    std::optional<Wrench>& wrench =
+        wrenches[static_cast<std::size_t>(topology.actions[a].coupling.value)];
+    wrench = wrench && state.actions[a]
+                 ? std::optional(*wrench + *state.actions[a] * geometry.actions[a])
+                 : std::nullopt;
   }
-  for (const Wrench& wrench : wrenches) {
-    state.forces.push_back(wrench.force);
+  for (const std::optional<Wrench>& wrench : wrenches) {
+    state.forces.push_back(wrench ? std::optional(wrench->force) : std::nullopt);
   }
   for (std::size_t m = 0; m < meshes.size(); ++m) {
-    const Wrench& teeth = wrenches[static_cast<std::size_t>(meshes[m].coupling.value)];
-    state.teeth[m].head.torque = std::abs(power(teeth, twists[m].head));
-    state.teeth[m].tail.torque = std::abs(power(teeth, twists[m].tail));
+    const auto& teeth = wrenches[static_cast<std::size_t>(meshes[m].coupling.value)];
+    const auto torque = [&](const Twist& twist) -> std::optional<double> {
+      if (twist.angular.isZero(0.0)) {
+        return 0.0;
+      }
+      return teeth ? std::optional(std::abs(power(*teeth, twist))) : std::nullopt;
+    };
+    state.teeth[m].head.torque = torque(twists[m].head);
+    state.teeth[m].tail.torque = torque(twists[m].tail);
   }
 }
 
@@ -148,11 +157,8 @@ std::optional<DutyState> state_of(const Mechanism& mechanism,
     return std::nullopt;
   }
   const auto& actions = has_losses ? one.efficiency->state->actions : one.action->magnitudes;
-  DutyState result{.rates = one.motion->rates};
-  for (const std::optional<double>& action : actions) {
-    result.actions.push_back(action.value_or(0.0));
-  }
-  result.actuators = actuator_powers(mechanism.topology, result.rates, result.actions);
+  DutyState result{.rates = one.motion->rates, .actions = actions};
+  result.actuators = has_losses ? one.efficiency->state->actuators : one.power->actuators;
   result.loads = one.power->loads;
   result.friction.assign(mechanism.frictions.size(), 0.0);
   const std::vector<double>& lost =

@@ -24,22 +24,28 @@ class WearSum {
  public:
   explicit WearSum(const std::optional<double>& exponent) : exponent_(exponent) {}
 
-  void add(double turns, double load) {
+  void add(double turns, const std::optional<double>& load) {
     turns_ += turns;
-    if (load > largest_) {
-      sum_ *= exponent_ && largest_ > 0.0 ? std::pow(largest_ / load, *exponent_) : 0.0;
-      largest_ = load;
+    is_open_ = is_open_ || !load;
+    if (is_open_) {
+      return;
     }
-    sum_ += exponent_ && largest_ > 0.0 ? turns * std::pow(load / largest_, *exponent_) : 0.0;
+    if (*load > largest_) {
+      sum_ *= exponent_ && largest_ > 0.0 ? std::pow(largest_ / *load, *exponent_) : 0.0;
+      largest_ = *load;
+    }
+    sum_ += exponent_ && largest_ > 0.0 ? turns * std::pow(*load / largest_, *exponent_) : 0.0;
   }
 
   DutyWear wear(double repetitions) const {
-    DutyWear result{.revolutions = {}, .largest = largest_, .equivalent = {}};
+    DutyWear result{.revolutions = {},
+                    .largest = is_open_ ? std::nullopt : std::optional(largest_),
+                    .equivalent = {}};
     if (std::isnan(turns_)) {
       return result;
     }
     result.revolutions = repetitions * turns_;
-    if (exponent_ && turns_ > 0.0) {
+    if (exponent_ && turns_ > 0.0 && !is_open_) {
       result.equivalent = largest_ * std::pow(sum_ / turns_, 1.0 / *exponent_);
     }
     return result;
@@ -47,6 +53,7 @@ class WearSum {
 
  private:
   std::optional<double> exponent_;
+  bool is_open_ = false;  ///< the load of some point
   double turns_ = 0.0;
   double largest_ = 0.0;
   double sum_ = 0.0;
@@ -237,7 +244,7 @@ class DutySum {
     const ActuatorTopology& one =
         mechanism_.topology.actuators[static_cast<std::size_t>(element.actuator)];
     const double rate = state.rates[static_cast<std::size_t>(one.freedom)];
-    const double torque = std::abs(state.actions[static_cast<std::size_t>(one.action)]);
+    const double torque = std::abs(state.actions[static_cast<std::size_t>(one.action)].value());
     element.engaged += rate == 0.0 && torque > 0.0 ? t : 0.0;
     element.largest = std::max(element.largest, torque);
     element.lost -= t * state.actuators[static_cast<std::size_t>(element.actuator)];
@@ -247,16 +254,21 @@ class DutySum {
     for (GearSum& gear : gears_) {
       const MeshState& mesh = state.teeth[gear.mesh];
       const GearState& one = gear.is_head ? mesh.head : mesh.tail;
-      gear.wear.add(one.speed * t / kTurn, one.torque * gear.share);
+      gear.wear.add(one.speed * t / kTurn, shared(one.torque, gear.share));
     }
     for (BearingSum& bearing : bearings_) {
       const double rate = state.rates[static_cast<std::size_t>(bearing.freedom)];
-      const Vec3 force =
+      const std::optional<Vec3> force =
           borne_force(bearing.central, bearing.duty.bearing, [&](CouplingId coupling) {
             return state.forces[static_cast<std::size_t>(coupling.value)];
           });
-      bearing.wear.add(std::abs(rate) * t / kTurn, force.norm() * bearing.share);
+      bearing.wear.add(std::abs(rate) * t / kTurn,
+                       shared(force ? std::optional(force->norm()) : std::nullopt, bearing.share));
     }
+  }
+
+  static std::optional<double> shared(const std::optional<double>& load, double share) {
+    return load ? std::optional(*load * share) : std::nullopt;
   }
 
   static void add_energy(const DutyEnergy& one, DutyEnergy& to) {

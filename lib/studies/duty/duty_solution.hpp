@@ -39,10 +39,11 @@ struct DutyPointState {
 
 /// How a gear or bearing is used. `equivalent` is the constant load that, in as many revolutions,
 /// wears as much by Miner's rule, (Σ n F^p / Σ n)^(1/p); empty without an exponent p, or where
-/// nothing turns. Both it and `revolutions` are empty where some speed is not determined.
+/// nothing turns. Both it and `revolutions` are empty where some speed is not determined; it and
+/// `largest` where equilibrium leaves some load open.
 struct DutyWear {
   std::optional<double> revolutions;
-  double largest = 0.0;
+  std::optional<double> largest;
   std::optional<double> equivalent;
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "core/types.hpp"
@@ -13,8 +14,9 @@ inline constexpr double kUnknownSpeed = std::numeric_limits<double>::quiet_NaN()
 
 /// A gear of a mesh, seen from its carrier; neither number is negative.
 struct GearState {
-  double speed = 0.0;   ///< [rad/s]
-  double torque = 0.0;  ///< of the teeth about its axis [N·m]; 0 where it does not turn
+  double speed = 0.0;                   ///< [rad/s]
+  std::optional<double> torque = 0.0;  ///< of the teeth about its axis [N·m]; 0 where it does not
+                                       ///< turn, empty where equilibrium leaves it open
 };
 
 struct MeshState {
@@ -26,13 +28,13 @@ struct MeshState {
 /// negative.
 struct DutyState {
   std::vector<double> rates = {};      ///< of each freedom, or kUnknownSpeed
-  std::vector<double> actions = {};    ///< of each action
+  std::vector<std::optional<double>> actions = {};  ///< of each action; empty where it is open
   std::vector<double> actuators = {};  ///< power of each [W]
   std::vector<double> loads = {};      ///< of each load of the case [W]
   std::vector<double> friction = {};   ///< of each of mechanism.frictions [W]
   std::vector<double> meshes = {};     ///< of each of mechanism.lossy_meshes [W]
   std::vector<MeshState> teeth = {};   ///< of each mesh; zero where it has no carrier
-  std::vector<Vec3> forces = {};       ///< that each coupling bears [N]
+  std::vector<std::optional<Vec3>> forces = {};  ///< that each coupling bears [N]; likewise
   bool drives_from_both_ends = false;  ///< losses take more than the inputs give
 };
 

@@ -78,7 +78,8 @@ class GearReader {
     values_.ratios.push_back(std::move(ratios));
   }
 
-  // Of several equal planets the most loaded one counts; of central hinges what these leave.
+  // Of several equal planets the most loaded one counts; of central hinges what these leave. One
+  // whose force is open might be the most loaded one.
   std::optional<LoadedCoupling> most_loaded(bool (*counts)(CouplingType)) const {
     std::optional<LoadedCoupling> most;
     if (!has_actions()) {
@@ -87,16 +88,19 @@ class GearReader {
     const std::vector<std::optional<CentralHinge>> central = find_central_hinges(gear_.mechanism);
     for (std::size_t e = 0; e < topology_.couplings.size(); ++e) {
       const CouplingTopology& coupling = topology_.couplings[e];
-      if (!counts(coupling.type) || !gear_.action->wrenches[e]) {
+      if (!counts(coupling.type)) {
         continue;
       }
-      const Vec3 bears =
+      const std::optional<Vec3> bears =
           borne_force(central[e], CouplingId{static_cast<int>(e)}, [&](CouplingId other) {
             const std::optional<Wrench>& wrench =
                 gear_.action->wrenches[static_cast<std::size_t>(other.value)];
-            return wrench ? wrench->force : Vec3(Vec3::Zero());
+            return wrench ? std::optional(wrench->force) : std::nullopt;
           });
-      const double force = bears.norm() * most_loaded_share(gear_.mechanism, coupling);
+      if (!bears) {
+        return std::nullopt;
+      }
+      const double force = bears->norm() * most_loaded_share(gear_.mechanism, coupling);
       // Of equal ones the first: rounding decides nothing.
       if (force > (most ? most->force * (1.0 + kSameValue) : 0.0)) {
         most = {.name = coupling.name, .force = force};

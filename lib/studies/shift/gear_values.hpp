@@ -23,7 +23,8 @@ struct GearValues {
   std::vector<std::optional<double>> torques;        ///< of each element, tail on head [N m]
   std::vector<std::optional<double>> lossy_torques;  ///< likewise with losses of meshes
   std::vector<std::optional<double>> slips;          ///< of each element, head minus tail [rad/s]
-  std::optional<LoadedCoupling> bearing;             ///< the one with the largest force
+  std::optional<LoadedCoupling> bearing;             ///< the one with the largest force; empty
+                                                     ///< where that of any bearing is open
   std::optional<LoadedCoupling> mesh;                ///< likewise
   std::vector<LimitUse> limits;                      ///< what it takes of those of the plan
 };

@@ -62,13 +62,15 @@ void add_wear(Record<View>& keys, QuantityKind load, const WearOf& wear_of) {
               Bare::number,
               "Revolutions, of all repetitions; null where a gear leaves its speed open.",
               [wear_of](const View& v) { return wear_of(v).revolutions; });
-  keys.quantity("largest", load, "The largest of all points.", [wear_of](const View& v) {
-    return wear_of(v).largest;
-  });
+  keys.quantity("largest",
+                load,
+                "The largest of all points; null where equilibrium leaves that of a point open.",
+                [wear_of](const View& v) { return wear_of(v).largest; });
   keys.quantity("equivalent",
                 load,
                 "Equivalent load: the constant load that causes the same damage in the same number "
-                "of revolutions (Miner); null without an exponent, or where nothing turns.",
+                "of revolutions (Miner); null without an exponent, where nothing turns, or where a "
+                "speed or load is open.",
                 [wear_of](const View& v) { return wear_of(v).equivalent; });
 }
 

@@ -25,6 +25,7 @@ class DutyText {
     blocks += TextBlocks(losses());
     add(gears(), blocks);
     add(bearings(), blocks);
+    blocks += TextBlocks(open_loads());
     add(elements(), blocks);
     return blocks;
   }
@@ -68,14 +69,9 @@ class DutyText {
                           counted(one.count, "point"),
                           v_.mechanism.cases[one.which].label,
                           one.count == 1 ? "s" : "ve",
-                          place_of(one.first));
+                          place_of(v_.plan, one.first));
     }
     return text + "\n";
-  }
-
-  std::string place_of(std::size_t index) const {
-    const int line = v_.plan.points[index].line;
-    return line > 0 ? fmt::format("in line {}", line) : fmt::format("point {}", index + 1);
   }
 
   Table energies() const {
@@ -145,6 +141,15 @@ class DutyText {
     return table;
   }
 
+  // The finding of the points names what is open.
+  std::string open_loads() const {
+    const auto is_open = [](const auto& one) { return !one.wear.largest; };
+    return std::ranges::any_of(v_.duty.gears, is_open) ||
+                   std::ranges::any_of(v_.duty.bearings, is_open)
+               ? "  Equilibrium leaves loads without a value open (W0601).\n\n"
+               : "";
+  }
+
   // Equivalent loads need an exponent.
   std::vector<std::string> wear_head(std::vector<std::string> names,
                                      QuantityKind load,
@@ -163,7 +168,7 @@ class DutyText {
     names.insert(names.end(),
                  {std::to_string(planets),
                   wear.revolutions ? format_short(*wear.revolutions) : "-",
-                  number(load, wear.largest)});
+                  optional_number(load, wear.largest)});
     const bool has_exponent = load == QuantityKind::moment ? v_.plan.gear_exponent.has_value()
                                                            : v_.plan.bearing_exponent.has_value();
     if (has_exponent) {

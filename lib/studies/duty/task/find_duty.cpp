@@ -90,13 +90,14 @@ class PointFindings {
     }
   }
 
-  void tell(Diagnostics& found) const {
+  void tell(const DutyPlan& plan, Diagnostics& found) const {
     for (const Held& one : held_) {
       CaseFinding told = one.worst;
+      const std::string place = place_of(plan, one.point);
       told.message +=
           one.count == 1
-              ? fmt::format(" (point {})", one.point)
-              : fmt::format(" (point {}, and {} more)", one.point, counted(one.count - 1, "point"));
+              ? fmt::format(" ({})", place)
+              : fmt::format(" ({}, and {} more)", place, counted(one.count - 1, "point"));
       kinestat::add(told, found);
     }
   }
@@ -104,7 +105,7 @@ class PointFindings {
  private:
   struct Held {
     CaseFinding worst;
-    std::size_t point = 0;  // index, as in the report
+    std::size_t point = 0;  // index into the plan
     int count = 1;
   };
 
@@ -135,7 +136,7 @@ std::optional<FoundDuty> find_duty(const std::string& path,
       solve_duty(file.mechanism, *plan, [&](std::size_t point, const CaseAnalysis& analysis) {
         points.add(point, find_case_findings(file, analysis));
       });
-  points.tell(found);
+  points.tell(*plan, found);
   add_unanswered(file, solution, found);
   return FoundDuty{.plan = *std::move(plan), .solution = std::move(solution)};
 }

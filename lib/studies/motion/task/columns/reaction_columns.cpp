@@ -113,13 +113,9 @@ class ReactionReadings {
           }
           const std::optional<CentralHinge> moved =
               hinge ? std::optional(moved_hinge(*hinge, tail, at)) : std::nullopt;
-          bool is_known = true;
-          const Vec3 bears = borne_force(moved, id, [&](CouplingId other) -> Vec3 {
-            const std::optional<Vec3> force = force_of(topology, at, other);
-            is_known = is_known && force.has_value();
-            return force.value_or(Vec3::Zero());
-          });
-          return is_known ? std::optional(bears.norm() * share) : std::nullopt;
+          const std::optional<Vec3> bears = borne_force(
+              moved, id, [&](CouplingId other) { return force_of(topology, at, other); });
+          return bears ? std::optional(bears->norm() * share) : std::nullopt;
         });
   }
 
