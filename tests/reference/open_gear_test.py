@@ -120,6 +120,26 @@ class OpenGear(unittest.TestCase):
         states = program.run("shift", "-", text=text)["shift"]["states"]
         self.assertIsNone(states["direct"].get("equivalent_inertia"))
 
+    def test_limits_of_what_turns_freely(self) -> None:
+        """The shaft turns at 10 and the wheel at 4 rad/s, ring, carrier and planets as they like."""
+        text = TRAIN.replace("  input_action: T\n",
+                             "  input_action: T\n  limits: {speed: 5 rad/s, planet_speed: 1 rad/s}\n")
+        text += "duty: {points: [{case: direct, duration: 1}]}\n"
+        done = program.call("shift", "-", text=text)
+        state = program.report(done)["shift"]["states"]["direct"]
+        self.assertAlmostEqual(state["limits"]["speed.shaft"]["use"], 2.0)
+        self.assertAlmostEqual(state["limits"]["speed.wheel"]["use"], 0.8)
+        for name in ("speed.ring", "speed.carrier", "planet_speed.planet"):
+            self.assertIsNone(state["limits"][name]["use"], name)
+            self.assertIsNone(state["limits"][name]["speed"], name)
+        self.assertIsNone(state["limit_use"])
+        for stderr in (done.stderr, program.call("duty", "-", text=text).stderr):
+            of_direct = [line for line in stderr.splitlines()
+                         if "W0712" in line and "gear 'direct'" in line]
+            self.assertEqual(len(of_direct), 2, stderr)
+            self.assertIn("body 'shaft' turns at 10 rad/s", of_direct[0])
+            self.assertIn("body 'idler' turns at 10 rad/s", of_direct[1])
+
     def test_in_a_duty(self) -> None:
         """Energies are those of the gear; nobody knows how often the rest turns."""
         text = TRAIN + "duty: {gear_exponent: 6, points: [{case: direct, duration: 5 s}]}\n"

@@ -78,8 +78,12 @@ std::optional<double> speed_of(const SolvedGear& gear, const LimitedPart& part) 
   if (gear.motion == nullptr || gear.motion->status != SolveStatus::solved) {
     return std::nullopt;
   }
+  const BodyId body{part.limit.index};
+  if (!gear.motion->knows_body(body) || !gear.motion->knows_body(part.seen_from)) {
+    return std::nullopt;
+  }
   const std::vector<Twist>& bodies = gear.motion->bodies;
-  const Vec3 turning = bodies[static_cast<std::size_t>(part.limit.index)].angular -
+  const Vec3 turning = bodies[static_cast<std::size_t>(body.value)].angular -
                        bodies[static_cast<std::size_t>(part.seen_from.value)].angular;
   return turning.norm();
 }
