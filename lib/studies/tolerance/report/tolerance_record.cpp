@@ -164,6 +164,15 @@ const Record<CaseView>& case_record() {
                    }
                  })
             .in_tables_is(TableRole::table);
+        keys.names("loose",
+                   "Positions without influences, as the drives do not hold them: an idle freedom "
+                   "moves them.",
+                   [](const View& v, const EachName& each) {
+                     for (const std::string& name : v.one.loose) {
+                       each(name);
+                     }
+                   })
+            .not_in_tables();
         keys.names("not_fitting",
                    "Actions along or about which no part can deviate alone, because constraints "
                    "are redundant there: other parts would have to bend, or need play.",

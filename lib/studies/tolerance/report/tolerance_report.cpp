@@ -85,6 +85,18 @@ std::string held_text(const std::vector<std::string>& held) {
   return held.empty() ? "nothing" : plain_list(held);
 }
 
+TextBlocks loose_text(const std::vector<std::string>& positions) {
+  return TextBlocks(positions.empty()
+                        ? std::string()
+                        : page_lines("  ",
+                                     fmt::format("The drives do not hold {}: an idle freedom moves "
+                                                 "{}.",
+                                                 plain_list(positions),
+                                                 positions.size() == 1 ? "it" : "them"),
+                                     2) +
+                              "\n");
+}
+
 TextBlocks not_fitting_text(const std::vector<std::string>& actions) {
   return TextBlocks(actions.empty()
                         ? std::string()
@@ -106,6 +118,7 @@ TextBlocks case_text(const CaseTolerance& one, const MechanismDescription& descr
     text += TextBlocks(table_of(stack, description, one.has_tolerances), "    ");
     text += "\n";
   }
+  text += loose_text(one.loose);
   text += not_fitting_text(one.not_fitting);
   return text;
 }
@@ -164,6 +177,7 @@ TextBlocks motion_text(const std::vector<CaseTolerance>& steps,
     text += TextBlocks(table_of(stack, description, whole->has_tolerances), "    ");
     text += "\n";
   }
+  text += loose_text(whole->loose);
   text += not_fitting_text(whole->not_fitting);
   return text;
 }

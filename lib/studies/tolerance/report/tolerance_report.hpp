@@ -30,6 +30,7 @@ struct CaseTolerance {
   std::optional<DrivePlace> drive;  ///< of a step
   std::vector<std::string> held;    ///< as the case names them; none at a singular position
   std::vector<ToleranceStack> positions;
+  std::vector<std::string> loose;        ///< positions that the held drives leave open
   std::vector<std::string> not_fitting;  ///< actions that redundant constraints bear: no part can
                                          ///< deviate along or about them alone
   bool has_tolerances = false;           ///< some deviation may be more than zero

@@ -50,6 +50,12 @@ class ToleranceJob {
     return {.place = tolerances.place, .angle = tolerances.angle, .cases = {}};
   }
 
+  // Nothing holds an idle freedom, whose rate is assumed.
+  static Case as_typed(Case which) {
+    std::erase_if(which.motions, &Primary::is_assumed);
+    return which;
+  }
+
   // Empty iff an error was added.
   std::optional<ReadTolerances> read(std::span<const Case> cases) {
     const int errors_before = found_.error_count();
@@ -61,7 +67,7 @@ class ToleranceJob {
   std::optional<FoundTolerance> drawn_cases() {
     std::vector<Case> cases;
     for (const CaseAnalysis& one : analysis_.cases) {
-      cases.push_back(one.which);
+      cases.push_back(as_typed(one.which));
     }
     const std::optional<ReadTolerances> tolerances = read(cases);
     if (!is_case_known() || !tolerances) {
@@ -72,11 +78,8 @@ class ToleranceJob {
       const CaseAnalysis& one = analysis_.cases[c];
       const bool is_asked = choice_.case_label.empty() || choice_.case_label == one.which.label;
       if (is_asked && one.motion && one.motion->status == SolveStatus::solved) {
-        std::vector<WatchedPosition> watched = watched_of(one.which);
-        std::erase_if(watched,
-                      [&](const WatchedPosition& position) { return !is_known(one, position); });
         result.cases.push_back(
-            tolerance_of(mechanism_, one.which, watched, tolerances->of_cases[c]));
+            tolerance_of(mechanism_, cases[c], watched_of(cases[c]), tolerances->of_cases[c]));
       }
     }
     check_answered(result.cases);
@@ -227,14 +230,6 @@ class ToleranceJob {
     }
   }
 
-  // Whether the drives say where it is.
-  static bool is_known(const CaseAnalysis& one, const WatchedPosition& position) {
-    if (const int* freedom = std::get_if<int>(&position.of)) {
-      return one.motion->knows_rate(*freedom);
-    }
-    return one.motion->knows_body(std::get<BodyDisplacement>(position.of).body);
-  }
-
   std::vector<WatchedPosition> watched_of(const Case& which) const {
     if (choice_.positions.empty()) {
       return usual_positions(mechanism_, points(), which);
@@ -255,12 +250,15 @@ class ToleranceJob {
     CaseTolerance result;
     result.label = which.label;
     for (const Primary& held : which.motions) {
-      if (!held.is_assumed) {
-        result.held.push_back(held.given);
-      }
+      result.held.push_back(held.given);
     }
     result.positions =
         stack_tolerances(mechanism, which, deviations, watched, influences, tolerances);
+    for (std::size_t w = 0; w < watched.size(); ++w) {
+      if (!influences.of[w]) {
+        result.loose.push_back(watched[w].name);
+      }
+    }
     for (std::size_t d = 0; d < deviations.size(); ++d) {
       if (!influences.fits[d]) {
         result.not_fitting.push_back(mechanism_.topology.action_name(deviations[d].action));
