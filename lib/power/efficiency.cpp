@@ -13,6 +13,7 @@
 #include "math/numbers/bounded_number.hpp"
 #include "mechanism/cases/load.hpp"
 #include "power/internal/no_efficiency.hpp"
+#include "power/stored_power.hpp"
 
 namespace kinestat {
 
@@ -54,8 +55,8 @@ std::string loads_beside(const Case& which, const CasePowers& powers, double neg
   std::vector<std::string> names;
   for (std::size_t i = 0; i < powers.loads.size(); ++i) {
     const std::string& name = which.loads[i].name;
-    if (!holds(which.input_loads, which.output_loads, i) && !name.starts_with(kInertiaPrefix) &&
-        !name.starts_with(kSpringPrefix) && std::abs(powers.loads[i]) > negligible) {
+    if (!holds(which.input_loads, which.output_loads, i) &&
+        stored_power_reason(which.loads[i]).empty() && std::abs(powers.loads[i]) > negligible) {
       names.push_back(fmt::format("'{}'", name));
     }
   }
@@ -97,11 +98,8 @@ std::string exchange_beside(const Case& which, const CasePowers& powers) {
   if (load == nullptr) {
     return "other actuators also supply or absorb power; list them under 'input' or 'output'";
   }
-  return load->name.starts_with(kInertiaPrefix)
-             ? "the kinetic energy of the bodies also supplies or absorbs power"
-         : load->name.starts_with(kSpringPrefix)
-             ? fmt::format("'{}' also supplies or absorbs power", load->name)
-             : loads_beside(which, powers, kPowerBalance * largest);
+  std::string stored = stored_power_reason(*load);
+  return stored.empty() ? loads_beside(which, powers, kPowerBalance * largest) : stored;
 }
 
 // Whether one of them has a power of that sign, +1 or -1.

@@ -446,6 +446,52 @@ duty:
   points: [{case: M1, duration: 10}]
 """
 
+# A damper and friction on the shaft of the wheel, which a load brakes.
+DAMPED = """kinestat: 1
+space: planar
+units: {length: mm}
+ground: housing
+bodies: {p: {inertia: 0.01}, w: {inertia: 0.5}}
+couplings:
+  a: {type: revolute, bodies: [housing, p]}
+  b: {type: revolute, bodies: [housing, w], friction: {c: 0.02 N*m*s/rad}}
+gears:
+  module: 2 mm
+  members: {gp: {body: p, teeth: 20}, gw: {body: w, teeth: 50}}
+  meshes: {m: {members: [gp, gw]}}
+losses: {gear_external: 0.02}
+springs: {s: {coupling: b, stiffness: 0 N*m/rad, damping: 0.1 N*m*s/rad}}
+actuators: {in: {coupling: a}, out: {coupling: b}}
+loads: {l: {body: w, couple: 3 N*m}}
+cases:
+  run: {motion: {in: 100}, acceleration: {in: 50}, action: {in: 40}, input: in, output: out}
+duty:
+  points: [{case: run, duration: 20}, {case: run, duration: 10, input_action: 20}]
+"""
+
+
+class Dampers(unittest.TestCase):
+    def test_lose_what_they_dissipate(self) -> None:
+        """At 40 rad/s the damper takes 0.1 * 40^2 W, the bearing 0.02 * 40^2 W, the teeth 2 %."""
+        duty = program.run("duty", "-", text=DAMPED.replace("acceleration: {in: 50}, ", ""))["duty"]
+        lost = 20 * (0.02 * 4000 + 32 + 160) + 10 * (0.02 * 2000 + 32 + 160)
+        self.assertAlmostEqual(duty["dampers"]["s"]["lost"], 30 * 160)
+        self.assertAlmostEqual(duty["lost"], lost)
+        self.assertAlmostEqual(duty["given"], 100_000)
+        self.assertAlmostEqual(duty["taken"], 100_000 - lost)
+        self.assertAlmostEqual(duty["efficiency"], 1 - lost / 100_000)
+        self.assertNotIn("reason", duty)
+        self.assertLess(duty["balance_residual"], 1e-12)
+
+    def test_masses_that_are_sped_up_leave_no_efficiency(self) -> None:
+        """Speeding up the pinion takes 0.01 * 50 N m, of which teeth lose nothing."""
+        duty = program.run("duty", "-", text=DAMPED)["duty"]
+        lost = 20 * (0.02 * 3950 + 32 + 160) + 10 * (0.02 * 1950 + 32 + 160)
+        self.assertAlmostEqual(duty["lost"], lost)
+        for one in (duty, duty["cases"]["run"], *duty["points"]):
+            self.assertIsNone(one["efficiency"])
+            self.assertIn("kinetic energy", one["reason"])
+
 
 if __name__ == "__main__":
     program.use(sys.argv[1])

@@ -8,6 +8,8 @@
 #include "core/contract.hpp"
 #include "core/tolerance.hpp"
 #include "couplings/kinds.hpp"
+#include "dynamics/spring_power.hpp"
+#include "power/stored_power.hpp"
 #include "power/transmission_efficiency.hpp"
 #include "statics/friction_law.hpp"
 
@@ -147,6 +149,32 @@ void forget_idle(const Topology& topology,
   }
 }
 
+// Damping is a loss; what stiffness and masses take they give back some time.
+void add_loads(const Mechanism& mechanism, const CaseAnalysis& one, DutyState& state) {
+  const std::vector<double>& powers = one.power->loads;
+  const std::vector<Load>& loads = one.which.loads;
+  const std::vector<SpringPower> springs = spring_powers(mechanism, one.springs, loads, powers);
+  double stored = kPowerBalance * one.power->largest;
+  const auto add = [&](double power, const Load& load) {
+    state.loads.push_back(power);
+    std::string reason = stored_power_reason(load);
+    if (std::abs(power) > stored && !reason.empty()) {
+      stored = std::abs(power);
+      state.no_efficiency = std::move(reason);
+    }
+  };
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    if (springs.empty() || i < springs.front().first ||
+        i >= springs.back().first + springs.back().load_count) {
+      add(powers[i], loads[i]);
+    }
+  }
+  for (const SpringPower& spring : springs) {
+    add(spring.given, loads[spring.first]);
+    state.dampers.push_back(-spring.lost);
+  }
+}
+
 }  // namespace
 
 std::optional<DutyState> state_of(const Mechanism& mechanism,
@@ -159,7 +187,7 @@ std::optional<DutyState> state_of(const Mechanism& mechanism,
   const auto& actions = has_losses ? one.efficiency->state->actions : one.action->magnitudes;
   DutyState result{.rates = one.motion->rates, .actions = actions};
   result.actuators = has_losses ? one.efficiency->state->actuators : one.power->actuators;
-  result.loads = one.power->loads;
+  add_loads(mechanism, one, result);
   result.friction.assign(mechanism.frictions.size(), 0.0);
   const std::vector<double>& lost =
       has_losses ? one.efficiency->state->friction : one.power->friction;

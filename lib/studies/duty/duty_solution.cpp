@@ -86,6 +86,7 @@ class DutySum {
       result_.meshes.push_back({.coupling = mesh.coupling});
     }
     list_frictions();
+    list_dampers();
     list_gears(meshes);
     list_bearings();
     for (std::size_t a = 0; a < slips_.size(); ++a) {
@@ -143,6 +144,11 @@ class DutySum {
       lose(state.friction[f]);
       result_.frictions[loser_of_[f]].energy -= t * state.friction[f];
     }
+    std::ranges::for_each(state.dampers, lose);
+    for (DamperLoss& damper : result_.dampers) {
+      damper.energy -= state.dampers.empty() ? 0.0 : t * state.dampers[damper.spring];
+    }
+    one.energy.no_efficiency = state.no_efficiency;
     one.balance_residual = largest == 0.0 ? 0.0 : std::abs(sum) / largest;
     add_wear(state, t);
     add_energy(one.energy, result_.whole);
@@ -165,6 +171,9 @@ class DutySum {
       for (CouplingLoss& loss : *losses) {
         loss.energy *= times;
       }
+    }
+    for (DamperLoss& damper : result_.dampers) {
+      damper.energy *= times;
     }
     for (const GearSum& gear : gears_) {
       result_.gears.push_back(gear.duty);
@@ -195,6 +204,14 @@ class DutySum {
       loser_of_.push_back(static_cast<std::size_t>(first - result_.frictions.begin()));
       if (first == result_.frictions.end()) {
         result_.frictions.push_back({.coupling = friction.coupling});
+      }
+    }
+  }
+
+  void list_dampers() {
+    for (std::size_t i = 0; i < mechanism_.springs.size(); ++i) {
+      if (mechanism_.springs[i].damping != 0.0) {
+        result_.dampers.push_back({.spring = i});
       }
     }
   }
@@ -276,6 +293,9 @@ class DutySum {
     to.given += one.given;
     to.taken += one.taken;
     to.lost += one.lost;
+    if (to.no_efficiency.empty()) {
+      to.no_efficiency = one.no_efficiency;
+    }
   }
 
   static void scale(double factor, DutyEnergy& energy) {
@@ -298,7 +318,7 @@ class DutySum {
 }  // namespace
 
 std::optional<double> DutyEnergy::efficiency() const {
-  return given > 0.0 ? std::optional(taken / given) : std::nullopt;
+  return given > 0.0 && no_efficiency.empty() ? std::optional(taken / given) : std::nullopt;
 }
 
 DutySolution solve_duty(const Mechanism& mechanism,

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -13,12 +14,13 @@ namespace kinestat {
 
 /// Energies of a while [J]. What actuators and loads give is what they take and what is lost.
 struct DutyEnergy {
-  double duration = 0.0;  ///< [s]
-  double given = 0.0;     ///< by whatever drives
-  double taken = 0.0;     ///< by whatever is driven
-  double lost = 0.0;      ///< in teeth, bearings, and elements that slip or drag
+  double duration = 0.0;           ///< [s]
+  double given = 0.0;              ///< by whatever drives
+  double taken = 0.0;              ///< by whatever is driven
+  double lost = 0.0;               ///< in teeth, bearings, dampers, and elements that slip or drag
+  std::string no_efficiency = {};  ///< why it is none, where masses or springs store energy
 
-  /// Taken by given; empty where nothing is given.
+  /// Taken by given; empty where nothing is given, or part of what is taken is stored.
   std::optional<double> efficiency() const;
 };
 
@@ -75,6 +77,11 @@ struct CouplingLoss {
   double energy = 0.0;  ///< [J]
 };
 
+struct DamperLoss {
+  std::size_t spring = 0;  ///< index into mechanism.springs
+  double energy = 0.0;     ///< [J]
+};
+
 struct DutyCaseEnergy {
   std::size_t which = 0;  ///< index into Mechanism::cases
   DutyEnergy energy;
@@ -95,6 +102,7 @@ struct DutySolution {
   std::vector<DutyCaseEnergy> cases;    ///< those of the points, in the order of the mechanism
   std::vector<CouplingLoss> meshes;     ///< as mechanism.lossy_meshes
   std::vector<CouplingLoss> frictions;  ///< as mechanism.frictions, a torque converter as one
+  std::vector<DamperLoss> dampers;      ///< of the springs with damping
   std::vector<GearDuty> gears;
   std::vector<BearingDuty> bearings;
   std::vector<ElementDuty> elements;

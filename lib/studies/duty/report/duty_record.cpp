@@ -37,12 +37,18 @@ const Record<DutyEnergy>& energy_record() {
                       [](const View& v) { return v.taken; });
         keys.quantity("lost",
                       QuantityKind::energy,
-                      "In teeth, bearings, and elements that slip or drag.",
+                      "In teeth, bearings, dampers, and elements that slip or drag.",
                       [](const View& v) { return v.lost; });
         keys.number("efficiency",
                     Bare::efficiency,
-                    "Energy delivered over energy supplied; null where none is supplied.",
+                    "Energy delivered over energy supplied; null where none is supplied, or where "
+                    "bodies or springs store or release energy.",
                     [](const View& v) { return v.efficiency(); });
+        keys.text("reason",
+                  "What leaves no efficiency.",
+                  [](const View& v) { return v.no_efficiency; })
+            .not_compared()
+            .only_if([](const View& v) { return !v.no_efficiency.empty(); });
       });
   return record;
 }
@@ -50,6 +56,15 @@ const Record<DutyEnergy>& energy_record() {
 const Record<CouplingLoss>& loss_record() {
   using View = CouplingLoss;
   static const Record<View> record("The loss of a coupling.", [](Record<View>& keys) {
+    keys.quantity(
+        "lost", QuantityKind::energy, "Energy lost there.", [](const View& v) { return v.energy; });
+  });
+  return record;
+}
+
+const Record<DamperLoss>& damper_record() {
+  using View = DamperLoss;
+  static const Record<View> record("The loss of a spring's damping.", [](Record<View>& keys) {
     keys.quantity(
         "lost", QuantityKind::energy, "Energy lost there.", [](const View& v) { return v.energy; });
   });
@@ -212,6 +227,16 @@ const Record<DutyReportView>& duty_record() {
                    emit_losses(v, v.duty.frictions, each);
                  })
             .in_tables_is(TableRole::element);
+        keys.map("dampers",
+                 damper_record(),
+                 "Losses of springs with damping.",
+                 [](const View& v, const Each<DamperLoss>& each) {
+                   for (const DamperLoss& one : v.duty.dampers) {
+                     each(v.mechanism.springs[one.spring].name, one);
+                   }
+                 })
+            .in_tables_is(TableRole::element)
+            .only_if([](const View& v) { return !v.duty.dampers.empty(); });
         keys.map(
                 "elements",
                 element_record(),

@@ -22,6 +22,7 @@ class DutyText {
     TextBlocks blocks;
     blocks += head();
     blocks += TextBlocks(energies());
+    blocks += TextBlocks(no_efficiency());
     blocks += TextBlocks(losses());
     add(gears(), blocks);
     add(bearings(), blocks);
@@ -97,6 +98,11 @@ class DutyText {
     return table;
   }
 
+  std::string no_efficiency() const {
+    const std::string& reason = v_.duty.whole.no_efficiency;
+    return reason.empty() ? "" : fmt::format("  No efficiency: {}.\n\n", reason);
+  }
+
   // Where energy is lost, the most first.
   Table losses() const {
     std::vector<std::pair<std::string, double>> rows;
@@ -105,6 +111,9 @@ class DutyText {
     }
     for (const CouplingLoss& one : v_.duty.frictions) {
       rows.emplace_back("friction " + name_of(one.coupling), one.energy);
+    }
+    for (const DamperLoss& one : v_.duty.dampers) {
+      rows.emplace_back("damping " + v_.mechanism.springs[one.spring].name, one.energy);
     }
     for (const ElementDuty& one : v_.duty.elements) {
       rows.emplace_back("slip " + name_of(one), one.lost);
