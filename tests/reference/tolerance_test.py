@@ -320,6 +320,105 @@ cases: {{held: {{motion: {{motor: 1 rad/s}}}}}}
                                        delta=1e-10 * abs(1 / leverage))
 
 
+# A rod between two ball joints, about whose line it spins freely.
+SPUN = """kinestat: 1
+units: {length: mm, angle: deg}
+ground: frame
+bodies: [crank, rod, rocker, nut]
+couplings:
+  a: {type: revolute, bodies: [frame, crank], at: [0, 0, 0], axis: z}
+  b: {type: spherical, bodies: [crank, rod], at: [20, 40, 10]}
+  c: {type: spherical, bodies: [rod, rocker], at: [180, 60, 70]}
+  d: {type: revolute, bodies: [frame, rocker], at: [200, 0, 50], axis: [1, 0.2, 0.1]}
+  h: {type: helical, bodies: [rocker, nut], at: [200, 0, 50], axis: [1, 0.2, 0.1], pitch: 3}
+  g: {type: prismatic, bodies: [frame, nut], at: [200, -100, 50], axis: [1, 0.2, 0.1]}
+actuators: {motor: {coupling: a}, lev: {coupling: d}, push: {coupling: g}}
+cases: {run: {motion: {motor: 20 rad/s}}}
+motion:
+  drive: motor
+  to: -20
+  steps: 1
+  trace: [{body: rod, at: [20, 40, 10], name: B}, {body: rod, at: [100, 50, 40], name: P},
+          {body: rod, at: [180, 60, 70], name: C}, {body: rod, at: [100, 80, 40], name: Q}]
+"""
+
+
+class IdleTurns(unittest.TestCase):
+    def check(self, case: dict) -> None:
+        found = case["positions"]
+        self.assertEqual(case["held"], ["motor"])
+        # Q stands 30 mm in y from P, so that the turn about (160, 20, 60) moves it across y.
+        self.assertEqual(case["loose"], ["Q/at/x", "Q/at/z", "rod/rotation/x"])
+        for one in found.values():
+            self.assertEqual([name for name in one["by"] if name.endswith("/drive")], ["motor/drive"])
+        for axis in "xyz":
+            b, p, c = (found[f"{point}/at/{axis}"]["by"] for point in "BPC")
+            for key in p:
+                for i in range(3):
+                    mean = (vector(b[key])[i] + vector(c[key])[i]) / 2
+                    value = vector(p[key])[i]
+                    if key == "motor/drive":
+                        mean = (b[key]["influence"] + c[key]["influence"]) / 2
+                        value = p[key]["influence"]
+                    self.assertAlmostEqual(value, mean, delta=1e-11)
+
+    def test_leave_points_of_their_axis_where_they_are(self) -> None:
+        """A point between the balls goes half of both; the end of the crank by its arm of 44.7 mm."""
+        watched = [word for name in ("B", "P", "C", "Q", "rod/rotation/x", "lev") for word in ("--of", name)]
+        case = tolerance(SPUN, *watched)["cases"]["run"]
+        self.check(case)
+        for axis, arm in (("x", -40), ("y", 20), ("z", 0)):
+            self.assertAlmostEqual(
+                case["positions"][f"B/at/{axis}"]["by"]["motor/drive"]["influence"],
+                math.radians(arm), delta=1e-12)  # [mm/deg]
+        step = tolerance(SPUN, "--along", *watched)["cases"]["step 0"]
+        self.check(step)
+        shown = program.plain("tolerance", "-", *watched, text=SPUN).stdout
+        self.assertIn("The drives do not hold Q/at/x, Q/at/z, rod/rotation/x", shown)
+
+
+PLANETS = """kinestat: 1
+space: planar
+units: {length: mm, angle: deg}
+ground: housing
+bodies: [sun, ring, carrier, planet]
+couplings:
+  s: {type: revolute, bodies: [housing, sun]}
+  r: {type: revolute, bodies: [housing, ring]}
+  c: {type: revolute, bodies: [housing, carrier]}
+  p: {type: revolute, bodies: [carrier, planet]}
+gears:
+  module: 2 mm
+  members: {s: {body: sun, teeth: 30}, p: {body: planet, teeth: 21, count: 3}, r: {body: ring, teeth: 72, internal: true}}
+  meshes: {sp: {members: [s, p], carrier: carrier}, rp: {members: [r, p], carrier: carrier}}
+actuators: {in: {coupling: s}, out: {coupling: c}, B: {coupling: r}}
+cases: {run: {motion: {in: 10, B: 0}}}
+"""
+
+
+class EqualPlanets(unittest.TestCase):
+    def test_of_central_bearings_cancel(self) -> None:
+        """The pins stand 51 mm from the axis and bear the couple; teeth of sun and ring half each."""
+        by = positions(PLANETS, "--of", "c.wz")["c.wz"]["by"]
+        for name in "src":
+            self.assertEqual(by[f"{name}/place"]["influence"], 0.0, name)
+            self.assertIsNone(by[f"{name}/place"]["direction"], name)
+        pin = math.degrees(1 / 51)
+        self.assertAlmostEqual(by["p/place"]["influence"], pin, delta=1e-12)
+        for name in ("sp", "rp"):
+            self.assertAlmostEqual(by[f"{name}/place"]["influence"],
+                                   pin / 2 / math.cos(math.radians(20)), delta=1e-12)
+
+    def test_of_a_point_of_the_carrier_go_with_its_bearing(self) -> None:
+        text = PLANETS + """motion: {drive: in, to: 10, steps: 1,
+         trace: [{body: carrier, at: [0, 0], name: M}]}
+"""
+        by = positions(text, "--of", "M/at/x")["M/at/x"]["by"]
+        self.assertAlmostEqual(by["c/place"]["influence"], 1.0, delta=1e-12)
+        for name in ("s", "r", "p", "sp", "rp"):
+            self.assertAlmostEqual(by[f"{name}/place"]["influence"], 0.0, delta=1e-12)
+
+
 def cross(a, b) -> list[float]:
     return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 

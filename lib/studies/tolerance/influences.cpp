@@ -9,6 +9,7 @@
 #include "math/elimination/data_zero.hpp"
 #include "mechanism/position_error.hpp"
 #include "network/node_system.hpp"
+#include "studies/tolerance/central_deviation.hpp"
 
 namespace kinestat {
 
@@ -85,9 +86,10 @@ class HeldMechanism {
     return result;
   }
 
-  std::optional<Influence> influence_on(const WatchedPosition& position) const {
-    const std::vector<double> right =
-        load_vector(topology_.body_count(), basis_, unit_loads(position));
+  std::optional<Influence> influence_on(const WatchedPosition& position,
+                                        const std::vector<bool>& fits) const {
+    const std::vector<BodyWrench> loads = unit_loads(position);
+    const std::vector<double> right = load_vector(topology_.body_count(), basis_, loads);
     EliminationSolution solved = elimination_->solve({}, right);
     if (!solved.consistent) {
       return std::nullopt;
@@ -97,6 +99,7 @@ class HeldMechanism {
     for (const int part : parts_) {
       result.by_parts.push_back(way(part, solved.x));
     }
+    cancel_planets(mechanism_, loads, deviations_, fits, result.by_parts);
     for (const int drive : drives_) {
       result.by_drives.push_back(way(drive, solved.x));
     }
@@ -169,7 +172,7 @@ Influences find_influences(const Mechanism& mechanism,
   const HeldMechanism held(mechanism, which, deviations);
   Influences result{.of = {}, .fits = held.determined()};
   for (const WatchedPosition& position : watched) {
-    result.of.push_back(held.influence_on(position));
+    result.of.push_back(held.influence_on(position, result.fits));
   }
   return result;
 }

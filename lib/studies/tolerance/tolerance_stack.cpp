@@ -4,24 +4,13 @@
 
 #include "core/index.hpp"
 #include "core/rounding.hpp"
-#include "math/dense/least_norm.hpp"
 #include "math/numbers/zero_within_bound.hpp"
 #include "mechanism/label_kind.hpp"
+#include "studies/tolerance/central_deviation.hpp"
 
 namespace kinestat {
 
 namespace {
-
-// The vector g of which u_i · g are these influences, within the span of the directions u_i.
-Vec3 influence_vector(const std::vector<Vec3>& directions, const std::vector<double>& influences) {
-  MatX rows(std::ssize(directions), 3);
-  VecX right(std::ssize(directions));
-  for (std::size_t i = 0; i < directions.size(); ++i) {
-    rows.row(static_cast<Eigen::Index>(i)) = directions[i];
-    right[static_cast<Eigen::Index>(i)] = influences[i];
-  }
-  return least_norm_solution(rows, right);
-}
 
 // A unit vector; what rounding leaves of its components is zero.
 Vec3 direction_of(const Vec3& vector, double size) {
