@@ -22,8 +22,6 @@ void check_duty(const SectionContext& context) {
   const DutyDescription& duty = *context.description.duty;
   constexpr NumberRule kPositive = {
       .kind = QuantityKind::dimensionless, .range = kAboveZero, .allowed = "a number above zero"};
-  constexpr NumberRule kDuration = {
-      .kind = QuantityKind::time, .range = kAboveZero, .allowed = "a time above zero"};
   context.number(duty.repetitions, kPositive, "'repetitions' of 'duty'");
   context.number(duty.gear_exponent, kPositive, "'gear_exponent' of 'duty'");
   context.number(duty.bearing_exponent, kPositive, "'bearing_exponent' of 'duty'");

@@ -11,13 +11,6 @@ namespace kinestat {
 
 namespace {
 
-constexpr NumberRule kStepCount = {.kind = QuantityKind::dimensionless,
-                                   .range = kSteps,
-                                   .allowed = "a whole number from 1 to 1000000"};
-
-constexpr NumberRule kDuration = {
-    .kind = QuantityKind::time, .range = kAboveZero, .allowed = "a time above zero"};
-
 constexpr NumberRule kRamp = {.kind = QuantityKind::dimensionless,
                               .range = kAboveZero,
                               .allowed = "a number above 0 and at most 0.5"};

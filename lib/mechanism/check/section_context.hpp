@@ -27,6 +27,13 @@ inline constexpr NumberRule kAnyLength = {
 inline constexpr NumberRule kAnyAngle = {
     .kind = QuantityKind::angle, .range = kAnyNumber, .allowed = "an angle"};
 
+inline constexpr NumberRule kDuration = {
+    .kind = QuantityKind::time, .range = kAboveZero, .allowed = "a time above zero"};
+
+inline constexpr NumberRule kStepCount = {.kind = QuantityKind::dimensionless,
+                                          .range = kSteps,
+                                          .allowed = "a whole number from 1 to 1000000"};
+
 inline constexpr NumberRule kAboveZeroLength = {
     .kind = QuantityKind::length, .range = kAboveZero, .allowed = "a length above zero"};
 

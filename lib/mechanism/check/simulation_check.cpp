@@ -43,11 +43,6 @@ void check_simulation(const SectionContext& context) {
     return;
   }
   const SimulationDescription& simulation = *context.description.simulation;
-  constexpr NumberRule kDuration = {
-      .kind = QuantityKind::time, .range = kAboveZero, .allowed = "a time above zero"};
-  constexpr NumberRule kRows = {.kind = QuantityKind::dimensionless,
-                                .range = kSteps,
-                                .allowed = "a whole number from 1 to 1000000"};
   constexpr NumberRule kTolerance = {.kind = QuantityKind::dimensionless,
                                      .range = kIntegrationTolerance,
                                      .allowed = "a number from 1e-13 to 1e-3"};
@@ -55,7 +50,7 @@ void check_simulation(const SectionContext& context) {
                                        .range = kLostShare,
                                        .allowed = "a number from 0, below 1"};
   context.number(simulation.time, kDuration, "'time' of 'simulation'");
-  context.number(simulation.steps, kRows, "'steps' of 'simulation'");
+  context.number(simulation.steps, kStepCount, "'steps' of 'simulation'");
   context.number(simulation.tolerance, kTolerance, "'tolerance' of 'simulation'");
   for (const std::vector<FreedomState>* list : {&simulation.start, &simulation.until}) {
     for (const FreedomState& one : *list) {

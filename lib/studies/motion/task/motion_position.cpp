@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 #include <variant>
 
@@ -312,12 +313,36 @@ MotionPosition MotionPosition::or_without_friction() const {
   return result;
 }
 
+namespace {
+
+// What is held all the time does not come to rest.
+bool ever_moves(const DriveSchedule& schedule, std::size_t drive) {
+  double begin = 0.0;
+  std::vector<double> ends = schedule.turns();
+  ends.push_back(1.0);
+  for (const double end : ends) {
+    if (schedule.at(drive, std::midpoint(begin, end)).speed != 0.0) {
+      return true;
+    }
+    begin = end;
+  }
+  return false;
+}
+
+}  // namespace
+
 bool has_drive_at_rest(const MotionPlan& plan, const MotionPosition& position) {
-  const auto rests = [&](const PlannedDrive& drive) {
-    return position.solved->motion->rates[static_cast<std::size_t>(drive.freedom)] == 0.0;
-  };
-  return plan.schedule && position.solved && position.solved->motion &&
-         !position.solved->motion->rates.empty() && std::ranges::any_of(plan.drives, rests);
+  if (!plan.schedule || !position.solved || !position.solved->motion ||
+      position.solved->motion->rates.empty()) {
+    return false;
+  }
+  for (std::size_t d = 0; d < plan.drives.size(); ++d) {
+    const auto f = static_cast<std::size_t>(plan.drives[d].freedom);
+    if (position.solved->motion->rates[f] == 0.0 && ever_moves(*plan.schedule, d)) {
+      return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace kinestat

@@ -324,11 +324,14 @@ class TableMaker {
     };
 
     std::vector<Placed> placed;
-    const DeadPoints dead_points = scope_.dead_points || may_have_poles(plan_, mechanism_)
-                                       ? find_dead_points(mechanism_, motion_)
-                                       : DeadPoints{};
-    poles_at_ = find_poles(motion_, mechanism_, dead_points.points);
-    table_.may_lack_dead_points = dead_points.may_lack_some;
+    const bool has_poles =
+        (detail_.velocity || detail_.statics) && may_have_poles(plan_, mechanism_);
+    const DeadPoints dead_points =
+        scope_.dead_points || has_poles ? find_dead_points(mechanism_, motion_) : DeadPoints{};
+    if (has_poles) {
+      poles_at_ = find_poles(motion_, dead_points.points);
+    }
+    table_.may_lack_dead_points = scope_.dead_points && dead_points.may_lack_some;
     MotionPositions positions(mechanism_, plan_, motion_.network, motion_.drawn, {});
     for (const DeadPoint& point : dead_points.points) {
       placed.push_back(

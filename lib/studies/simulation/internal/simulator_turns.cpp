@@ -71,9 +71,13 @@ std::optional<double> Simulator::find_turn() {
     first = high;
   }
   for (const std::size_t spring : one_sided_springs_) {
-    for (const auto of : {&ReducedSystem::uncut_tension, &ReducedSystem::uncut_elastic_tension}) {
-      const std::optional<double> one = spring_turn(spring, of, from, first.value_or(to));
-      first = one ? one : first;
+    const std::optional<double> one =
+        spring_turn(spring, &ReducedSystem::uncut_tension, from, first.value_or(to));
+    first = one ? one : first;
+    if (mechanism_.springs[spring].damping != 0.0) {
+      const std::optional<double> other =
+          spring_turn(spring, &ReducedSystem::uncut_elastic_tension, from, first.value_or(to));
+      first = other ? other : first;
     }
   }
   return first;

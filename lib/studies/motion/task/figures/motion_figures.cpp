@@ -338,9 +338,14 @@ class FigureMaker {
     const std::vector<MotionRow>& rows = table_.rows;
     for (std::size_t r = 0; r + 1 < rows.size(); ++r) {
       const bool has_this = rows[r].values[column].has_value();
-      const double end = steps_[has_this ? r + 1 : r];
-      if (has_this != rows[r + 1].values[column].has_value() && !is_approached(end)) {
-        look_towards(column, steps_[has_this ? r : r + 1], end, growth);
+      if (has_this == rows[r + 1].values[column].has_value()) {
+        continue;
+      }
+      // Between the ends friction turns round there, and nothing grows; an end may be a limit.
+      const std::size_t end = has_this ? r + 1 : r;
+      const bool turns_round = end > 0 && end + 1 < rows.size() && is_approached(steps_[end]);
+      if (!turns_round) {
+        look_towards(column, steps_[has_this ? r : r + 1], steps_[end], growth);
       }
     }
     for (const FigurePlace& place : corners_) {

@@ -19,14 +19,12 @@ bool may_have_poles(const MotionPlan& plan, const Mechanism& mechanism) {
          });
 }
 
-std::vector<double> find_poles(const FoundMotion& motion,
-                               const Mechanism& mechanism,
-                               std::span<const DeadPoint> dead_points) {
+std::vector<double> find_poles(const FoundMotion& motion, std::span<const DeadPoint> dead_points) {
   const std::vector<double>& shares = motion.solution.shares;
   std::vector<double> poles;
   for (const DeadPoint& point : dead_points) {
     const auto row = static_cast<std::size_t>(std::max(point.step, 0));
-    if (point.step >= 0 && row + 1 < shares.size() && may_have_poles(motion.plan, mechanism)) {
+    if (point.step >= 0 && row + 1 < shares.size()) {
       poles.push_back(point.step + (point.share - shares[row]) / (shares[row + 1] - shares[row]));
     }
   }

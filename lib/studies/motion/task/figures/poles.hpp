@@ -14,8 +14,6 @@ namespace kinestat {
 bool may_have_poles(const MotionPlan& plan, const Mechanism& mechanism);
 
 /// The dead points, in steps.
-std::vector<double> find_poles(const FoundMotion& motion,
-                               const Mechanism& mechanism,
-                               std::span<const DeadPoint> dead_points);
+std::vector<double> find_poles(const FoundMotion& motion, std::span<const DeadPoint> dead_points);
 
 }  // namespace kinestat
