@@ -159,7 +159,7 @@ std::optional<LegendrePieces> CycleSampler::find(const CycleReading& reading,
   }
   std::ranges::sort(places);
   const auto is_same = [](double a, double b) { return b - a < kFinestCyclePiece; };
-  places.erase(std::ranges::unique(places, is_same).begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end(), is_same), places.end());
   places.back() = 1.0;
   return LegendrePieces::find(
       functions,

@@ -213,7 +213,7 @@ class CornerFinder {
     }
     std::ranges::sort(all);
     const auto is_same = [](double a, double b) { return b - a < kSameStep; };
-    all.erase(std::ranges::unique(all, is_same).begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end(), is_same), all.end());
     return all;
   }
 
