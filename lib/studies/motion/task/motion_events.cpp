@@ -9,6 +9,7 @@
 
 #include "core/motion_tolerance.hpp"
 #include "core/tolerance.hpp"
+#include "studies/motion/followed_configurations.hpp"
 #include "studies/motion/hermite_cubic.hpp"
 #include "studies/motion/motion.hpp"
 #include "studies/motion/motion_state.hpp"
@@ -358,7 +359,7 @@ class DeadPointsOnPath {
       : mechanism_(mechanism),
         motion_(motion),
         solution_(motion.solution),
-        way_(motion.network, motion.solution) {
+        configurations_(mechanism, motion.network, motion.solution) {
     for (const MotionDrive& drive : solution_.drives) {
       const bool turns =
           mechanism.topology.freedoms[static_cast<std::size_t>(drive.freedom)].is_rotation;
@@ -385,15 +386,6 @@ class DeadPointsOnPath {
   }
 
  private:
-  // At a share of the path, at or behind a position.
-  std::optional<Configuration> configuration_at(double share) {
-    const auto behind = std::ranges::upper_bound(solution_.shares, share);
-    const auto p = static_cast<int>(behind - solution_.shares.begin()) - 1;
-    const double before = solution_.shares[static_cast<std::size_t>(p)];
-    return before == share ? solution_.configuration_at(p)
-                           : way_.follow(solution_.configuration_at(p), before, share);
-  }
-
   // The leg as a motion of its own, whose shares are of the line.
   std::optional<MotionSolution> alone(const PathLeg& leg) {
     MotionSolution line;
@@ -412,7 +404,7 @@ class DeadPointsOnPath {
     for (const double share : shares) {
       const double of_line = leg.part_at(share);
       const std::optional<Configuration> here = line.shares.empty() || of_line > line.shares.back()
-                                                    ? configuration_at(share)
+                                                    ? configurations_.at(share)
                                                     : std::nullopt;
       if (here) {
         line.shares.push_back(of_line);
@@ -445,7 +437,7 @@ class DeadPointsOnPath {
   const Mechanism& mechanism_;
   const FoundMotion& motion_;
   const MotionSolution& solution_;
-  WayBetween way_;
+  FollowedConfigurations configurations_;
   std::vector<double> units_;  // of each drive
   DeadPoints found_;
 };

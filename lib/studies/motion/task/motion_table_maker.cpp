@@ -7,7 +7,7 @@
 #include "cases/case_status.hpp"
 #include "core/tolerance.hpp"
 #include "mechanism/label_kind.hpp"
-#include "studies/motion/motion.hpp"
+#include "studies/motion/followed_configurations.hpp"
 #include "studies/motion/task/columns/motion_column_choice.hpp"
 #include "studies/motion/task/columns/motion_columns.hpp"
 #include "studies/motion/task/drive_counts.hpp"
@@ -390,24 +390,21 @@ class TableMaker {
       }
     }
     MotionPositions positions(mechanism_, plan_, motion_.network, motion_.drawn, detail_);
-    WayBetween way(motion_.network, solution_);
+    FollowedConfigurations configurations(mechanism_, motion_.network, solution_);
     const std::size_t first = table_.drives.size();
-    Corners corners =
-        find_corners(mechanism_,
-                     motion_,
-                     detail_,
-                     {.sliding = sliding_, .springs = springs_, .poles = poles_at_},
-                     [this](const auto& position, double share) {
-                       return FigureValues{.values = values_at(position, share, is_any),
-                                           .at_rest = values_at_rest(position, share)};
-                     });
+    Corners corners = find_corners(
+        mechanism_,
+        motion_,
+        detail_,
+        {.sliding = sliding_, .springs = springs_, .poles = poles_at_},
+        [this](const auto& position, double share) {
+          return FigureValues{.values = values_at(position, share, is_any),
+                              .at_rest = values_at_rest(position, share)};
+        },
+        configurations);
     table_.corners = std::move(corners.steps);
-    const BetweenSteps between = [&](std::size_t column, std::size_t row, double share) {
-      const auto there =
-          share > solution_.shares[row]
-              ? way.follow(
-                    solution_.configuration_at(static_cast<int>(row)), solution_.shares[row], share)
-              : std::nullopt;
+    const BetweenSteps between = [&](std::size_t column, double share) {
+      const std::optional<Configuration> there = configurations.at(share);
       return there ? read(column - first, positions.at(*there, share).or_without_friction())
                    : std::nullopt;
     };

@@ -1,8 +1,6 @@
 #include "studies/motion/task/cycle/cycle_sampler.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <iterator>
 #include <utility>
 
 #include "core/motion_tolerance.hpp"
@@ -15,7 +13,6 @@ constexpr std::size_t kLeastPieces = 8;
 constexpr std::size_t kMostFirstPieces = 500;
 constexpr std::size_t kStepsAPiece = 8;
 constexpr std::size_t kMostPieces = 5'000;
-constexpr double kMostKnown = 65'536;
 
 double factor_of(CyclePace pace) {
   switch (pace) {
@@ -27,19 +24,6 @@ double factor_of(CyclePace pace) {
       return 2.0;
   }
   return 1.0;
-}
-
-// The share of a motion in which a drive turns by a radian or slides by the mechanism's size, but
-// no less than of a motion whose every known place is to be kept.
-double far_share(const Mechanism& mechanism, const MotionPlan& plan) {
-  double range = 1.0;
-  for (const PlannedDrive& drive : plan.drives) {
-    const bool turns =
-        mechanism.topology.freedoms[static_cast<std::size_t>(drive.freedom)].is_rotation;
-    range = std::max(range,
-                     std::abs(drive.to - drive.from) / (turns ? 1.0 : mechanism.geometry.length));
-  }
-  return 1.0 / std::min(range, kMostKnown);
 }
 
 MotionPlan paced(const MotionPlan& plan, double factor) {
@@ -79,14 +63,7 @@ struct CycleSampler::Run {
 CycleSampler::CycleSampler(const Mechanism& mechanism, const FoundMotion& motion)
     : mechanism_(mechanism),
       motion_(motion),
-      way_(motion.network, motion.solution),
-      far_(far_share(mechanism, motion.plan)) {
-  const std::vector<double>& shares = motion.solution.shares;
-  for (std::size_t row = 0; row < shares.size(); ++row) {
-    known_.emplace_hint(
-        known_.end(), shares[row], motion.solution.configuration_at(static_cast<int>(row)));
-  }
-}
+      configurations_(mechanism, motion.network, motion.solution) {}
 
 CycleSampler::~CycleSampler() = default;
 
@@ -98,24 +75,9 @@ CycleSampler::Run& CycleSampler::run_of(CyclePace pace) {
   return *run;
 }
 
-// What was followed far is kept to start from, lest each of many samples follows many turns from
-// the row before it.
-std::optional<Configuration> CycleSampler::configuration_at(double share) {
-  const auto behind = known_.upper_bound(share);
-  const auto& [start, known] = behind == known_.begin() ? *behind : *std::prev(behind);
-  if (share <= start) {
-    return known;
-  }
-  std::optional<Configuration> there = way_.follow(known, start, share);
-  if (there && share - start > far_) {
-    known_.emplace_hint(behind, share, *there);
-  }
-  return there;
-}
-
 std::optional<MotionPosition> CycleSampler::at(double time, CyclePace pace) {
   const double share = motion_.plan.schedule->share_at(time);
-  const std::optional<Configuration> there = configuration_at(share);
+  const std::optional<Configuration> there = configurations_.at(share);
   if (!there) {
     return std::nullopt;
   }

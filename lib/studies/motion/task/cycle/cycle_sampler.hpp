@@ -3,13 +3,12 @@
 
 #include <array>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "math/dense/legendre_pieces.hpp"
-#include "studies/motion/motion.hpp"
+#include "studies/motion/followed_configurations.hpp"
 #include "studies/motion/task/found_motion.hpp"
 #include "studies/motion/task/motion_position.hpp"
 
@@ -59,13 +58,10 @@ class CycleSampler {
   struct Run;
 
   Run& run_of(CyclePace pace);
-  std::optional<Configuration> configuration_at(double share);
 
   const Mechanism& mechanism_;
   const FoundMotion& motion_;
-  WayBetween way_;
-  double far_;                             // a share that takes several steps to follow
-  std::map<double, Configuration> known_;  // by the share of the motion; first those of its rows
+  FollowedConfigurations configurations_;
   std::array<std::unique_ptr<Run>, 3> runs_;
 };
 

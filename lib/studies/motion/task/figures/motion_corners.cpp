@@ -7,7 +7,6 @@
 
 #include "core/motion_tolerance.hpp"
 #include "math/dense/root_search.hpp"
-#include "studies/motion/motion.hpp"
 
 namespace kinestat {
 
@@ -21,14 +20,15 @@ class CornerFinder {
                const FoundMotion& motion,
                const MotionDetail& detail,
                const SpecialSteps& special,
-               const ValuesAt& values_at)
+               const ValuesAt& values_at,
+               FollowedConfigurations& configurations)
       : mechanism_(mechanism),
         motion_(motion),
         special_(special),
         values_at_(values_at),
         seeking_(mechanism, motion.plan, motion.network, motion.drawn, seeking_detail(mechanism)),
         reading_(mechanism, motion.plan, motion.network, motion.drawn, detail),
-        way_(motion.network, motion.solution) {}
+        configurations_(configurations) {}
 
   Corners find() {
     const int count = motion_.solution.position_count();
@@ -78,13 +78,8 @@ class CornerFinder {
   std::optional<MotionPosition> position_at(double step,
                                             MotionPositions& positions,
                                             std::optional<double> at = {}) {
-    const double row = std::min(std::floor(step), motion_.solution.position_count() - 1.0);
     const double share = share_at_step(motion_, step);
-    const double begin = motion_.solution.shares[static_cast<std::size_t>(row)];
-    std::optional<Configuration> there = motion_.solution.configuration_at(static_cast<int>(row));
-    if (share > begin) {
-      there = way_.follow(*there, begin, share);
-    }
+    const std::optional<Configuration> there = configurations_.at(share);
     const std::optional<double> time = motion_.plan.schedule
                                            ? std::optional(at.value_or(step / motion_.plan.steps))
                                            : std::nullopt;
@@ -288,7 +283,7 @@ class CornerFinder {
   const ValuesAt& values_at_;
   MotionPositions seeking_;
   MotionPositions reading_;
-  WayBetween way_;
+  FollowedConfigurations& configurations_;
   std::vector<double> steps_;
 };
 
@@ -315,11 +310,14 @@ Corners find_corners(const Mechanism& mechanism,
                      const FoundMotion& motion,
                      const MotionDetail& detail,
                      const SpecialSteps& special,
-                     const ValuesAt& values_at) {
+                     const ValuesAt& values_at,
+                     FollowedConfigurations& configurations) {
   const bool has_any = !mechanism.curves.empty() || motion.plan.schedule ||
                        !mechanism.frictions.empty() || !mechanism.springs.empty() ||
                        !special.poles.empty();
-  return has_any ? CornerFinder(mechanism, motion, detail, special, values_at).find() : Corners{};
+  return has_any
+             ? CornerFinder(mechanism, motion, detail, special, values_at, configurations).find()
+             : Corners{};
 }
 
 }  // namespace kinestat

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "studies/motion/followed_configurations.hpp"
 #include "studies/motion/task/figures/motion_figures.hpp"
 #include "studies/motion/task/friction_turns.hpp"
 #include "studies/motion/task/motion_position.hpp"
@@ -44,6 +45,7 @@ Corners find_corners(const Mechanism& mechanism,
                      const FoundMotion& motion,
                      const MotionDetail& detail,
                      const SpecialSteps& special,
-                     const ValuesAt& values_at);
+                     const ValuesAt& values_at,
+                     FollowedConfigurations& configurations);
 
 }  // namespace kinestat

@@ -27,8 +27,7 @@ class FigureMaker {
               const std::function<double(double)>& drive_at,
               const std::function<double(double)>& share_at,
               MotionTable& table)
-      : shares_(shares),
-        steps_(steps),
+      : steps_(steps),
         corners_(places),
         climbed_(climbed),
         between_(between),
@@ -173,8 +172,7 @@ class FigureMaker {
       }
     }
     while (const std::optional<double> share = search.next()) {
-      const auto row = std::ranges::upper_bound(shares_, *share) - shares_.begin() - 1;
-      const std::optional<double> value = between_(column, static_cast<std::size_t>(row), *share);
+      const std::optional<double> value = between_(column, *share);
       search.take(value ? std::optional(sign * *value) : std::nullopt);
     }
     if (const std::optional<PeakSample> top = search.better()) {
@@ -265,8 +263,7 @@ class FigureMaker {
                                      double end,
                                      double left) const {
     const double here = std::lerp(end, from, left);
-    return between_ ? between_(column, static_cast<std::size_t>(here), share_at_(here))
-                    : std::nullopt;
+    return between_ ? between_(column, share_at_(here)) : std::nullopt;
   }
 
   // Whether values grow without bound, or fall, towards a position that has none.
@@ -361,8 +358,7 @@ class FigureMaker {
   }
 
   std::map<std::string, double> usual_;  // the largest value of the rows, by units
-  std::span<const double> shares_;
-  std::span<const double> steps_;  // of the rows
+  std::span<const double> steps_;        // of the rows
   std::span<const FigurePlace> corners_;
   const std::vector<std::optional<ClimbedColumn>>& climbed_;
   const BetweenSteps& between_;

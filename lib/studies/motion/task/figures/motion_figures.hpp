@@ -12,10 +12,9 @@
 
 namespace kinestat {
 
-/// The value of a column of the table at a share of the ranges of the drives, behind that row and
-/// no later than the next one; empty where there is none.
-using BetweenSteps =
-    std::function<std::optional<double>(std::size_t column, std::size_t row, double share)>;
+/// The value of a column of the table at a share of the ranges of the drives; empty where there is
+/// none.
+using BetweenSteps = std::function<std::optional<double>(std::size_t column, double share)>;
 
 /// A column whose extremes are looked for between the steps.
 struct ClimbedColumn {
