@@ -1,6 +1,7 @@
 // Findings about the actions of a case.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "cases/case_findings.hpp"
@@ -15,6 +16,17 @@ struct ReactionWords {
 };
 
 ReactionWords words_of(Reaction reaction);
+
+/// What is wrong where teeth would pull on each other, and what to do.
+struct ToothWords {
+  std::string what;
+  std::string hint;
+};
+
+/// `force` is that along the line of action that the file gives [N].
+ToothWords words_of_pulling_teeth(const MechanismDescription& description,
+                                  CouplingId coupling,
+                                  double force);
 
 /// Adds why a case has no actions, or not all of them. The case must have an action solution.
 void add_action_status_findings(const JudgedFile& file,

@@ -13,6 +13,7 @@
 #include "core/tolerance.hpp"
 #include "kinematics/velocity.hpp"
 #include "mechanism/bind/bind.hpp"
+#include "mechanism/gears/coast_flanks.hpp"
 #include "network/bases.hpp"
 #include "power/tooth_ratio.hpp"
 #include "statics/action.hpp"
@@ -171,20 +172,11 @@ struct LoadedFlanks {
   StaticSolution action = {};
 };
 
-// Teeth press with their coast flank where their force is negative; a force that is not known, or
-// zero, leaves them as they are.
 std::vector<int> find_coast_flanks(const Geometry& geometry, const LoadedFlanks& now) {
-  std::vector<int> turned;
-  for (std::size_t i = 0; i < geometry.other_flanks.size(); ++i) {
-    const int action = geometry.other_flanks[i].action;
+  return coast_flanks_under(geometry, now.turned, [&](int action) {
     const bool is_known = now.action.magnitudes[static_cast<std::size_t>(action)].has_value();
-    const double force = is_known ? bounded_action(now.action, action).zeroed() : 0.0;
-    const bool was_turned = std::ranges::find(now.turned, static_cast<int>(i)) != now.turned.end();
-    if (force == 0.0 ? was_turned : force < 0.0) {
-      turned.push_back(static_cast<int>(i));
-    }
-  }
-  return turned;
+    return is_known ? bounded_action(now.action, action).zeroed() : 0.0;
+  });
 }
 
 LoadedFlanks solve_on_flanks(const Mechanism& drawn,

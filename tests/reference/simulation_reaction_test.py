@@ -115,6 +115,80 @@ simulation: {action: {p: 1}, start: {p: {position: 0.5}}, until: {p: {position: 
         self.assertIn("W0513]: 'p' starts at and does not come back to 0.5 m in 1 s", done.stderr)
 
 
+
+PINION, WHEEL = 0.5, 3.0    # inertias
+SMALL, LARGE = 2.0, 5.0     # radii
+APART = math.tan(math.radians(20))
+WEIGHT = 2 * G
+
+GEARS = """
+kinestat: 1
+space: planar
+ground: frame
+gravity: [0, -9.81]
+bodies: {pinion: {mass: 2, centre_of_mass: [0, 0], inertia: 0.5}, wheel: {inertia: 3}}
+couplings:
+  a: {type: revolute, bodies: [frame, pinion], at: [0, 0]FRICTION}
+  b: {type: revolute, bodies: [frame, wheel], at: [0, 7]}
+  m: {type: gear, bodies: BODIES, at: [0, 2], MESH}
+actuators: {motor: {coupling: a}}
+curves: {ramp: {over: time, points: [[0 s, 6], [1 s, -6]], between: linear}}
+simulation: {action: {motor: TORQUE}, time: 1 s, steps: 8, tolerance: 1e-11,
+             report: [velocity, acceleration, action, a, b, m]}
+"""
+TANGENT = "tangent: x, pressure_angle: 20 deg"
+def gears(torque: float | str, mesh: str = TANGENT, bodies: str = "[pinion, wheel]",
+          friction: str = "") -> str:
+    text = GEARS
+    for word, value in (("TORQUE", torque), ("MESH", mesh), ("BODIES", bodies), ("FRICTION", friction)):
+        text = text.replace(word, str(value))
+    return text
+
+
+class TeethTest(simulations.SimulationCase):
+    """The wheel is above the pinion: its teeth press the pinion down under either load."""
+
+    def test_part_the_gears_whichever_drives(self) -> None:
+        for mesh in (TANGENT, "line_of_action: [cos(20 deg), sin(20 deg)]"):
+            for bodies in ("[pinion, wheel]", "[wheel, pinion]"):
+                found = Simulation(gears("ramp", mesh, bodies))
+                for i, time in enumerate(found.columns["time"]):
+                    at = {name: values[i] for name, values in found.columns.items()}
+                    turns = (6 - 12 * time) / (PINION + WHEEL * (SMALL / LARGE) ** 2)
+                    tangential = WHEEL * turns * SMALL / LARGE ** 2
+                    self.near(at["a.wz/acceleration"], turns, 1e-9, f"{time}")
+                    self.near(at["a.Rx/action"], -tangential, 1e-9, f"{time}")
+                    self.near(at["a.Ry/action"], WEIGHT + abs(tangential) * APART, 1e-9, f"{time}")
+                    self.near(at["b.Ry/action"], -abs(tangential) * APART, 1e-9, f"{time}")
+
+    def test_press_on_bearings_that_rub(self) -> None:
+        for sign in (1, -1):
+            found = Simulation(gears(6.0 * sign, friction=", friction: {mu: 0.1, radius: 0.4}"))
+            turns = 0.0
+            for _ in range(100):
+                tangential = WHEEL * turns * SMALL / LARGE ** 2
+                rubs = 0.04 * math.hypot(tangential, WEIGHT + tangential * APART)
+                turns = (6.0 - rubs) / (PINION + WHEEL * (SMALL / LARGE) ** 2)
+            last = found.last()
+            self.near(last["a.wz/acceleration"], sign * turns, 1e-9, f"{sign}")
+            self.near(last["a.wz/velocity"], sign * turns, 1e-9, f"{sign}")
+            self.near(last["a.Ry/action"], WEIGHT + tangential * APART, 1e-9, f"{sign}")
+            self.near(last["a/friction"], -sign * rubs, 1e-9, f"{sign}")
+
+    def test_on_a_fixed_flank_pull_under_the_other_load(self) -> None:
+        loads = [Simulation(gears(6.0 * sign, TANGENT + ", flank: fixed")).last()["b.Ry/action"]
+                 for sign in (1, -1)]
+        self.near(loads[0], -loads[1], 1e-12)
+        self.assertGreater(abs(loads[0]), 0.1)
+
+    def test_of_contacts_are_said_to_pull(self) -> None:
+        for sign, codes in ((1, ["W0610"]), (-1, [])):
+            done = program.call("simulate", "-", text=gears(6.0 * sign, TANGENT + ", contact: true"))
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual([line.split("[")[1][:5] for line in done.stderr.splitlines()
+                              if "warning[W06" in line], codes)
+
+
 if __name__ == "__main__":
     program.use(sys.argv.pop(1))
     unittest.main()

@@ -9,6 +9,7 @@
 #include "core/tolerance.hpp"
 #include "couplings/kinds.hpp"
 #include "dynamics/spring_power.hpp"
+#include "mechanism/gears/coast_flanks.hpp"
 #include "power/stored_power.hpp"
 #include "power/transmission_efficiency.hpp"
 #include "statics/friction_law.hpp"
@@ -386,8 +387,7 @@ std::vector<std::optional<FrictionPoint>> DutyCase::friction_points(
 }
 
 bool DutyCase::presses_alike(std::span<const double> motions, std::span<const double> actions) {
-  const auto& flanks = mechanism_.geometry.other_flanks;
-  if (flanks.empty()) {
+  if (mechanism_.geometry.other_flanks.empty()) {
     return true;
   }
   LossySystem& system = *prepared_->without_mesh_losses;
@@ -399,15 +399,12 @@ bool DutyCase::presses_alike(std::span<const double> motions, std::span<const do
     return false;
   }
   const double zero = kCancellation * found->actions.cwiseAbs().maxCoeff();
-  for (std::size_t i = 0; i < flanks.size(); ++i) {
-    const bool is_coast = std::ranges::find(analysis_.coast_flanks, static_cast<int>(i)) !=
-                          analysis_.coast_flanks.end();
-    const double force = found->actions[flanks[i].action];
-    if (is_coast ? force > zero : force < -zero) {
-      return false;
-    }
-  }
-  return true;
+  const auto force_of = [&](int action) {
+    const double force = found->actions[action];
+    return std::abs(force) > zero ? force : 0.0;
+  };
+  return coast_flanks_under(mechanism_.geometry, analysis_.coast_flanks, force_of) ==
+         analysis_.coast_flanks;
 }
 
 std::optional<DutyState> DutyCase::state_at(std::span<const double> motions,

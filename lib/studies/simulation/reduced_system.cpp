@@ -372,6 +372,11 @@ std::optional<double> ReducedSystem::acceleration_of(int freedom,
   return at(freedom) < rates.size() ? rates[at(freedom)] : std::nullopt;
 }
 
+bool ReducedSystem::fail(SimulationObstacle::Kind kind) {
+  obstacle_ = {.kind = kind};
+  return false;
+}
+
 std::vector<std::optional<double>> ReducedSystem::rates(const Configuration& configuration,
                                                         std::span<const double> speeds) {
   set_speeds(speeds, {});

@@ -92,17 +92,14 @@ class ReducedSystem {
                                             std::span<const double> speeds);
 
  private:
-  bool fail(SimulationObstacle::Kind kind) {
-    obstacle_ = {.kind = kind};
-    return false;
-  }
-
+  bool fail(SimulationObstacle::Kind kind);
   void add_inertia();
   void set_speeds(std::span<const double> speeds, std::span<const double> accelerations);
   bool add_friction(VecX& accelerations);
-
   std::optional<ActingFriction> acting_friction(std::size_t i);
-  std::vector<BodyWrench> along(const ActingFriction& one) const;
+  std::optional<std::vector<ActingFriction>> acting_frictions();
+  std::optional<VecX> friction_magnitudes(const std::vector<ActingFriction>& acting,
+                                          std::span<const BodyWrench> loads);
   double held_by_inertia(const VecX& accelerations, std::size_t k) const;
   std::vector<double> held_with(const VecX& accelerations) const;
   std::vector<BodyWrench> inertial(const VecX& accelerations) const;

@@ -71,6 +71,12 @@ struct SimulationEvent {
   std::optional<double> speed_after = {};  ///< of an impact
 };
 
+/// Teeth that would pull on each other.
+struct PullingTeeth {
+  int action = 0;      ///< into Topology::actions
+  double force = 0.0;  ///< the largest of a row [N], against its line of action
+};
+
 struct SimulationSolution {
   SimulationEnd end = SimulationEnd::complete;
   SimulationObstacle obstacle;
@@ -80,6 +86,7 @@ struct SimulationSolution {
   std::vector<SimulationEvent> events;
   std::vector<CouplingId> unchecked;     ///< cables and contacts whose force nothing determines
   std::vector<IgnoredReaction> ignored;  ///< of couplings that rub or stick: the largest of a row
+  std::vector<PullingTeeth> pulling;     ///< on a flank that is not known
   int evaluations = 0;                   ///< of the accelerations
   int integrated = 0;                    ///< steps of the integration
   int changes = 0;                       ///< of the coordinates, at dead points of those before

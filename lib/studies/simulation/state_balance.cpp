@@ -7,6 +7,7 @@
 
 #include "core/index.hpp"
 #include "core/motion_tolerance.hpp"
+#include "mechanism/gears/coast_flanks.hpp"
 #include "network/bases.hpp"
 #include "statics/action.hpp"
 #include "statics/equilibrium.hpp"
@@ -65,6 +66,7 @@ void StateBalance::place(const Configuration& configuration,
   for (const Primary& one : idle_) {
     moved_.geometry.actions[at(one.index)] = {};
   }
+  load_coast_flanks(coast_, moved_.geometry);
 }
 
 void StateBalance::add_pair(int freedom, double magnitude, std::vector<BodyWrench>& loads) const {
@@ -122,7 +124,39 @@ FrictionMagnitudes StateBalance::solve_friction(std::span<const BodyWrench> load
                                  .along = along});
 }
 
+// True if some press on another flank than those for which the magnitudes hold.
+bool StateBalance::turn_flanks_under(std::span<const std::optional<double>> magnitudes) {
+  std::vector<int> coast = coast_flanks_under(
+      moved_.geometry, coast_, [&](int action) { return magnitudes[at(action)].value_or(0.0); });
+  if (coast == coast_) {
+    return false;
+  }
+  load_coast_flanks(coast_, moved_.geometry);
+  load_coast_flanks(coast, moved_.geometry);
+  coast_ = std::move(coast);
+  return true;
+}
+
+std::vector<int> StateBalance::pulling(std::span<const std::optional<double>> magnitudes) const {
+  return pulling_teeth(
+      moved_, coast_, [&](int action) { return magnitudes[at(action)].value_or(0.0); });
+}
+
+bool StateBalance::turn_flanks(std::span<const BodyWrench> loads) {
+  return !moved_.geometry.other_flanks.empty() && turn_flanks_under(solve_on_flanks(loads));
+}
+
 std::vector<std::optional<double>> StateBalance::solve(std::span<const BodyWrench> loads) {
+  std::vector<std::optional<double>> magnitudes = solve_on_flanks(loads);
+  const std::size_t most_rounds = 2 * moved_.geometry.other_flanks.size();
+  for (std::size_t i = 0; i < most_rounds && turn_flanks_under(magnitudes); ++i) {
+    magnitudes = solve_on_flanks(loads);
+  }
+  return magnitudes;
+}
+
+std::vector<std::optional<double>> StateBalance::solve_on_flanks(
+    std::span<const BodyWrench> loads) const {
   const CoordinateBasis basis = action_basis(moved_.geometry, moved_.static_order, loads);
   const StaticSolution found =
       resolve_indeterminacy(moved_, basis, idle_, loads, solve_action(moved_, basis, idle_, loads));

@@ -38,10 +38,21 @@ class StateBalance {
                                     std::span<const FrictionLaw> laws,
                                     std::span<const std::vector<BodyWrench>> along);
 
-  /// All actions; empty what equilibrium does not determine.
+  /// All actions, with teeth on the flanks that these press; empty what equilibrium does not
+  /// determine.
   std::vector<std::optional<double>> solve(std::span<const BodyWrench> loads);
 
+  /// Lets teeth press on the flanks on which these loads press them, friction among them. True if
+  /// some press on another one than before, so that friction of bearings differs.
+  bool turn_flanks(std::span<const BodyWrench> loads);
+
+  /// The actions of teeth that pull on each other under these magnitudes of all actions, which were
+  /// solved last.
+  std::vector<int> pulling(std::span<const std::optional<double>> magnitudes) const;
+
  private:
+  std::vector<std::optional<double>> solve_on_flanks(std::span<const BodyWrench> loads) const;
+  bool turn_flanks_under(std::span<const std::optional<double>> magnitudes);
   std::vector<std::optional<double>> solve_with_rounding(const CoordinateBasis& basis,
                                                          std::span<const BodyWrench> loads) const;
 
@@ -52,6 +63,7 @@ class StateBalance {
   std::vector<Rubbing> sliding_;  // without what is viscous
   std::vector<Rubbing> resting_;
   std::vector<Primary> idle_;  // the actions of actuators, which are loads here
+  std::vector<int> coast_;     // flanks on which teeth press, as they did last
 };
 
 }  // namespace kinestat

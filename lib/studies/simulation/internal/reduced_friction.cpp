@@ -10,6 +10,27 @@
 
 namespace kinestat {
 
+namespace {
+
+// Of all that acts, friction of these magnitudes and what it causes among it.
+std::vector<BodyWrench> with_friction(const std::vector<ActingFriction>& acting,
+                                      const VecX& magnitudes,
+                                      const StateBalance& balance,
+                                      std::vector<BodyWrench> loads) {
+  for (std::size_t i = 0; i < acting.size(); ++i) {
+    const double size = magnitudes[static_cast<Eigen::Index>(i)];
+    const BodyPair bodies = balance.rubbed_bodies(acting[i].law);
+    loads.push_back({.body = bodies.head, .wrench = size * acting[i].law.unit});
+    loads.push_back({.body = bodies.tail, .wrench = -size * acting[i].law.unit});
+    for (const BodyWrench& one : acting[i].along) {
+      loads.push_back({.body = one.body, .wrench = size * one.wrench});
+    }
+  }
+  return loads;
+}
+
+}  // namespace
+
 // What the inertia of the free coordinates asks of a held one.
 double ReducedSystem::held_by_inertia(const VecX& accelerations, std::size_t k) const {
   const auto free = static_cast<Eigen::Index>(free_count_);
@@ -76,44 +97,62 @@ std::optional<ActingFriction> ReducedSystem::acting_friction(std::size_t i) {
     }
     one.answer = *answer;
   }
-  return one;
-}
-
-// What a unit of it makes of forces of inertia and of what holds coordinates.
-std::vector<BodyWrench> ReducedSystem::along(const ActingFriction& one) const {
-  std::vector<BodyWrench> loads = inertial(one.answer);
+  one.along = inertial(one.answer);
   std::vector<double> held;
   for (std::size_t k = 0; k < held_.size(); ++k) {
     held.push_back(held_by_inertia(one.answer, k) -
                    one.work[static_cast<Eigen::Index>(free_count_ + k)]);
   }
-  add_held(held, loads);
-  return loads;
+  add_held(held, one.along);
+  return one;
 }
 
-bool ReducedSystem::add_friction(VecX& accelerations) {
-  friction_.assign(friction_.size(), std::nullopt);
+std::optional<std::vector<ActingFriction>> ReducedSystem::acting_frictions() {
   std::vector<ActingFriction> acting;
-  std::vector<FrictionLaw> laws;
-  std::vector<std::vector<BodyWrench>> with_each;
   for (std::size_t i = 0; i < senses_.size(); ++i) {
     if (senses_[i].sense == 0) {
       continue;
     }
     std::optional<ActingFriction> one = acting_friction(i);
     if (!one) {
-      return false;
+      return std::nullopt;
     }
-    laws.push_back(one->law);
-    with_each.push_back(along(*one));
     acting.push_back(*std::move(one));
   }
-  if (acting.empty()) {
-    return true;
+  return acting;
+}
+
+// Of each its magnitude; empty where they have none.
+std::optional<VecX> ReducedSystem::friction_magnitudes(const std::vector<ActingFriction>& acting,
+                                                       std::span<const BodyWrench> loads) {
+  std::vector<FrictionLaw> laws;
+  std::vector<std::vector<BodyWrench>> with_each;
+  for (const ActingFriction& one : acting) {
+    laws.push_back(one.law);
+    with_each.push_back(one.along);
   }
   const auto presses = [](const FrictionLaw& law) { return !law.parts.empty(); };
   if (is_open_ && std::ranges::any_of(laws, presses)) {
-    return fail(SimulationObstacle::Kind::open_friction);
+    fail(SimulationObstacle::Kind::open_friction);
+    return std::nullopt;
+  }
+  FrictionMagnitudes found = balance_->solve_friction(loads, laws, with_each);
+  using enum FrictionOutcome;
+  if (found.outcome != solved) {
+    obstacle_ = {.kind = found.outcome == none      ? SimulationObstacle::Kind::friction_without_end
+                         : found.outcome == several ? SimulationObstacle::Kind::friction_in_two_ways
+                                                    : SimulationObstacle::Kind::open_friction,
+                 .coupling = found.open.value_or(laws.front().coupling)};
+    return std::nullopt;
+  }
+  return std::move(found.values);
+}
+
+bool ReducedSystem::add_friction(VecX& accelerations) {
+  friction_.assign(friction_.size(), std::nullopt);
+  std::optional<std::vector<ActingFriction>> acting = acting_frictions();
+  if (!acting || acting->empty()) {
+    return acting.has_value();
   }
   std::vector<BodyWrench> loads = loads_;
   for (std::size_t b = 0; b < inertial_.size(); ++b) {
@@ -123,18 +162,23 @@ bool ReducedSystem::add_friction(VecX& accelerations) {
   }
   std::ranges::copy(inertial(accelerations), std::back_inserter(loads));
   add_held(held_with(accelerations), loads);
-  const FrictionMagnitudes found = balance_->solve_friction(loads, laws, with_each);
-  using enum FrictionOutcome;
-  if (found.outcome != solved) {
-    obstacle_ = {.kind = found.outcome == none      ? SimulationObstacle::Kind::friction_without_end
-                         : found.outcome == several ? SimulationObstacle::Kind::friction_in_two_ways
-                                                    : SimulationObstacle::Kind::open_friction,
-                 .coupling = found.open.value_or(laws.front().coupling)};
+  std::optional<VecX> magnitudes = friction_magnitudes(*acting, loads);
+  const std::size_t most_rounds = 2 * mechanism_.geometry.other_flanks.size();
+  for (std::size_t i = 0;
+       magnitudes && balance_->turn_flanks(with_friction(*acting, *magnitudes, *balance_, loads));
+       ++i) {
+    if (i >= most_rounds) {
+      return fail(SimulationObstacle::Kind::friction_without_end);
+    }
+    acting = acting_frictions();
+    magnitudes = acting ? friction_magnitudes(*acting, loads) : std::nullopt;
+  }
+  if (!magnitudes) {
     return false;
   }
-  for (std::size_t i = 0; i < acting.size(); ++i) {
-    const ActingFriction& one = acting[i];
-    const double size = found.values[static_cast<Eigen::Index>(i)];
+  for (std::size_t i = 0; i < acting->size(); ++i) {
+    const ActingFriction& one = (*acting)[i];
+    const double size = (*magnitudes)[static_cast<Eigen::Index>(i)];
     const BodyPair bodies = balance_->rubbed_bodies(one.law);
     forces_ += size * one.work;
     sizes_ += size * one.work.cwiseAbs();

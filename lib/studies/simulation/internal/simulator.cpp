@@ -256,7 +256,7 @@ bool Simulator::add_row(double time, std::span<const double> y) {
   const bool has_actions = plan_.asks_actions || has_dry();
   ReducedState now = system_->tell(configuration, speeds_of(y), accelerations, has_actions);
   add_contact_rates(system_->network(), drawn_, mechanism_, now.state);
-  note_ignored(now.borne);
+  note_borne(now.borne);
   if (!plan_.asks_actions) {
     now.borne.clear();
   }
@@ -315,10 +315,14 @@ bool Simulator::add_singular_row(double time,
   return true;
 }
 
-// Reactions that press where something slides or sticks, for which the file gives no dimension.
-void Simulator::note_ignored(const std::vector<std::optional<double>>& borne) {
+// Reactions that press where something slides or sticks, for which the file gives no dimension, and
+// teeth that pull.
+void Simulator::note_borne(const std::vector<std::optional<double>>& borne) {
+  if (borne.empty()) {
+    return;
+  }
   for (const std::size_t friction : dry_) {
-    if (borne.empty() || rests(friction)) {
+    if (rests(friction)) {
       continue;
     }
     const FrictionLaw law = balance_.law_of(friction, 1.0, 0.0, false);
@@ -331,6 +335,15 @@ void Simulator::note_ignored(const std::vector<std::optional<double>>& borne) {
       } else {
         known->size = std::max(known->size, one.size);
       }
+    }
+  }
+  for (const int action : balance_.pulling(borne)) {
+    const double force = *borne[at(action)];
+    const auto known = std::ranges::find(result_.pulling, action, &PullingTeeth::action);
+    if (known == result_.pulling.end()) {
+      result_.pulling.push_back({.action = action, .force = force});
+    } else if (std::abs(force) > std::abs(known->force)) {
+      known->force = force;
     }
   }
 }

@@ -129,7 +129,7 @@ class Simulator : private StateInTime {
   bool add_rows(double until);
   bool add_row(double time, std::span<const double> y);
   bool add_singular_row(double time, std::span<const double> y, Configuration configuration);
-  void note_ignored(const std::vector<std::optional<double>>& borne);
+  void note_borne(const std::vector<std::optional<double>>& borne);
   SimulationSolution stuck();
   SimulationSolution finish();
 

@@ -363,7 +363,7 @@ std::optional<FoundSimulation> find_simulation(const MechanismDescription& descr
                                      begin->configuration,
                                      begin->coordinates,
                                      begin->rates);
-  add_simulation_findings(result, description.units, found);
+  add_simulation_findings(result, description, found);
   return result;
 }
 

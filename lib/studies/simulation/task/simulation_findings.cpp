@@ -269,6 +269,20 @@ void warn_of_ignored(const FoundSimulation& simulation,
   }
 }
 
+void warn_of_pulling_teeth(const FoundSimulation& simulation,
+                           const MechanismDescription& description,
+                           Diagnostics& found) {
+  const Topology& topology = simulation.mechanism.topology;
+  for (const PullingTeeth& one : simulation.solution.pulling) {
+    const CouplingId id = topology.actions[at(one.action)].coupling;
+    ToothWords words = words_of_pulling_teeth(description, id, one.force);
+    found.warning("W0610",
+                  topology.coupling(id).where,
+                  fmt::format("the simulation: {}", words.what),
+                  std::move(words.hint));
+  }
+}
+
 void warn_of_singular_rows(const FoundSimulation& simulation,
                            const FileUnits& units,
                            Diagnostics& found) {
@@ -342,12 +356,14 @@ void add_obstacle(const FoundSimulation& simulation, const FileUnits& units, Dia
 }  // namespace
 
 void add_simulation_findings(const FoundSimulation& simulation,
-                             const FileUnits& units,
+                             const MechanismDescription& description,
                              Diagnostics& found) {
+  const FileUnits& units = description.units;
   refuse_absent_columns(simulation, found);
   warn_of_energy(simulation, units, found);
   warn_of_unchecked(simulation, found);
   warn_of_ignored(simulation, units, found);
+  warn_of_pulling_teeth(simulation, description, found);
   warn_of_singular_rows(simulation, units, found);
   switch (simulation.solution.end) {
     case SimulationEnd::complete:

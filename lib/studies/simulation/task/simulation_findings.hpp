@@ -8,7 +8,7 @@ namespace kinestat {
 
 /// What it did not reach, what parted, what nothing determines, and why it could not go on.
 void add_simulation_findings(const FoundSimulation& simulation,
-                             const FileUnits& units,
+                             const MechanismDescription& description,
                              Diagnostics& found);
 
 }  // namespace kinestat
