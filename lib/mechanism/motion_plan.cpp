@@ -70,7 +70,7 @@ class MotionBinder {
     evaluator_.measure_from(mechanism.geometry.origin);
   }
 
-  MotionPlan run() {
+  MotionPlan run(std::optional<int> which) {
     for (const DriveRange& range : motion_.drives) {
       add_drive(range);
     }
@@ -78,7 +78,7 @@ class MotionBinder {
                            ? evaluator_.number(*motion_.steps, QuantityKind::dimensionless)
                            : std::nullopt;
     plan_.steps = static_cast<int>(std::lround(steps.value_or(kUsualSteps)));
-    plan_.which = motion_.label ? case_of(*motion_.label) : -1;
+    plan_.which = which ? *which : motion_.label ? case_of(*motion_.label) : -1;
     plan_schedule();
     for (std::size_t i = 0; i < motion_.trace.size(); ++i) {
       const TracePoint& point = motion_.trace[i];
@@ -455,9 +455,14 @@ std::string name_of_trace(const std::vector<TracePoint>& trace, std::size_t i) {
 }
 
 std::optional<MotionPlan> bind_motion(const MechanismDescription& description,
-                                      const Mechanism& mechanism) {
-  return description.motion ? std::optional(MotionBinder(description, mechanism).run())
+                                      const Mechanism& mechanism,
+                                      std::optional<int> which) {
+  return description.motion ? std::optional(MotionBinder(description, mechanism).run(which))
                             : std::nullopt;
+}
+
+bool runs_by_case(const MotionDescription& motion) {
+  return !motion.law && !std::ranges::all_of(motion.drives, &DriveRange::has_course);
 }
 
 }  // namespace kinestat

@@ -95,8 +95,12 @@ std::span<const std::string> motion_report_words();
 std::string name_of_trace(const std::vector<TracePoint>& trace, std::size_t i);
 
 /// Binds the section `motion` of a description that was bound to this mechanism without an error.
-/// Empty if there is no such section.
+/// Empty if there is no such section. `which` is the case instead of that of the section, -1: none.
 std::optional<MotionPlan> bind_motion(const MechanismDescription& description,
-                                      const Mechanism& mechanism);
+                                      const Mechanism& mechanism,
+                                      std::optional<int> which = {});
+
+/// Whether drives may run in time by the speeds and accelerations of a case.
+bool runs_by_case(const MotionDescription& motion);
 
 }  // namespace kinestat

@@ -52,6 +52,21 @@ cases:
 """
 
 
+DISC = """kinestat: 1
+space: planar
+ground: frame
+parameters: {e: 0.1}
+bodies: {disc: {mass: 1, centre_of_mass: [e, 0], inertia: 0.02}}
+couplings: {a: {type: revolute, bodies: [frame, disc], at: [0, 0], friction: {tau: 0.1, c: 0.05}}}
+actuators: {motor: {coupling: a}}
+cases:
+  speeding: {motion: {motor: 10 rad/s}, acceleration: {motor: 20 rad/s^2}}
+  steady: {motion: {motor: 10 rad/s}, acceleration: {}}
+  still: {motion: {motor: 3 rad/s}, action: {}}
+motion: {drive: motor, RANGE, steps: 12}
+"""
+
+
 class Dynamics(ReferenceTest):
     """RMS and peaks of drives and shaking forces, equivalent inertias."""
 
@@ -91,6 +106,34 @@ class Dynamics(ReferenceTest):
             for column, (name, figure) in columns.items():
                 title = next(key for key in row if key.startswith(column + " "))
                 self.assertEqual(figures[name][figure], row[title], column)
+
+    def test_each_case_runs_by_its_own_speed_and_acceleration(self) -> None:
+        """w^2 = w0^2 + 2 a phi, and the torque of friction and inertia is 0.1 + 0.05 w + J a."""
+        figures = "report: [a.wz.velocity.peak, motor.greatest, motor.least, a.loss.greatest]"
+        fast = math.sqrt(10 ** 2 + 2 * 20 * 6)
+        expected = {"speeding": (fast, 20, 10), "steady": (10, 0, 10), "still": (3, 0, 3)}
+        for case in ("", ", case: speeding", ", case: steady", ", case: still"):
+            for cases in (("speeding", "steady", "still"), ("steady", "speeding"), ("speeding",)):
+                rows, _ = swept(DISC.replace("RANGE", "to: 6 rad" + case),
+                                f"{{vary: {{e: [0.1]}}, {figures}, cases: [{', '.join(cases)}]}}")
+                self.assertEqual([row["case"] for row in rows], list(cases))
+                for row in rows:
+                    speed, acceleration, first = expected[row["case"]]
+                    values = [value for key, value in row.items() if "[" in key]
+                    rubs = 0.1 + 0.05 * speed
+                    wanted = (speed, rubs + 0.03 * acceleration,
+                              0.1 + 0.05 * first + 0.03 * acceleration, rubs * speed)
+                    self.assertEqual(row["status"], "solved")
+                    for value, number in zip(values, wanted, strict=True):
+                        self.assertAlmostEqual(value, number, delta=1e-9, msg=f"{case} {row}")
+
+    def test_the_way_in_a_time_is_that_of_each_case(self) -> None:
+        """In half a second, v t + a t^2 / 2."""
+        rows, _ = swept(DISC.replace("RANGE", "time: 0.5 s, case: speeding"),
+                        "{vary: {e: [0.1]}, report: [disc.rotation.z.greatest], cases: [speeding, steady, still]}")
+        for row, wanted in zip(rows, (5 + 2.5, 5, 1.5), strict=True):
+            value = next(value for key, value in row.items() if "greatest" in key)
+            self.assertAlmostEqual(value, wanted, delta=1e-12)
 
     def test_the_input_feels_all_inertia_by_the_square_of_its_ratio(self) -> None:
         rows, _ = swept(RACK, "{vary: {r: [0.05, 0.03], ma: [7, 1], Jz: [0.02, 0.5]}, "

@@ -87,9 +87,11 @@ std::optional<LaneMotions> LaneMotions::make(const MechanismDescription& descrip
                                              const Mechanism& mechanism,
                                              const SweptMotion& asked,
                                              const std::vector<bool>& varies) {
-  const MotionPlan plan = *bind_motion(description, mechanism);
-  if (plan.drives.size() != 1 || plan.schedule || asked.cases.size() != 1 ||
-      !moves_alike(description, varies)) {
+  if (asked.cases.size() != 1) {
+    return std::nullopt;
+  }
+  const MotionPlan plan = *bind_motion(description, mechanism, asked.case_of(0));
+  if (plan.drives.size() != 1 || plan.schedule || !moves_alike(description, varies)) {
     return std::nullopt;
   }
   const PlannedDrive& drive = plan.drives.front();

@@ -94,20 +94,39 @@ StateMotion::StateMotion(const SweptMotion& asked, std::span<const SweepColumn> 
 void StateMotion::fill(const MechanismDescription& description,
                        const Mechanism& mechanism,
                        std::span<SweepRow> rows) {
-  MotionPlan plan = *bind_motion(description, mechanism);
-  plan.which = -1;
-  plan.report = asked_.report;
-  Diagnostics found;
-  std::optional<FoundMotion> motion = follow_motion(description, mechanism, std::move(plan), found);
-  std::string status(code_of(found, Severity::error));
-  std::ranges::fill(values_, kNone);
+  std::optional<FoundMotion> motion;
+  std::string status;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (motion && (i == 0 || asked_.is_of_case)) {
-      motion->plan.which = asked_.is_of_case ? asked_.cases[i] : -1;
-      status = find_figures(description, mechanism, *motion);
+    if (i == 0 || asked_.is_of_case) {
+      status = move(description, mechanism, i, motion);
     }
     show(status, rows[i]);
   }
+}
+
+// Answers the status; `motion` is that of the row before, of which this one has the positions
+// unless the case decides how drives run.
+std::string StateMotion::move(const MechanismDescription& description,
+                              const Mechanism& mechanism,
+                              std::size_t row,
+                              std::optional<FoundMotion>& motion) {
+  std::ranges::fill(values_, kNone);
+  const std::optional<int> which = asked_.case_of(row);
+  MotionPlan plan = *bind_motion(description, mechanism, which);
+  const bool is_in_time = plan.schedule || plan.time_problem != TimeProblem::none;
+  const bool was_in_time = motion && motion->plan.schedule;
+  plan.which = which.value_or(-1);
+  plan.report = asked_.report;
+  if (motion && !is_in_time && !was_in_time) {
+    motion->plan.which = plan.which;
+  } else {
+    Diagnostics found;
+    motion = follow_motion(description, mechanism, std::move(plan), found);
+    if (!motion) {
+      return std::string(code_of(found, Severity::error));
+    }
+  }
+  return find_figures(description, mechanism, *motion);
 }
 
 // Answers whether all that is asked for is right, and if not, why. What is found of the case in a

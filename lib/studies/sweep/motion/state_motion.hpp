@@ -1,6 +1,7 @@
 // The motion of one state of a sweep, and its figures in the rows.
 #pragma once
 
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -27,6 +28,10 @@ class StateMotion {
             std::span<SweepRow> rows);
 
  private:
+  std::string move(const MechanismDescription& description,
+                   const Mechanism& mechanism,
+                   std::size_t row,
+                   std::optional<FoundMotion>& motion);
   std::string find_figures(const MechanismDescription& description,
                            const Mechanism& mechanism,
                            FoundMotion& motion);

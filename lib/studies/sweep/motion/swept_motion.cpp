@@ -51,12 +51,9 @@ MotionColumnSearch::MotionColumnSearch(const MechanismDescription& description,
                                        const Mechanism& mechanism,
                                        std::vector<int> cases,
                                        Diagnostics& found)
-    : description_(description),
-      mechanism_(mechanism),
-      found_(found),
-      plan_(*bind_motion(description, mechanism)) {
+    : description_(description), mechanism_(mechanism), found_(found) {
   std::vector<int> driven;
-  for (const PlannedDrive& drive : plan_.drives) {
+  for (const PlannedDrive& drive : plan_of(-1).drives) {
     driven.push_back(drive.freedom);
   }
   const MotionNetwork network =
@@ -69,12 +66,22 @@ MotionColumnSearch::MotionColumnSearch(const MechanismDescription& description,
   asked_.cases = std::move(cases);
   for (const int which : asked_.cases) {
     candidates_.push_back(candidates_of(which));
+    const MotionPlan plan = plan_of(which);
+    is_in_time_ = is_in_time_ || plan.schedule || plan.time_problem != TimeProblem::none;
   }
+  // Then positions are those at other times.
+  asked_.is_of_case = is_in_time_ && runs_by_case(*description.motion) && asked_.cases.front() >= 0;
+}
+
+MotionPlan MotionColumnSearch::plan_of(int which) const {
+  MotionPlan plan =
+      *bind_motion(description_, mechanism_, which < 0 ? std::nullopt : std::optional(which));
+  plan.which = which;
+  return plan;
 }
 
 std::vector<MotionColumnSearch::Candidate> MotionColumnSearch::candidates_of(int which) const {
-  MotionPlan plan = plan_;
-  plan.which = which;
+  const MotionPlan plan = plan_of(which);
   std::vector<Candidate> all;
   for (MotionColumnOffer& one : motion_column_offers(description_, mechanism_, plan, positions_)) {
     std::string name = one.column.name();
@@ -123,8 +130,7 @@ std::optional<SweepColumn> MotionColumnSearch::find(const Name& name) {
     }
     return std::nullopt;
   }
-  const bool is_in_time = plan_.schedule || plan_.time_problem != TimeProblem::none;
-  if (asked.figure == MotionFigure::rms && !is_in_time) {
+  if (asked.figure == MotionFigure::rms && !is_in_time_) {
     found_.error("E0305",
                  name.where,
                  fmt::format("'{}' is a mean in time, and the motion has none", name.text),
@@ -207,8 +213,7 @@ bool MotionColumnSearch::needs_case_of_its_own(const std::string& column) {
 bool MotionColumnSearch::can_report(const MotionReport& report) {
   Diagnostics found;
   const bool can = std::ranges::all_of(asked_.cases, [&](int which) {
-    MotionPlan plan = plan_;
-    plan.which = which;
+    MotionPlan plan = plan_of(which);
     plan.report = report;
     return check_report(plan, mechanism_, found, CasePlace::sweep);
   });

@@ -28,6 +28,12 @@ struct SweptMotion {
   MotionScope scope;                 ///< likewise, of the table
   bool is_of_case = false;           ///< the speeds or loads of a case decide some of them
   std::vector<int> cases;  ///< of each row of a state: index into Mechanism::cases, -1: none
+
+  /// The case in which the mechanism of a row moves: empty for that of the file, where nothing that
+  /// is asked for depends on it.
+  std::optional<int> case_of(std::size_t row) const {
+    return is_of_case && cases[row] >= 0 ? std::optional(cases[row]) : std::nullopt;
+  }
 };
 
 /// Finds the columns of the motion that the names of a sweep stand for.
@@ -55,6 +61,7 @@ class MotionColumnSearch {
     MotionReport needs;
   };
 
+  MotionPlan plan_of(int which) const;
   std::vector<Candidate> candidates_of(int which) const;
   void refuse_column(const Name& name, const std::string& column);
   bool lacks_case(const std::string& column);
@@ -66,7 +73,7 @@ class MotionColumnSearch {
   const MechanismDescription& description_;
   const Mechanism& mechanism_;
   Diagnostics& found_;
-  MotionPlan plan_;
+  bool is_in_time_ = false;                         // in some case
   std::vector<std::optional<double>> positions_;    ///< of the freedoms, as drawn
   std::vector<int> watched_;                        ///< freedoms that have dead points
   std::vector<std::vector<Candidate>> candidates_;  ///< of each case
