@@ -14,6 +14,7 @@ void PivotedQr::factor(std::span<const double> A, int rows, int columns, double 
   columns_ = columns;
   rank_ = 0;
   swaps_ = 0;
+  row_swaps_ = 0;
   reflections_ = 0;
   has_null_ = false;
   qr_.assign(A.begin(), A.end());
@@ -21,6 +22,7 @@ void PivotedQr::factor(std::span<const double> A, int rows, int columns, double 
   std::iota(order_.begin(), order_.end(), 0);
   lengths_.resize(at(columns));
   scale_.resize(at(columns));
+  row_.resize(at(columns));
   diagonal_.resize(at(columns));
   work_.resize(at(std::max(rows, columns)));
   const int steps = std::min(rows, columns);
@@ -53,8 +55,29 @@ void PivotedQr::factor(std::span<const double> A, int rows, int columns, double 
       std::swap(order_[at(step)], order_[at(best)]);
       ++swaps_;
     }
+    swap_rows(step);
     reflect(step);
     ++rank_;
+  }
+}
+
+// The largest entry of the column comes first: then each row rounds by what is in it (Powell and
+// Reid 1969), and rows that share no column with others stay apart from them.
+void PivotedQr::swap_rows(int step) {
+  const double* v = qr_.data() + step * rows_;
+  int largest = step;
+  for (int r = step + 1; r < rows_; ++r) {
+    if (std::abs(v[r]) > std::abs(v[largest])) {
+      largest = r;
+    }
+  }
+  row_[at(step)] = largest;
+  if (largest == step) {
+    return;
+  }
+  ++row_swaps_;
+  for (int c = step; c < columns_; ++c) {
+    std::swap(entry(step, c), entry(largest, c));
   }
 }
 
@@ -91,7 +114,7 @@ void PivotedQr::reflect(int step) {
 
 double PivotedQr::sign() const {
   const double turned = rows_ == columns_ ? turned_sign() : 0.0;
-  return reflections_ % 2 == 1 ? -turned : turned;
+  return (reflections_ + row_swaps_) % 2 == 1 ? -turned : turned;
 }
 
 double PivotedQr::turned_sign() const {
@@ -125,6 +148,7 @@ void PivotedQr::back_substitute(double* x) const {
 
 void PivotedQr::turn(std::span<double> b) const {
   for (int step = 0; step < rank_; ++step) {
+    std::swap(b[at(step)], b[at(row_[at(step)])]);
     if (scale_[at(step)] == 0.0) {
       continue;
     }

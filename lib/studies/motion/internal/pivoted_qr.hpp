@@ -8,7 +8,8 @@
 
 namespace kinestat {
 
-/// A P = Q R by Householder reflections, the longest remaining column first. What is shorter than
+/// A P = Q R by Householder reflections, the longest remaining column first, its largest entry in
+/// the first row; Q holds these swaps, too. What is shorter than
 /// kRankZero of the longest column counts as zero. Buffers grow to the largest system and stay.
 class PivotedQr {
  public:
@@ -56,19 +57,22 @@ class PivotedQr {
     return qr_[static_cast<std::size_t>(column * rows_ + row)];
   }
 
+  void swap_rows(int step);
   void reflect(int step);
   void back_substitute(double* x) const;
 
   int rows_ = 0;
   int columns_ = 0;
   int rank_ = 0;
-  int swaps_ = 0;
+  int swaps_ = 0;  // of columns
+  int row_swaps_ = 0;
   int reflections_ = 0;
   double reciprocal_condition_ = 0.0;
   double longest_ = 0.0;
   bool has_null_ = false;
   std::vector<double> qr_;
   std::vector<double> scale_;     // of each reflection: 2 / |v|²
+  std::vector<int> row_;          // of each step: that which was swapped with it
   std::vector<double> diagonal_;  // of R
   std::vector<double> lengths_;   // squared, of what remains of each column
   std::vector<int> order_;
