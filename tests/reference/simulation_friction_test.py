@@ -217,6 +217,44 @@ class FrictionTest(simulations.SimulationCase):
         self.near(found.last()["b.wz/velocity"], expected["common_speed"], 1e-8)
         self.near(found.last()["energy/lost"], expected["energy"], 1e-6)
 
+    def test_clutch_takes_a_shaft_in_bearings_along_until_both_rest(self) -> None:
+        """All three couplings of the circuit rub: the clutch slips until both turn alike, then the
+        bearings alone slow them down."""
+        for order in (("a", "b", "C"), ("C", "a", "b"), ("b", "C", "a")):
+            couplings = {
+                "a": "a: {type: revolute, bodies: [frame, fly], at: [0, 0], friction: {tau: 2 N*m}}",
+                "b": "b: {type: revolute, bodies: [frame, shaft], at: [0, 0], friction: {tau: 1 N*m}}",
+                "C": "C: {type: clutch, bodies: [fly, shaft], at: [0, 0], friction: {tau: 80 N*m}}"}
+            found = Simulation("""
+kinestat: 1
+space: planar
+ground: frame
+bodies: {fly: {inertia: 5 kg*m^2}, shaft: {inertia: 0.1 kg*m^2}}
+couplings:
+  """ + "\n  ".join(couplings[name] for name in order) + """
+actuators: {m: {coupling: a}, o: {coupling: b}}
+simulation: {action: {m: 0, o: 0, C: 0}, start: {m: {speed: 30 rad/s}}, time: 60 s, steps: 600,
+             tolerance: 1e-11, report: [a.wz, b.wz, C.wz, friction, energy]}
+""".replace(" friction, energy", " C/friction, energy/lost"))
+            alike = 30 / (82 / 5 + 79 / 0.1)
+            speed = 30 - 82 / 5 * alike
+            rest = alike + speed * 5.1 / 3
+            sticks = [event for event in found.events if event["kind"] == "stick"]
+            self.assertEqual(len(sticks), 2)
+            self.near(sticks[0]["time"], alike, 1e-9, "alike")
+            self.near(sticks[1]["time"], rest, 1e-8, "rest")
+            for i, time in enumerate(found.columns["time"]):
+                at = {name: values[i] for name, values in found.columns.items()}
+                if alike < time < rest:
+                    self.near(at["a.wz/velocity"], speed - 3 / 5.1 * (time - alike), 1e-8, f"{time}")
+                    self.near(at["b.wz/velocity"], at["a.wz/velocity"], 1e-9, f"{time}")
+                    # On the shaft, what its bearing takes beyond what slows it down.
+                    self.near(abs(at["C/friction"]), 1 - 0.1 * 3 / 5.1, 1e-8, f"{time}")
+                elif time > rest:
+                    self.near(at["a.wz/velocity"], 0.0, 1e-12, f"{time}")
+                    self.assertIsNone(at["C/friction"])
+            self.near(found.last()["energy/lost"], 5 * 30 ** 2 / 2, 1e-6)
+
     def test_plank_takes_a_block_along_until_it_is_too_fast(self) -> None:
         found = Simulation(PLANK)
         self.assertEqual(kinds(found), ["stick", "stick", "slip", "slip"])

@@ -44,7 +44,6 @@ class Simulator : private StateInTime {
   // Positive before it happens.
   std::optional<double> distance(const Happening& what, double time);
   std::optional<double> distance(const Happening& what, double time, std::span<const double> y);
-
   // Whether it does not slide although nothing holds it: at a dead point, or by other means.
   bool rests(std::size_t friction) const;
 
@@ -55,7 +54,6 @@ class Simulator : private StateInTime {
   double no_sliding(std::size_t friction) const;  // what counts as none
 
   void read_senses();  // which frictions slide, by the speeds there are
-
   // What slides on, sticks and gives way where speeds are zero: of all ways the one that fits, with
   // most that sticks. `given` gives way. False where none does, or several.
   bool decide_friction(const std::optional<Happening>& given);
@@ -69,6 +67,9 @@ class Simulator : private StateInTime {
                      const std::vector<int>& pattern,
                      const VecX& rates,
                      std::optional<std::size_t> given);
+  bool stick_together(const std::vector<StuckGroup>& groups,
+                      const VecX& rates,
+                      std::optional<std::size_t> gives_way);
   void tell_changes(const std::vector<StuckGroup>& before);
   void take(const std::vector<StuckGroup>& groups, const std::vector<int>& pattern);
 
@@ -80,7 +81,6 @@ class Simulator : private StateInTime {
                                   std::span<const double> y);
 
   std::size_t held_place(std::size_t stop) const;
-
   // Whether what is held keeps it where it is, at the state that was accelerated last.
   bool is_kept(int freedom) const;
   std::vector<Happening> possible() const;

@@ -254,6 +254,54 @@ std::optional<std::vector<int>> Simulator::find_pattern(const std::vector<StuckG
   return found;
 }
 
+// Where more groups stick than there are motions, how they share is open, but not whether they
+// hold: they do if some of them do it alone, one for each motion. What gives way is not among
+// these.
+bool Simulator::stick_together(const std::vector<StuckGroup>& groups,
+                               const VecX& rates,
+                               std::optional<std::size_t> gives_way) {
+  std::size_t most = 0;
+  std::vector<std::vector<std::size_t>> all;
+  for (std::size_t mask = 1; mask < std::size_t{1} << groups.size(); ++mask) {
+    std::vector<std::size_t> chosen;
+    std::vector<VecX> directions;
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      if ((mask >> g & 1U) != 0) {
+        chosen.push_back(g);
+        directions.push_back(direction_in_sizes(groups[g].frictions.front()));
+      }
+    }
+    if (are_independent(std::move(directions))) {
+      most = std::max(most, chosen.size());
+      all.push_back(std::move(chosen));
+    }
+  }
+  for (const std::vector<std::size_t>& chosen : all) {
+    const bool is_led = std::ranges::all_of(chosen, [&](std::size_t g) {
+      return g != gives_way && is_joint(groups[g].frictions.front());
+    });
+    if (chosen.size() < most || !is_led) {
+      continue;
+    }
+    std::vector<StuckGroup> sticking;
+    for (const std::size_t g : chosen) {
+      StuckGroup one = groups[g];
+      for (std::size_t other = 0; other < groups.size(); ++other) {
+        if (std::ranges::find(chosen, other) == chosen.end()) {
+          one.frictions.insert(
+              one.frictions.end(), groups[other].frictions.begin(), groups[other].frictions.end());
+          one.senses.resize(one.frictions.size(), 0);
+        }
+      }
+      sticking.push_back(std::move(one));
+    }
+    if (is_consistent(sticking, std::vector<int>(sticking.size(), 0), rates, {})) {
+      return true;
+    }
+  }
+  return false;
+}
+
 bool Simulator::decide_friction(const std::optional<Happening>& given) {
   if (!has_dry()) {
     return true;
@@ -277,14 +325,18 @@ bool Simulator::decide_friction(const std::optional<Happening>& given) {
     tell_changes(before);
     return accelerate(time_, anchor_, state_, ignored);
   }
-  if (const std::optional<SimulationObstacle> why = obstacle_of(groups)) {
-    obstacle_ = *why;
-    return false;
-  }
   std::optional<std::size_t> forced;
   for (std::size_t g = 0; g < groups.size() && given; ++g) {
     const std::size_t lead = before[given->index].frictions.front();
     forced = std::ranges::count(groups[g].frictions, lead) > 0 ? std::optional(g) : forced;
+  }
+  if (const std::optional<SimulationObstacle> why = obstacle_of(groups)) {
+    if (groups.size() <= kMostGroups && stick_together(groups, *rates, forced)) {
+      tell_changes(before);
+      return true;
+    }
+    obstacle_ = *why;
+    return false;
   }
   const std::optional<std::vector<int>> found =
       find_pattern(groups, *rates, forced, given ? given->sense : 0);

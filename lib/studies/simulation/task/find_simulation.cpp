@@ -28,9 +28,15 @@ class StartFinder {
   StartFinder(const Mechanism& mechanism, const SimulationPlan& plan, Diagnostics& found)
       : mechanism_(mechanism), topology_(mechanism.topology), plan_(plan), found_(found) {}
 
-  std::optional<SimulationBegin> find(const std::vector<DrawnCoupling>& drawn) {
-    const std::vector<int> sticking = sticking_freedoms(mechanism_);
-    std::vector<int> more = mechanism_.topology.driven_freedoms();
+  // Of the freedoms that stick by themselves, those of `preferred` are joints of the tree before
+  // others: not all in a circuit can be.
+  std::optional<SimulationBegin> find(const std::vector<DrawnCoupling>& drawn,
+                                      const std::vector<int>& preferred) {
+    std::vector<int> sticking = sticking_freedoms(mechanism_);
+    std::ranges::stable_partition(sticking, [&](int freedom) {
+      return std::ranges::find(preferred, freedom) != preferred.end();
+    });
+    std::vector<int> more = driven_freedoms();
     more.insert(more.end(), sticking.begin(), sticking.end());
     const MotionNetwork network =
         make_simulation_network(mechanism_, drawn, plan_, named(true), more);
@@ -60,6 +66,18 @@ class StartFinder {
   }
 
  private:
+  // Of actuators, on the ground first: where a start does not name enough freedoms, these begin at
+  // rest, rather than what moves with others.
+  std::vector<int> driven_freedoms() const {
+    std::vector<int> all = topology_.driven_freedoms();
+    std::ranges::stable_partition(all, [&](int freedom) {
+      const CouplingTopology& coupling =
+          topology_.coupling(topology_.freedoms[at(freedom)].coupling);
+      return coupling.tail.value == 0 || coupling.head.value == 0;
+    });
+    return all;
+  }
+
   // Freedoms that must be joints of the tree: those that are held or stopped, and those given.
   std::vector<int> named(bool with_starts) const {
     std::vector<int> all;
@@ -139,8 +157,8 @@ class StartFinder {
       }
     }
     std::vector<int> preferred = first;
-    for (const ActuatorTopology& actuator : topology_.actuators) {
-      const int rate = rate_of_freedom(network, actuator.freedom);
+    for (const int freedom : driven_freedoms()) {
+      const int rate = rate_of_freedom(network, freedom);
       if (rate >= 0 && std::ranges::find(preferred, rate) == preferred.end()) {
         preferred.push_back(rate);
       }
@@ -288,7 +306,7 @@ class StartFinder {
   // Of the named freedoms, then of the actuators, as far as the tree has them.
   std::vector<int> rates_of(const MotionNetwork& network) const {
     std::vector<int> freedoms = named(true);
-    const std::vector<int> driven = topology_.driven_freedoms();
+    const std::vector<int> driven = driven_freedoms();
     freedoms.insert(freedoms.end(), driven.begin(), driven.end());
     std::vector<int> rates;
     for (const int freedom : freedoms) {
@@ -315,6 +333,45 @@ class StartFinder {
   const SimulationPlan& plan_;
   Diagnostics& found_;
 };
+
+// The freedom that would stick and is no joint of the tree.
+std::optional<int> stuck_in_circuit(const FoundSimulation& of) {
+  const SimulationObstacle& obstacle = of.solution.obstacle;
+  return of.solution.end == SimulationEnd::stuck &&
+                 obstacle.kind == SimulationObstacle::Kind::stuck_in_circuit
+             ? std::optional(of.mechanism.topology.coupling(*obstacle.coupling).first_freedom)
+             : std::nullopt;
+}
+
+// Anew with another tree where something sticks that is no joint of the one before; which one goes
+// farthest. False where there is no start.
+bool simulate(FoundSimulation& result, Diagnostics& found) {
+  std::vector<int> preferred;
+  for (;;) {
+    std::optional<SimulationBegin> begin =
+        StartFinder(result.mechanism, result.plan, found).find(result.drawn, preferred);
+    if (!begin) {
+      return false;
+    }
+    SimulationSolution solution = solve_simulation(result.mechanism,
+                                                   begin->network,
+                                                   result.drawn,
+                                                   result.plan,
+                                                   begin->configuration,
+                                                   begin->coordinates,
+                                                   begin->rates);
+    if (preferred.empty() || solution.end != SimulationEnd::stuck ||
+        solution.time > result.solution.time) {
+      result.network = std::move(begin->network);
+      result.solution = std::move(solution);
+    }
+    const std::optional<int> freedom = stuck_in_circuit(result);
+    if (!freedom || std::ranges::find(preferred, *freedom) != preferred.end()) {
+      return true;
+    }
+    preferred.insert(preferred.begin(), *freedom);
+  }
+}
 
 }  // namespace
 
@@ -347,22 +404,14 @@ std::optional<FoundSimulation> find_simulation(const MechanismDescription& descr
     return std::nullopt;
   }
   std::vector<DrawnCoupling> drawn = bind_drawn_couplings(simulated, *mechanism);
-  std::optional<SimulationBegin> begin = StartFinder(*mechanism, *plan, found).find(drawn);
-  if (!begin) {
-    return std::nullopt;
-  }
   FoundSimulation result{.mechanism = *std::move(mechanism),
                          .plan = *std::move(plan),
-                         .network = std::move(begin->network),
+                         .network = {},
                          .drawn = std::move(drawn),
                          .solution = {}};
-  result.solution = solve_simulation(result.mechanism,
-                                     result.network,
-                                     result.drawn,
-                                     result.plan,
-                                     begin->configuration,
-                                     begin->coordinates,
-                                     begin->rates);
+  if (!simulate(result, found)) {
+    return std::nullopt;
+  }
   add_simulation_findings(result, description, found);
   return result;
 }

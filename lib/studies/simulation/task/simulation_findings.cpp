@@ -93,8 +93,8 @@ std::string_view hint_of(const SimulationObstacle& obstacle) {
       return "equilibrium leaves open what presses there, or how couplings that stick together "
              "share: leave to each what it takes, or the friction to one of them";
     case stuck_in_circuit:
-      return "name it in 'start', so that it is a coordinate; or leave the friction to another "
-             "coupling of its circuit";
+      return "couplings of a circuit that all rub can stick one by one in some orders only: leave "
+             "out the friction of one of them";
     case beyond_stop:
       return "give it a place within, or a stop further out: both are from the drawn position";
     case no_progress:
