@@ -42,6 +42,10 @@ void add_action_value_findings(const JudgedFile& file,
 /// Warns of teeth that the load presses on a flank whose line of action is not known.
 void add_tooth_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found);
 
+/// Warns of freewheels that a case lets hold a torque, or slip, of the other sign. The case may
+/// have a motion alone.
+void add_freewheel_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found);
+
 /// Warns of segments that would be in compression, with the pretension that keeps them in tension,
 /// and of cables that friction does not hold.
 void add_cable_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found);

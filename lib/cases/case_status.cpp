@@ -7,6 +7,11 @@
 namespace kinestat {
 
 std::string_view impossible_status(const Mechanism& mechanism, const CaseAnalysis& one) {
+  const std::vector<WrongFreewheel> wrong = find_wrong_freewheels(
+      mechanism, one.motion ? &*one.motion : nullptr, one.action ? &*one.action : nullptr);
+  if (!wrong.empty()) {
+    return wrong.front().fault == FreewheelFault::overruns ? kFreewheelOverruns : kFreewheelLocks;
+  }
   if (!one.action) {
     return {};
   }

@@ -12,6 +12,7 @@
 #include "mechanism/cables/cable_contact.hpp"
 #include "mechanism/cases/case.hpp"
 #include "mechanism/couplings/coupling_friction.hpp"
+#include "mechanism/couplings/freewheel.hpp"
 #include "mechanism/curves/curve.hpp"
 #include "mechanism/gears/lossy_mesh.hpp"
 #include "mechanism/gears/tooth_flanks.hpp"
@@ -30,9 +31,10 @@ struct Mechanism {
   Geometry geometry;
   std::vector<CouplingFriction> frictions;  ///< of the couplings that have friction
   std::vector<CableContact> contacts;       ///< of cables with pulleys
-  std::vector<ToothRule> tooth_rules;       ///< of teeth that the file writes as couplings
-  std::vector<int> one_flanked;             ///< actions: forces of teeth of which the file does not
-                                            ///< say where the flank is that another load presses
+  std::vector<Freewheel> freewheels;
+  std::vector<ToothRule> tooth_rules;  ///< of teeth that the file writes as couplings
+  std::vector<int> one_flanked;        ///< actions: forces of teeth of which the file does not
+                                       ///< say where the flank is that another load presses
   std::vector<LossyMesh> lossy_meshes;
   LossModel loss_model = LossModel::carrier;  ///< the model whose efficiency is preferred
   CouplingGraph graph;

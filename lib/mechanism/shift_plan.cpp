@@ -6,6 +6,7 @@
 #include "core/contract.hpp"
 #include "mechanism/cases/case_binder.hpp"
 #include "mechanism/cases/load_binder.hpp"
+#include "mechanism/couplings/freewheel.hpp"
 #include "mechanism/inertia/mass_binder.hpp"
 #include "mechanism/label_kind.hpp"
 
@@ -17,18 +18,6 @@ int actuator_of(const Topology& topology, const Name& name) {
   const auto at = std::ranges::find(topology.actuators, name.text, &ActuatorTopology::name);
   KINESTAT_EXPECTS(at != topology.actuators.end());
   return static_cast<int>(at - topology.actuators.begin());
-}
-
-// The sign of the torque that a freewheel holds; 0 of any other element.
-int one_way_of(const MechanismDescription& description, const Name& element) {
-  const auto coupling =
-      std::ranges::find(description.couplings, element.text, [](const CouplingDescription& one) {
-        return std::string_view(one.name.text);
-      });
-  if (coupling == description.couplings.end() || !coupling->one_way) {
-    return 0;
-  }
-  return *coupling->one_way == OneWay::positive ? 1 : -1;
 }
 
 // The value that the section gives for an input: its own, or the one for all.
@@ -66,9 +55,13 @@ class ShiftBinder {
     for (const Name& output : shift_.outputs) {
       plan_.outputs.push_back(actuator_of(topology_, output));
     }
+    const std::vector<Freewheel> freewheels = bind_freewheels(description_, topology_);
     for (const Name& element : shift_.elements) {
-      plan_.elements.push_back({.actuator = actuator_of(topology_, element),
-                                .one_way = one_way_of(description_, element)});
+      const int actuator = actuator_of(topology_, element);
+      const int freedom = topology_.actuators[static_cast<std::size_t>(actuator)].freedom;
+      const auto freewheel = std::ranges::find(freewheels, freedom, &Freewheel::freedom);
+      plan_.elements.push_back(
+          {.actuator = actuator, .one_way = freewheel == freewheels.end() ? 0 : freewheel->holds});
     }
     for (const GearLabel& label : shift_.names) {
       add_label(label);

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "core/tolerance.hpp"
+#include "kinematics/bounded_motion.hpp"
 #include "statics/coupling_wrenches.hpp"
 
 namespace kinestat {
@@ -36,6 +37,32 @@ std::vector<CouplingId> find_pushed_segments(const Mechanism& mechanism,
 
 std::vector<int> find_pulling_contacts(const Mechanism& mechanism, const StaticSolution& solution) {
   return find_negative(solution, find_contact_forces(mechanism.topology));
+}
+
+std::vector<WrongFreewheel> find_wrong_freewheels(const Mechanism& mechanism,
+                                                  const KinematicSolution* motion,
+                                                  const StaticSolution* action) {
+  const auto torque_of = [&](const Freewheel& one) {
+    const bool is_known = action != nullptr && !action->magnitudes.empty() &&
+                          action->magnitudes[static_cast<std::size_t>(one.action)].has_value();
+    return is_known ? bounded_action(*action, one.action).zeroed() : 0.0;
+  };
+  const auto slip_of = [&](const Freewheel& one) {
+    const bool is_known =
+        motion != nullptr && !motion->rates.empty() && motion->knows_rate(one.freedom);
+    return is_known ? bounded_rate(*motion, one.freedom).zeroed() : 0.0;
+  };
+  std::vector<WrongFreewheel> wrong;
+  for (const Freewheel& one : mechanism.freewheels) {
+    const double torque = torque_of(one);
+    const double slip = slip_of(one);
+    if (const auto fault = fault_of(one, torque, slip)) {
+      wrong.push_back({.coupling = one.coupling,
+                       .fault = *fault,
+                       .value = *fault == FreewheelFault::overruns ? torque : slip});
+    }
+  }
+  return wrong;
 }
 
 bool is_one_sided(const VecX& actions, const Topology& topology) {

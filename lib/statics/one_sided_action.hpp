@@ -1,8 +1,10 @@
-// Actions that bodies bear in one direction only: cables pull, and surfaces that touch push.
+// Actions that bodies bear in one direction only: cables pull, surfaces that touch push, freewheels
+// hold one torque.
 #pragma once
 
 #include <vector>
 
+#include "kinematics/kinematic_solution.hpp"
 #include "mechanism/couplings/one_sided_actions.hpp"
 #include "mechanism/mechanism.hpp"
 #include "statics/static_solution.hpp"
@@ -15,6 +17,18 @@ std::vector<CouplingId> find_pushed_segments(const Mechanism& mechanism,
 
 /// The normal forces of contacts that would have to pull: they are negative beyond rounding.
 std::vector<int> find_pulling_contacts(const Mechanism& mechanism, const StaticSolution& solution);
+
+/// A freewheel that an answer asks for what it cannot do.
+struct WrongFreewheel {
+  CouplingId coupling;
+  FreewheelFault fault = FreewheelFault::overruns;
+  double value = 0.0;  ///< the torque [N·m] or the slip [rad/s] that it asks for
+};
+
+/// By what is known of the motion and the actions beyond rounding; either may be null.
+std::vector<WrongFreewheel> find_wrong_freewheels(const Mechanism& mechanism,
+                                                  const KinematicSolution* motion,
+                                                  const StaticSolution* action);
 
 /// Whether, among these actions [N·m or N], all contacts push and all cables pull within rounding.
 bool is_one_sided(const VecX& actions, const Topology& topology);

@@ -314,6 +314,15 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "the file with a negative force, so that the two bodies pull on each other: torques are "
      "right, the forces that part the bodies have the wrong sense. Write 'flank: fixed' for teeth "
      "whose line of action holds for both loads."},
+    {"W0611",
+     done,
+     "freewheel on the wrong side",
+     "A freewheel ('one_way') holds torques of one sign and slips in one sense. The case lets it "
+     "hold a torque of the other sign, where it would overrun, or slip in the other sense, where "
+     "it "
+     "would lock, so that its numbers hold for a clutch in its place, not for this mechanism. "
+     "'kinestat shift' decides by itself which of its gears a freewheel allows: there such a state "
+     "is neutral or a tie-up."},
     {"W0701",
      done,
      "loss of a mesh is not known",

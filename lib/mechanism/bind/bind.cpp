@@ -275,6 +275,7 @@ std::optional<Mechanism> bind_for(Purpose purpose,
       result.load_sharing = bind_load_sharing(description, result.topology, evaluator);
       result.compliances = bind_compliances(description, result.topology, evaluator);
       bind_contacts(description, evaluator, found, result);
+      result.freewheels = bind_freewheels(description, result.topology);
       check_reported_quantities(description, result.topology, found);
     }
   } else {

@@ -47,7 +47,7 @@ std::optional<DutyState> ClosedCase::find(std::span<const double> motions,
                     known_.begin() + static_cast<std::ptrdiff_t>(i),
                     known_.begin() + static_cast<std::ptrdiff_t>(i) + 1);
         std::optional<DutyState> state = known_.front()->state_at(motions, actions);
-        if (state) {
+        if (state && has_right_freewheels(*state)) {
           return state;
         }
         break;
@@ -59,6 +59,14 @@ std::optional<DutyState> ClosedCase::find(std::span<const double> motions,
     on_analysis_(last_);
   }
   return state;
+}
+
+// Of those on the wrong side, an analysis tells.
+bool ClosedCase::has_right_freewheels(const DutyState& state) const {
+  return std::ranges::none_of(mechanism_.freewheels, [&](const Freewheel& one) {
+    const double torque = state.actions[static_cast<std::size_t>(one.action)].value_or(0.0);
+    return fault_of(one, torque, state.rates[static_cast<std::size_t>(one.freedom)]).has_value();
+  });
 }
 
 std::optional<DutyState> ClosedCase::find_anew(Case there,

@@ -41,6 +41,7 @@ class ClosedCase {
   CaseAnalysis take_analysis() { return std::move(last_); }
 
  private:
+  bool has_right_freewheels(const DutyState& state) const;
   std::optional<DutyState> find_anew(Case there,
                                      std::span<const double> motions,
                                      std::span<const double> actions);

@@ -146,14 +146,16 @@ const Record<ItemView<DutyPointState>>& point_record() {
       const auto index = static_cast<std::size_t>(&v.item - v.of.duty.points.data());
       return v.of.mechanism.cases[v.of.plan.points[index].which].label;
     });
-    keys.word("status",
-              point_statuses(),
-              "at_rest: nothing moves; both_ends: losses take more than the inputs supply, and the "
-              "outputs drive too; unanswered: the analysis of the case has no result either; the "
-              "others: solved, but a cable would have to push, or slip, or surfaces to pull.",
-              [](const View& v) {
-                return v.item.impossible.empty() ? word_of(v.item.status) : v.item.impossible;
-              });
+    keys.word(
+        "status",
+        point_statuses(),
+        "at_rest: nothing moves; both_ends: losses take more than the inputs supply, and the "
+        "outputs drive too; unanswered: the analysis of the case has no result either; the "
+        "others: solved, but a cable would have to push, or slip, surfaces to pull, or a freewheel "
+        "to hold or slip in the other sense.",
+        [](const View& v) {
+          return v.item.impossible.empty() ? word_of(v.item.status) : v.item.impossible;
+        });
     keys.include(energy_record(), [](const View& v) -> const DutyEnergy& { return v.item.energy; });
     keys.number("balance_residual",
                 Bare::ratio,

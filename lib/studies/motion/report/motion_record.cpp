@@ -272,9 +272,10 @@ void add_rows(Record<MotionTable>& keys) {
       column_record(),
       "What the cells of a row are: the step, the positions of the drives, what was asked "
       "for, the status: solved, limit, singular, that of the actions (indeterminate, "
-      "inconsistent, ambiguous, locked, …), or cable_slack, contact_pulls or cable_slips where the "
-      "numbers hold only for a cable that could push, surfaces that could pull on each other, "
-      "or a cable held by more friction.",
+      "inconsistent, ambiguous, locked, …), or cable_slack, contact_pulls, cable_slips, "
+      "freewheel_overruns or freewheel_locks where the numbers hold only for a cable that could "
+      "push, surfaces that could pull on each other, a cable held by more friction, or a clutch in "
+      "place of a freewheel.",
       emit_columns);
   keys.custom("rows",
               rows_shape(),

@@ -146,13 +146,12 @@ void add_counts_of_sweep(Record<SweepSummaryView>& keys) {
              "Of the rows that meet all conditions, those that --top or --pareto leaves out "
              "because the ranking quantity has no value.",
              [](const View& v) { return v.counts.unranked; });
-  keys.custom(
-      "statuses",
-      map_shape(whole_shape(false)),
-      "How many rows have which status: solved, or why the row has no answer or one that "
-      "cannot be (cable_slack, contact_pulls, cable_slips), as 'kinestat help sweeps' lists "
-      "them.",
-      write_statuses);
+  keys.custom("statuses",
+              map_shape(whole_shape(false)),
+              "How many rows have which status: solved, or why the row has no answer or one that "
+              "cannot be (cable_slack, contact_pulls, cable_slips, freewheel_overruns, "
+              "freewheel_locks), as 'kinestat help sweeps' lists them.",
+              write_statuses);
 }
 
 template <class View, class Get>

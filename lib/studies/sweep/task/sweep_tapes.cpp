@@ -23,7 +23,9 @@ bool is_plain(const SweepTask& task, const CaseAnalysis& one) {
   const bool is_linear = !one.action || (task.mechanism.frictions.empty() && !has_laws);
   const bool has_idle = one.motion && !one.motion->idle.empty();  // whose rates have no value
   return has_motion && has_action && is_linear && !has_idle && !one.which.has_inertia() &&
-         !one.which.follows_curves() && one.which.loads.empty() && task.mechanism.contacts.empty();
+         !one.which.follows_curves() && one.which.loads.empty() &&
+         task.mechanism.contacts.empty() &&
+         (task.mechanism.freewheels.empty() || one.which.is_gear);
 }
 
 // A tape keeps no torque of a freewheel, and the class of a combination hangs on the speeds where
