@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "draw/catalogue/catalogue.hpp"
 #include "mechanism/bind/bind.hpp"
 #include "run/analyse.hpp"
 #include "run/benchmark.hpp"
@@ -71,11 +72,16 @@ PictureSource PictureFinder::source() const {
 
 // What the command line says of it. False iff an error was added.
 bool PictureFinder::apply_to_motion(Diagnostics& found) {
-  if (!choice_.drive && (choice_.report.empty() || !description_->motion)) {
+  const PictureKind* const kind = find_picture_kind(choice_.picture);
+  const bool has_case = kind != nullptr && is_of_motion(kind->need) && !choice_.case_label.empty();
+  if (!choice_.drive && ((choice_.report.empty() && !has_case) || !description_->motion)) {
     return true;
   }
   MotionChoice choice;
   choice.report = choice_.report;
+  if (has_case) {
+    choice.label = choice_.case_label;
+  }
   if (choice_.drive) {
     choice.drive = choice_.drive;
     choice.to = kLimitWord;  // as far as it goes

@@ -153,8 +153,7 @@ class PictureJob {
     if (!is_of_synthesis && !description().has_mechanism()) {
       return "the file holds no mechanism";
     }
-    const bool is_of_motion = kind.need == PictureNeed::motion || kind.need == PictureNeed::moving;
-    if (is_of_motion && !description().motion) {
+    if (is_of_motion(kind.need) && !description().motion) {
       return "the file has no section 'motion'";
     }
     if (kind.need == PictureNeed::simulation && !description().simulation) {
@@ -242,12 +241,16 @@ bool check_options(const PlotChoice& choice, const PictureKind& kind, Outcome& o
     return false;
   };
   const auto takes_positions = [](const PictureKind& one) { return one.takes_positions; };
-  const auto is_of_motion = [](const PictureKind& one) { return one.need == PictureNeed::motion; };
+  const auto has_columns = [](const PictureKind& one) { return one.need == PictureNeed::motion; };
+  const auto has_cases = [](const PictureKind& one) { return is_of_cases(one.need); };
   if (!choice.at.empty() && !takes_positions(kind)) {
     return refuse("--at", takes_positions);
   }
-  if (!choice.report.empty() && !is_of_motion(kind)) {
-    return refuse("--report", is_of_motion);
+  if (!choice.report.empty() && !has_columns(kind)) {
+    return refuse("--report", has_columns);
+  }
+  if (!choice.case_label.empty() && !has_cases(kind)) {
+    return refuse("--case", has_cases);
   }
   if (choice.drive && choice.at.empty()) {
     add_message("E0101",

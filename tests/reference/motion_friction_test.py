@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import motion_case
 import program
-from motion_case import Motion, MotionTest
+from motion_case import Motion, MotionTest, run
 
 # Upright, the crank is a quarter of a turn past the dead centre of a slide with friction.
 SLIDE_WITH_FRICTION = """\
@@ -97,6 +97,32 @@ actuators: {Tin: {coupling: a}, F: {coupling: d}}
 cases: {one: {motion: {Tin: 1 rad/s}, action: {F: -10 N}, input: Tin, output: F}}
 motion: {drive: Tin, to: %s deg, steps: %d, case: one, report: [action]}
 """
+
+
+OVERCONSTRAINED_SCREW = """kinestat: 1
+units: {length: mm, angle: deg}
+ground: frame
+bodies: [screw, nut]
+couplings:
+  a: {type: revolute, bodies: [frame, screw], at: [0, 0, 0], axis: z,
+      friction: {mu: 0.1, radius: 8, thrust_radius: 15}}
+  h: {type: helical, bodies: [screw, nut], at: [0, 0, 100], axis: z, lead: 6 mm,
+      friction: {mu: 0.15, radius: 11}}
+  g: {type: prismatic, bodies: [frame, nut], at: [0, 0, 100], axis: z, friction: {tau: 30 N}}
+actuators: {m: {coupling: a}, out: {coupling: g}}
+cases: {run: {motion: {m: 10 rad/s}, action: {out: -1000 N}}}
+motion: {drive: m, to: 360 deg, steps: 2, case: run, report: [reaction]}
+"""
+
+
+class OpenFriction(MotionTest):
+    def test_that_redundant_supports_share_has_no_value(self) -> None:
+        """How bearing, thread and guide share side forces is open, and what follows from these."""
+        motion = run(OVERCONSTRAINED_SCREW)
+        self.assertEqual(set(motion["status"]), {"indeterminate"})
+        for coupling in ("a", "h"):
+            for quantity in ("friction", "loss", "force"):
+                self.assertEqual(set(motion[f"{coupling}/{quantity}"]), {None}, coupling)
 
 
 class DeadCentresAtTheEnds(MotionTest):

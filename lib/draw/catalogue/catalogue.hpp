@@ -55,6 +55,17 @@ enum class PictureNeed {
   maps  // the last
 };
 
+/// Whether the motion of the file is all that it shows.
+constexpr bool is_of_motion(PictureNeed need) {
+  return need == PictureNeed::motion || need == PictureNeed::moving;
+}
+
+/// Whether cases of the file decide what it shows.
+constexpr bool is_of_cases(PictureNeed need) {
+  using enum PictureNeed;
+  return need != simulation && need != synthesis && need != transmissions && need != sweep;
+}
+
 /// Whether a picture is of the file, or of one of its cases.
 enum class PictureScope { file, one_case };
 

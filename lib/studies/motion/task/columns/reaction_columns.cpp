@@ -139,11 +139,12 @@ class ReactionReadings {
         is_couple(kind_of(topology_.coupling(id).type).friction) ? QuantityKind::moment
                                                                  : QuantityKind::force,
         [id](const MotionPosition& at) -> std::optional<double> {
-          if (actions_at(at) == nullptr) {
+          const StaticSolution* const action = actions_at(at);
+          if (action == nullptr || std::ranges::count(action->open_friction, id) > 0) {
             return std::nullopt;
           }
           const auto found = find_friction(at, id);
-          return found ? at.solved->action->friction[*found].magnitude : 0.0;  // it is left out
+          return found ? action->friction[*found].magnitude : 0.0;  // without friction at rest
         });
     add(id,
         "loss",
