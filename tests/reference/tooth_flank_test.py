@@ -345,6 +345,39 @@ class LikeTheSectionGears(ReferenceTest):
                     self.near(float(one[key]), number, f"{key} in {other}")
 
 
+ECCENTRIC = """kinestat: 1
+space: planar
+units: {length: mm, angle: deg}
+ground: frame
+bodies:
+  pinion:
+  wheel: {mass: 5 kg, centre_of_mass: [60*cos(10 deg) + 50, 60*sin(10 deg)]}
+gravity: [0, -10 m/s^2]
+couplings:
+  a: {type: revolute, bodies: [frame, pinion], at: [0, 0]}
+  b: {type: revolute, bodies: [frame, wheel], at: [60*cos(10 deg), 60*sin(10 deg)]}
+  m: {type: gear, bodies: [pinion, wheel], at: [20*cos(10 deg), 20*sin(10 deg)],
+      tangent: [sin(10 deg), -cos(10 deg)], pressure_angle: 20 deg}
+actuators: {in: {coupling: a}, out: {coupling: b}}
+loads: {push: {body: pinion, at: [0, 0], force: [-7 N, 0]}}
+cases: {run: {motion: {out: 100 rpm}, action: {out: 0}}}
+motion: {drive: out, to: 200 deg, steps: STEPS, case: run, report: [a.Rx, reaction]}
+"""
+
+
+class Extremes(ReferenceTest):
+    def test_lie_where_the_flank_changes(self) -> None:
+        """An eccentric weight of 50 N, 50 mm from the axis, turns with the wheel: no force at 90 deg."""
+        most = 50 * 50 / 40 / math.cos(ANGLE)
+        for steps in (7, 8, 10, 20, 50):
+            motion = program.run("motion", "-", text=ECCENTRIC.replace("STEPS", str(steps)))["motion"]
+            found = motion["figures"]
+            self.near(found["m/force"]["least"] + 1, 1.0, f"{steps} steps")
+            self.near(found["m/force"]["greatest"], most, f"{steps} steps")
+            self.near(found["a/force"]["least"], 7.0, f"{steps} steps")
+            self.near(found["a.Rx/action"]["least"], 7.0, f"{steps} steps")
+
+
 class UnknownFlanks(ReferenceTest):
     def codes(self, mesh: str, sign: float, second: str = "") -> list[str]:
         text = spur(mesh, sign * TORQUE, second=second)

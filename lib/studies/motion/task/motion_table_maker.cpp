@@ -223,6 +223,7 @@ class TableMaker {
     table_.rows.push_back(std::move(row));
     poles_.look(readings_, position);
     sliding_.push_back(sliding_at(mechanism_, plan_, position));
+    coast_flanks_.push_back(position.solved ? position.solved->coast_flanks : std::vector<int>());
     springs_.push_back(position.solved ? position.solved->springs : std::vector<SpringState>());
   }
 
@@ -396,7 +397,10 @@ class TableMaker {
         mechanism_,
         motion_,
         detail_,
-        {.sliding = sliding_, .springs = springs_, .poles = poles_at_},
+        {.sliding = sliding_,
+         .springs = springs_,
+         .coast_flanks = coast_flanks_,
+         .poles = poles_at_},
         [this](const auto& position, double share) {
           return FigureValues{.values = values_at(position, share, is_any),
                               .at_rest = values_at_rest(position, share)};
@@ -473,6 +477,7 @@ class TableMaker {
   std::vector<int> driven_;               // of each reading the drive whose position it is, or -1
   std::vector<FrictionSliding> sliding_;  // of each row
   std::vector<std::vector<SpringState>> springs_;  // likewise
+  std::vector<std::vector<int>> coast_flanks_;     // likewise
   std::vector<CaseFindings> said_;                 // likewise
   UnboundedQuotients poles_;
   std::vector<double> poles_at_;  // in steps

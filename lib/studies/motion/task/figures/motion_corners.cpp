@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -48,6 +49,7 @@ class CornerFinder {
     for (std::size_t i = 0; i < mechanism_.springs.size(); ++i) {
       add_contacts(i);
     }
+    add_flank_changes();
     Corners found;
     for (const double step : steps_) {
       add_place(step, found.places);
@@ -140,6 +142,29 @@ class CornerFinder {
       };
       const auto begin = static_cast<double>(row);
       steps_.push_back(root_between(acts_as_here, begin, begin + 1.0));
+    }
+  }
+
+  void add_flank_changes() {
+    for (std::size_t row = 0; row + 1 < special_.coast_flanks.size(); ++row) {
+      const std::vector<int>& here = special_.coast_flanks[row];
+      std::vector<int> changed;
+      std::ranges::set_symmetric_difference(
+          here, special_.coast_flanks[row + 1], std::back_inserter(changed));
+      for (const int flank : changed) {
+        const auto is_among = [&](const std::vector<int>& coast) {
+          return std::ranges::find(coast, flank) != coast.end();
+        };
+        const auto presses_as_here = [&](double step) {
+          const std::optional<MotionPosition> position = position_at(step, reading_);
+          return position && position->solved &&
+                         is_among(position->solved->coast_flanks) == is_among(here)
+                     ? 1.0
+                     : -1.0;
+        };
+        const auto begin = static_cast<double>(row);
+        steps_.push_back(root_between(presses_as_here, begin, begin + 1.0));
+      }
     }
   }
 
@@ -314,7 +339,7 @@ Corners find_corners(const Mechanism& mechanism,
                      FollowedConfigurations& configurations) {
   const bool has_any = !mechanism.curves.empty() || motion.plan.schedule ||
                        !mechanism.frictions.empty() || !mechanism.springs.empty() ||
-                       !special.poles.empty();
+                       !mechanism.geometry.other_flanks.empty() || !special.poles.empty();
   return has_any
              ? CornerFinder(mechanism, motion, detail, special, values_at, configurations).find()
              : Corners{};

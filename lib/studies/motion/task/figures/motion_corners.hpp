@@ -28,6 +28,8 @@ struct SpecialSteps {
   std::span<const FrictionSliding> sliding;  ///< of each row: where friction turns round it jumps
   std::span<const std::vector<SpringState>> springs;  ///< of each row: those that act one way alone
                                                       ///< begin and cease to
+  std::span<const std::vector<int>> coast_flanks;  ///< of each row, as in CaseAnalysis: where teeth
+                                                   ///< change their flank forces have corners
   std::span<const double> poles;  ///< in steps: where speeds may grow without bound
 };
 
@@ -38,9 +40,9 @@ struct Corners {
 
 /// In order: the places between the steps at which a curve of the mechanism, over time, a position
 /// or a speed, is at one of its points; the values before and behind a jump of a drive's
-/// acceleration; where a spring begins or ceases to act; and what is approached from either side
-/// where friction turns round or rests, and at poles. None of a motion that passes more than some
-/// ten thousand.
+/// acceleration; where a spring begins or ceases to act, and teeth change their flank; and what is
+/// approached from either side where friction turns round or rests, and at poles. None of a motion
+/// that passes more than some ten thousand.
 Corners find_corners(const Mechanism& mechanism,
                      const FoundMotion& motion,
                      const MotionDetail& detail,
