@@ -278,6 +278,34 @@ cases: {held: {motion: {in: 1 rad/s}}}
         self.assertAlmostEqual(abs(by["in/drive"]["influence"]), 20 / 50, delta=1e-14)
 
 
+TOOTHED = """kinestat: 1
+space: planar
+units: {length: mm, angle: deg}
+ground: frame
+bodies: [lever, wheel, rack]
+couplings:
+  d: {type: revolute, bodies: [frame, lever], at: [120, -10]}
+  w: {type: revolute, bodies: [frame, wheel], at: [180, -10]}
+  m: {type: gear, bodies: [lever, wheel], at: [160, -10], tangent: y, pressure_angle: 20 deg}
+  g: {type: prismatic, bodies: [frame, rack], at: [180, -30], axis: x}
+  r: {type: rack, bodies: [wheel, rack], at: [180, -30], line_of_action: [cos(20 deg), -sin(20 deg)]}
+actuators: {motor: {coupling: d}, out: {coupling: g}}
+cases: {held: {motion: {motor: 1 rad/s}, action: {out: FORCE N}}}
+"""
+
+
+class Flanks(unittest.TestCase):
+    def test_are_those_that_the_load_presses(self) -> None:
+        """What the bearing of the wheel moves is what it bears under a force of 1 N at the rack:
+        that force and the one of the lever, both apart or both together, in x and in y."""
+        for force, sign in ((10, 1), (-10, -1)):
+            shares = positions(TOOTHED.replace("FORCE", str(force)), "--of", "out",
+                               "--place", "1mm")["g.vx"]["by"]
+            bearing = shares["w/place"]["influence"]
+            self.assertAlmostEqual(bearing, math.sqrt(2) * (1 + sign * math.tan(math.radians(20))),
+                                   delta=1e-12)
+
+
 class Spatial(unittest.TestCase):
     """RSSR: the rod keeps its length, so its ends go equally far along it."""
 

@@ -56,6 +56,13 @@ class ToleranceJob {
     return which;
   }
 
+  // Teeth touch on the flank that the load of a case presses, if it has one.
+  Mechanism on_loaded_flanks(const std::vector<int>& coast_flanks) const {
+    Mechanism loaded = mechanism_;
+    load_coast_flanks(coast_flanks, loaded.geometry);
+    return loaded;
+  }
+
   // Empty iff an error was added.
   std::optional<ReadTolerances> read(std::span<const Case> cases) {
     const int errors_before = found_.error_count();
@@ -79,7 +86,10 @@ class ToleranceJob {
       const bool is_asked = choice_.case_label.empty() || choice_.case_label == one.which.label;
       if (is_asked && one.motion && one.motion->status == SolveStatus::solved) {
         result.cases.push_back(
-            tolerance_of(mechanism_, cases[c], watched_of(cases[c]), tolerances->of_cases[c]));
+            tolerance_of(on_loaded_flanks(one.coast_flanks),
+                         cases[c],
+                         watched_of(cases[c]),
+                         tolerances->of_cases[c]));
       }
     }
     check_answered(result.cases);
