@@ -53,7 +53,47 @@ SourceRange place_of(std::span<const YamlNode> pieces) {
   return where;
 }
 
+// How many digits a text begins with, or ends in.
+std::size_t leading_digits(std::string_view text) {
+  return std::min(text.find_first_not_of("0123456789"), text.size());
+}
+
+bool ends_in_digit(std::string_view text) {
+  return !text.empty() && leading_digits(text.substr(text.size() - 1)) == 1;
+}
+
 }  // namespace
+
+void report_decimal_commas(const YamlNode& node, Diagnostics& found) {
+  for (const YamlNode& item : node.items) {
+    report_decimal_commas(item, found);
+  }
+  for (std::size_t i = 0; i < node.entries.size(); ++i) {
+    const YamlEntry& entry = node.entries[i];
+    report_decimal_commas(entry.value, found);
+    if (i == 0 || entry.value.kind != YamlKind::null || leading_digits(entry.key) == 0) {
+      continue;
+    }
+    const YamlNode& before = node.entries[i - 1].value;
+    const bool is_beside = before.where.line == entry.key_where.line &&
+                           before.where.column + before.where.length + 1 == entry.key_where.column;
+    if (!is_piece(before) || !is_beside || !ends_in_digit(before.text)) {
+      continue;
+    }
+    const std::size_t digits = leading_digits(entry.key);
+    const std::string decimals = entry.key.substr(0, digits);
+    SourceRange where = before.where;
+    where.length += 1 + static_cast<int>(digits);
+    found.error("E0308",
+                where,
+                fmt::format("'{},{}' has a decimal comma", before.text, decimals),
+                fmt::format("write {}.{}, or [{}, {}] for two components",
+                            before.text,
+                            entry.key,
+                            before.text,
+                            entry.key));
+  }
+}
 
 bool report_cut_value(const YamlNode& list, Diagnostics& found) {
   bool is_cut = false;

@@ -18,6 +18,10 @@ bool report_cut_value(const YamlNode& list, Diagnostics& found);
 /// text may; then an error says so (E0204), and nothing else needs to be said about the value.
 bool report_loose_end(const YamlNode& node, Diagnostics& found);
 
+/// Adds an error for each number with a decimal comma in braces, which make a key of what is behind
+/// it: {motor: 6,3 rad/s}, anywhere in the tree.
+void report_decimal_commas(const YamlNode& node, Diagnostics& found);
+
 /// What to type if an entry of a mapping is the rest of the one before it: 'free: "max(1, 2)"' for
 /// the key '2)' of {free: max(1, 2)}; else empty.
 std::string whole_entry(const YamlEntry& before, const YamlEntry& rest);

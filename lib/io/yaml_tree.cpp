@@ -8,6 +8,7 @@
 #include <yaml-cpp/parser.h>
 
 #include "io/byte_scan.hpp"
+#include "io/cut_value.hpp"
 #include "io/internal/parser_words.hpp"
 #include "io/internal/structure_scan.hpp"
 #include "io/internal/tree_builder.hpp"
@@ -94,6 +95,9 @@ std::optional<YamlNode> read_yaml(const SourceFile& source,
   }
   std::optional<YamlNode> root = builder.take_root();
   check_root(root, found);
+  if (root) {
+    report_decimal_commas(*root, found);
+  }
   return found.error_count() > errors_before ? std::nullopt : std::move(root);
 }
 

@@ -56,7 +56,7 @@ class MotionWriter {
     return text += positions();
   }
 
-  // Of every quantity but the positions of the drives, which the file gives.
+  // Of every quantity but the positions of the drives, which the file gives, and what is always 0.
   TextBlocks extremes() const {
     const std::string at = "at " + motion_.drives.front().name;
     const std::string infinite = "infinite";
@@ -72,18 +72,23 @@ class MotionWriter {
       const auto& [least, greatest, mean, rms, poles] = motion_.figures[c];
       const bool is_time = motion_.duration && motion_.columns[c].quantity == kTimeColumn;
       const bool is_bounded = least && greatest;
-      if (is_time || !has_values(c) || (is_bounded && is_same(least->value, greatest->value))) {
+      const bool is_constant = is_bounded && is_same(least->value, greatest->value);
+      if (is_time || !has_values(c) || (is_constant && least->value == 0.0)) {
         continue;
       }
-      const std::array cells = {
-          with_unit(motion_.columns[c].name(), motion_.columns[c].unit),
-          least ? format_short(least->value) : infinite,
-          shown(least ? std::optional(least->drive) : std::nullopt),
-          greatest ? format_short(greatest->value) : infinite,
-          shown(greatest ? std::optional(greatest->drive) : std::nullopt),
-          is_bounded ? format_short(greatest->value - least->value) : infinite,
-          shown(mean),
-          shown(rms)};
+      const auto drive_at = [&](const std::optional<ColumnExtreme>& one) {
+        return one && !is_constant ? std::optional(one->drive) : std::nullopt;
+      };
+      const std::array cells = {with_unit(motion_.columns[c].name(), motion_.columns[c].unit),
+                                least ? format_short(least->value) : infinite,
+                                shown(drive_at(least)),
+                                greatest ? format_short(greatest->value) : infinite,
+                                shown(drive_at(greatest)),
+                                is_constant  ? "constant"
+                                : is_bounded ? format_short(greatest->value - least->value)
+                                             : infinite,
+                                shown(mean),
+                                shown(rms)};
       for (std::size_t i = 0; i < cells.size(); ++i) {
         table[i].cells.push_back(cells[i]);
       }

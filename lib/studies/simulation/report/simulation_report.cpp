@@ -151,7 +151,7 @@ class SimulationText {
     return samples;
   }
 
-  // But for time and energies; what never changes has none.
+  // But for time and energies, and what is always 0.
   Table extremes() const {
     const std::string at = fmt::format("at [{}]", units_.text(QuantityKind::time));
     Table table({"Extremes of rows and events", "least", at, "greatest", at});
@@ -165,12 +165,16 @@ class SimulationText {
       }
       const auto least = std::ranges::min_element(samples, {}, &Sample::value);
       const auto greatest = std::ranges::max_element(samples, {}, &Sample::value);
-      if (least->value != greatest->value) {
+      const bool is_constant = least->value == greatest->value;
+      const auto time_of = [&](const Sample& one) {
+        return is_constant ? std::string("-") : number(QuantityKind::time, one.time);
+      };
+      if (!is_constant || least->value != 0.0) {
         table.add({fmt::format("{} [{}]", column.name(), units_.text(column.kind)),
                    number(column.kind, least->value),
-                   number(QuantityKind::time, least->time),
+                   time_of(*least),
                    number(column.kind, greatest->value),
-                   number(QuantityKind::time, greatest->time)});
+                   time_of(*greatest)});
       }
     }
     return table;

@@ -85,11 +85,10 @@ class ToleranceJob {
       const CaseAnalysis& one = analysis_.cases[c];
       const bool is_asked = choice_.case_label.empty() || choice_.case_label == one.which.label;
       if (is_asked && one.motion && one.motion->status == SolveStatus::solved) {
-        result.cases.push_back(
-            tolerance_of(on_loaded_flanks(one.coast_flanks),
-                         cases[c],
-                         watched_of(cases[c]),
-                         tolerances->of_cases[c]));
+        result.cases.push_back(tolerance_of(on_loaded_flanks(one.coast_flanks),
+                                            cases[c],
+                                            watched_of(cases[c]),
+                                            tolerances->of_cases[c]));
       }
     }
     check_answered(result.cases);
