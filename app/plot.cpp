@@ -38,6 +38,14 @@ void add_choices(CLI::App& command, PlotChoice& choice) {
             "actuator, or a column by its name, 'motor/action';\n"
             "several with commas between them",
             "QUANTITY");
+  with_value(command,
+             command.add_option("--over",
+                                choice.over,
+                                "the column over which motion-curves are drawn: a\n"
+                                "drive, time, or one of the report, 'wheel/at/y';\n"
+                                "default: the drive or, where it runs unsteadily\n"
+                                "in time, time"),
+             "QUANTITY");
   add_choice<PictureForm>(
       command,
       "--emit",
@@ -64,6 +72,7 @@ void add_plot(CLI::App& command, Job& job) {
       "  kinestat plot speeds -o speeds.svg mechanisms/transmissions/ravigneaux.yaml\n"
       "  kinestat plot linkage --at '30 deg' --at '90 deg' crank.yaml > crank.svg\n"
       "  kinestat plot motion-curves --report motor/action crank.yaml > torque.svg\n"
+      "  kinestat plot motion-curves --over time press.yaml > over_time.svg\n"
       "  kinestat plot forces --case M2 --emit gnuplot train.yaml | gnuplot -p\n"
       "\nPictures:\n" +
       picture_help());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cases/case_efficiency.hpp"
 #include "statics/one_sided_action.hpp"
 
 namespace kinestat {
@@ -27,7 +28,10 @@ std::string_view impossible_status(const Mechanism& mechanism, const CaseAnalysi
              : kCableSlips;
 }
 
-std::string_view case_status(const Mechanism& mechanism, const CaseAnalysis& one, bool asks_power) {
+std::string_view case_status(const Mechanism& mechanism,
+                             const CaseAnalysis& one,
+                             bool asks_power,
+                             bool asks_efficiency) {
   if (one.motion && one.motion->status != SolveStatus::solved) {
     return word_of(one.motion->status);
   }
@@ -44,12 +48,17 @@ std::string_view case_status(const Mechanism& mechanism, const CaseAnalysis& one
   if (status != SolveStatus::solved) {
     return word_of(status);
   }
-  if (asks_power && one.power && !one.power->is_balanced) {
+  const bool judges_power = asks_power || asks_efficiency;
+  if (judges_power && one.power && !one.power->is_balanced) {
     return kUnbalanced;
   }
   const bool is_self_locking = one.efficiency ? one.efficiency->carrier.is_self_locking
                                               : one.power && one.power->is_self_locking;
-  return asks_power && is_self_locking ? kSelfLocking : word_of(SolveStatus::solved);
+  if (judges_power && is_self_locking) {
+    return kSelfLocking;
+  }
+  return asks_efficiency && lacks_efficiency(one, mechanism) ? kNoEfficiency
+                                                             : word_of(SolveStatus::solved);
 }
 
 }  // namespace kinestat

@@ -18,6 +18,9 @@ inline constexpr std::string_view kUnbalanced = "unbalanced";
 inline constexpr std::string_view kSelfLocking = "self_locking";
 inline constexpr std::string_view kUnknownLoad = "unknown_load";
 
+/// Of a solved case whose efficiency is asked for, and has none for a reason.
+inline constexpr std::string_view kNoEfficiency = "no_efficiency";
+
 /// The words that impossible_status may give.
 inline constexpr std::array kImpossibleStatuses = {
     kCableSlack, kContactPulls, kCableSlips, kFreewheelOverruns, kFreewheelLocks};
@@ -40,7 +43,11 @@ inline constexpr std::array kCaseStatuses = {kAmbiguous,
 std::string_view impossible_status(const Mechanism& mechanism, const CaseAnalysis& one);
 
 /// The status of a case: that of the motion or of the actions if they have no answer, or why the
-/// answer is impossible; then what is wrong with the power, if `asks_power`; otherwise "solved".
-std::string_view case_status(const Mechanism& mechanism, const CaseAnalysis& one, bool asks_power);
+/// answer is impossible; then what is wrong with the power, if that or the efficiency is asked for,
+/// and that there is no efficiency, if that is; otherwise "solved".
+std::string_view case_status(const Mechanism& mechanism,
+                             const CaseAnalysis& one,
+                             bool asks_power,
+                             bool asks_efficiency = false);
 
 }  // namespace kinestat

@@ -283,7 +283,9 @@ Series drawn_series(const Chart& chart, std::size_t series) {
   };
   std::map<std::size_t, std::vector<const ChartMark*>> before;
   for (const ChartMark& mark : chart.marks) {
-    const auto piece = mark.on == series ? piece_over(of, mark.x) : std::nullopt;
+    const auto piece = mark.on != series ? std::nullopt
+                       : mark.before     ? mark.before
+                                         : piece_over(of, mark.x);
     if (piece) {
       before[*piece].push_back(&mark);
     }

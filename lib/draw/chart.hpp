@@ -45,6 +45,7 @@ struct ChartMark {
   std::string label;
   bool tells_value = false;            ///< its y follows the label, in powers of ten of the axis
   std::optional<std::size_t> on = {};  ///< the series whose line leads through it
+  std::optional<std::size_t> before = {};  ///< the point of that line behind it; empty: by its x
 };
 
 /// A value of x that is worth words.

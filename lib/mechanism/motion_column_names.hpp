@@ -15,6 +15,9 @@ inline constexpr std::string_view kTimeColumn = "time";
 /// The quantity of the columns with the positions of the drives.
 inline constexpr std::string_view kDriveColumn = "drive";
 
+/// The quantity of the column with the efficiency of the case.
+inline constexpr std::string_view kEfficiencyColumn = "efficiency";
+
 /// Quantities and elements of the columns of `dynamics` that belong to the whole mechanism.
 inline constexpr std::string_view kKineticEnergyColumn = "kinetic_energy";
 inline constexpr std::string_view kKineticEnergyRateColumn = "kinetic_energy_rate";

@@ -12,6 +12,7 @@
 #include "core/contract.hpp"
 #include "core/tolerance.hpp"
 #include "mechanism/bind/evaluator.hpp"
+#include "mechanism/check/report_name_check.hpp"
 #include "mechanism/label_kind.hpp"
 
 namespace kinestat {
@@ -30,6 +31,7 @@ constexpr ReportWord kReportWords[] = {
     {"action", &MotionReport::action},
     {"reaction", &MotionReport::reaction},
     {"power", &MotionReport::power},
+    {"efficiency", &MotionReport::efficiency},
     {"ratio", &MotionReport::ratio},
     {"transmission_angle", &MotionReport::transmission_angle},
     {"mechanical_advantage", &MotionReport::mechanical_advantage},
@@ -394,7 +396,17 @@ class MotionBinder {
                             .where = range.actuator.where});
   }
 
-  // A word, an actuator, a freedom or an action of a coupling; any other is that of columns.
+  bool names_element(const std::string& name) const {
+    std::vector<std::string> bodies;
+    for (const BodyTopology& body : mechanism_.topology.bodies) {
+      bodies.push_back(body.name);
+    }
+    const std::vector<std::string> elements = elements_of_motion(description_, bodies);
+    return std::ranges::find(elements, name) != elements.end();
+  }
+
+  // A word, an actuator, a freedom or an action of a coupling, or a coupling for all its actions;
+  // any other is that of columns.
   void add_report(const Name& typed) {
     const std::string& name = typed.text;
     if (bool* const word = find_report_word(name, plan_.report)) {
@@ -420,7 +432,14 @@ class MotionBinder {
         return;
       }
     }
-    plan_.report.columns.push_back(typed);
+    const auto coupling = std::ranges::find(topology.couplings, name, &CouplingTopology::name);
+    if (coupling == topology.couplings.end() || names_element(name)) {
+      plan_.report.columns.push_back(typed);
+      return;
+    }
+    for (int a = 0; a < coupling->action_count; ++a) {
+      plan_.report.actions.push_back(coupling->first_action + a);
+    }
   }
 
   const MechanismDescription& description_;

@@ -44,6 +44,7 @@ struct MotionReport {
   bool action = false;
   bool reaction = false;  ///< resultant forces of couplings, their friction and what it loses
   bool power = false;
+  bool efficiency = false;  ///< of the case, from its inputs to its outputs
   bool ratio = false;
   bool transmission_angle = false;
   bool mechanical_advantage = false;

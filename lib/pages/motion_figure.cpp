@@ -13,6 +13,7 @@
 #include "pages/moving_figure.hpp"
 #include "pages/spatial_scene.hpp"
 #include "report/number_format.hpp"
+#include "studies/motion/picture/motion_abscissa.hpp"
 
 namespace kinestat {
 
@@ -28,7 +29,8 @@ class MotionFigure {
         analysis_(analysis),
         motion_(motion),
         name_(as.name),
-        id_(as.section) {}
+        id_(as.section),
+        over_(usual_abscissa(motion.table)) {}
 
   void add_to(int number, Html& html) const {
     MovingFigure figure{.name = name_,
@@ -131,6 +133,11 @@ class MotionFigure {
       const std::optional<double>& value = motion_.table.rows[motion_.shown[position]].values[d];
       parts.push_back(fmt::format(
           "{} {} {}", drives[d].name, value ? format_short(*value) : "?", drives[d].unit));
+    }
+    if (over_ >= drives.size()) {  // where a drive rests its place alone does not tell the step
+      const std::optional<double>& time = motion_.table.rows[motion_.shown[position]].values[over_];
+      parts.push_back(
+          fmt::format("time {} {}", format_short(time.value_or(0.0)), motion_.table.time_unit));
     }
     return fmt::format("{}", fmt::join(parts, ", "));
   }
@@ -235,6 +242,7 @@ class MotionFigure {
   const PageMotion& motion_;
   const std::string& name_;
   const std::string& id_;
+  std::size_t over_;  // the column over which charts stand
 };
 
 }  // namespace

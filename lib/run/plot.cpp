@@ -16,6 +16,7 @@
 #include "io/atomic_file.hpp"
 #include "run/picture_finder.hpp"
 #include "run/picture_suffix.hpp"
+#include "studies/motion/picture/motion_abscissa.hpp"
 
 namespace kinestat {
 
@@ -71,7 +72,7 @@ class PictureJob {
     }
     PictureSource source = finder_.source();
     source.name = shown_name(path_, description());
-    if (!choose_case(source)) {
+    if (!choose_case(source) || !choose_abscissa(source)) {
       return std::nullopt;
     }
     if (const std::string why_not = kind->why_not(source); !why_not.empty()) {
@@ -111,6 +112,29 @@ class PictureJob {
     }
     source.which = static_cast<std::size_t>(at - labels.begin());
     return true;
+  }
+
+  // False iff an error was added: the motion has no such column.
+  bool choose_abscissa(PictureSource& source) {
+    if (choice_.over.empty() || source.motion == nullptr) {
+      return true;
+    }
+    source.over = find_abscissa(*source.motion, choice_.over);
+    if (source.over) {
+      return true;
+    }
+    std::vector<std::string> names;
+    for (const MotionColumn& column : source.motion->columns) {
+      names.push_back(column.name());
+    }
+    found_.error("E0101",
+                 {},
+                 fmt::format("--over: the motion has no column '{}'", printable(choice_.over)),
+                 guess_before(choice_.over,
+                              names,
+                              "its columns are " + plain_list(names) +
+                                  "; --report adds others, as does 'report' in the file"));
+    return false;
   }
 
   std::string text_of(const PictureKind& kind, const PictureSource& source) const {
@@ -241,10 +265,14 @@ bool check_options(const PlotChoice& choice, const PictureKind& kind, Outcome& o
     return false;
   };
   const auto takes_positions = [](const PictureKind& one) { return one.takes_positions; };
+  const auto takes_abscissa = [](const PictureKind& one) { return one.takes_abscissa; };
   const auto has_columns = [](const PictureKind& one) { return one.need == PictureNeed::motion; };
   const auto has_cases = [](const PictureKind& one) { return is_of_cases(one.need); };
   if (!choice.at.empty() && !takes_positions(kind)) {
     return refuse("--at", takes_positions);
+  }
+  if (!choice.over.empty() && !takes_abscissa(kind)) {
+    return refuse("--over", takes_abscissa);
   }
   if (!choice.report.empty() && !has_columns(kind)) {
     return refuse("--report", has_columns);

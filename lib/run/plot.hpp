@@ -20,6 +20,7 @@ struct PlotChoice {
   std::vector<std::string> at = {};  ///< positions of the drive in which the mechanism is drawn
   std::optional<std::string> drive = {};  ///< the actuator that drives, before what the file says
   std::vector<std::string> report = {};   ///< of charts of a motion, before what the file says
+  std::string over = {};  ///< the column over which charts of a motion stand; empty: the usual one
   PictureForm form = PictureForm::svg;
   std::string path;  ///< of the file to write; empty: standard output
   Overwrite overwrite = Overwrite::own_only;

@@ -21,6 +21,27 @@ PRESS = "sweeps/press_stroke.yaml"
 # Crank 40, connecting rod 160, offset 10 (mm) as the file has them: the ram over the crank's angle.
 CRANK, ROD, OFFSET = 40.0, 160.0, 10.0
 
+DWELL = """\
+kinestat: 1
+space: planar
+units: {angle: deg}
+ground: frame
+bodies: [arm]
+couplings: {a: {type: revolute, bodies: [frame, arm], at: [0, 0]}}
+actuators: {motor: {coupling: a}}
+cases: {run: {motion: {motor: 1 rad/s}, action: {}}}
+motion:
+  drives:
+    - drive: motor
+      profile:
+        - {to: 90 deg, time: 0.4 s, law: cycloidal}
+        - {dwell: 0.2 s}
+        - {to: 0 deg, time: 0.4 s, law: cycloidal}
+  steps: 20
+  trace: [{body: arm, at: [1, 0], name: tip}]
+  report: [position]
+"""
+
 # The chart of a quantity with that many series: figure, its values, and where a value stands.
 CHART = """
 const figure = [...document.querySelectorAll('figure[data-chart]')].find((one) =>
@@ -66,6 +87,27 @@ class ChartTest(PageCase):
             value, unit = told[1].split()
             self.assertEqual(unit, "mm")
             self.assertAlmostEqual(float(value), ram(math.radians(5 * step)), delta=1e-4)
+
+    def test_charts_over_time_follow_a_drive_that_dwells_and_comes_back(self) -> None:
+        """A cycloid of 0.4 s over 90 deg, a dwell of 0.2 s and the same back, in steps of 0.05 s."""
+        path = self.folder / "dwell.yaml"
+        path.write_text(DWELL, encoding="utf-8")
+        page = self.folder / "dwell.html"
+        self.assertEqual(write_page(page, path).returncode, 0)
+        self.open(page, prefers_reduced_motion="reduce")
+        for step, angle in ((4, 45.0), (8, 90.0), (10, 90.0), (16, 45.0)):
+            label = self.ask(
+                "const slider = document.querySelector('figure.motion input[type=range]');"
+                "slider.value = arguments[0]; slider.dispatchEvent(new Event('input'));"
+                "return document.querySelector('figure.motion output').textContent;", step)
+            told = self.ask(CHART + "return told();", "position of a.wz")
+
+            self.assertEqual(told, [f"time {round(0.05 * step, 2):g} s", f"{angle:g} deg"])
+            self.assertEqual(label, f"motor {angle:g} deg, time {round(0.05 * step, 2):g} s")
+        self.ask(CHART + "box.focus();", "position of a.wz")
+        for key, code, step in (("Home", 36, 0), ("PageUp", 33, 10), ("ArrowRight", 39, 11)):
+            self.press(key, code)
+            self.assertEqual(self.step_of_motion(), step, key)
 
     def test_frames_of_a_row_stand_on_one_line(self) -> None:
         # Words on events stand above the first chart alone, and captions take one line or two.

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/case_efficiency.hpp"
 #include "cases/report/case_text.hpp"
 #include "cases/report/ratio_in_units.hpp"
 #include "core/tolerance.hpp"
@@ -267,13 +268,7 @@ std::string ratio_cell(const CaseAnalysis& one, const Mechanism& mechanism, cons
 }
 
 std::string efficiency_cell(const CaseAnalysis& one, const Mechanism& mechanism) {
-  const Efficiency* const lossy = !one.efficiency ? nullptr
-                                  : mechanism.loss_model == LossModel::carrier
-                                      ? &one.efficiency->carrier
-                                      : &one.efficiency->absolute;
-  const std::optional<double> value = lossy != nullptr ? lossy->value
-                                      : one.power      ? one.power->efficiency
-                                                       : std::nullopt;
+  const std::optional<double> value = case_efficiency(one, mechanism).value;
   return value ? format_short(*value) : "-";
 }
 

@@ -235,6 +235,14 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "is no rounding, so positions and speeds are wrong by as much. Give a smaller 'tolerance', or "
      "more 'steps' if something acts for a moment only: what happens between steps is looked for "
      "in each of them."},
+    {"W0516",
+     done,
+     "no efficiency in a position of a motion",
+     "The efficiency of a case is the power of its outputs over that of its inputs. It has no "
+     "value "
+     "where the power of an input is not positive, where an output supplies power, where something "
+     "else supplies or absorbs power, such as a load that the case names neither as 'input' nor as "
+     "'output', and where nothing loses any. The rows have the status 'no_efficiency' there."},
     {"W0601",
      done,
      "actions are statically indeterminate",

@@ -37,8 +37,9 @@ struct PictureSource {
   /// Index into Analysis::cases: the case that a picture of one case shows; empty: the first that
   /// has what it needs. Pictures of all cases show that one alone.
   std::optional<std::size_t> which = {};
-  std::string name = {};             ///< of the mechanism or, without one, of its file
-  GearSections* sections = nullptr;  ///< of `analysis`, where several pictures of it are drawn
+  std::optional<std::size_t> over = {};  ///< the column of `motion` over which charts stand
+  std::string name = {};                 ///< of the mechanism or, without one, of its file
+  GearSections* sections = nullptr;      ///< of `analysis`, where several pictures of it are drawn
 };
 
 /// What must be found for a picture.
@@ -78,6 +79,7 @@ struct PictureKind {
   PictureNeed need = PictureNeed::analysis;
   PictureScope scope = PictureScope::file;
   bool takes_positions = false;  ///< of a drive: may be drawn with what PictureNeed::placed finds
+  bool takes_abscissa = false;   ///< a column of a motion over which it is drawn
   std::string (*why_not)(const PictureSource&) = nullptr;
   Picture (*draw)(const PictureSource&) = nullptr;
   std::string (*gnuplot)(const PictureSource&) = nullptr;

@@ -81,7 +81,7 @@ Picture draw_moving(const PictureSource& source) {
 }
 
 Figure motion_of(const PictureSource& source) {
-  return motion_figure(*source.motion, titled("Motion", source));
+  return motion_figure(*source.motion, titled("Motion", source), source.over);
 }
 
 Figure paths_of(const PictureSource& source) {
@@ -177,8 +177,9 @@ constexpr auto kStudyKinds = std::to_array<PictureKind>({
      .why_not = why_no_animation,
      .draw = draw_moving},
     {.name = "motion-curves",
-     .sentence = "positions, velocities and more of a motion against its drive",
+     .sentence = "positions, velocities and more of a motion over its drive or time",
      .need = PictureNeed::motion,
+     .takes_abscissa = true,
      .why_not = why_no_curves,
      .draw = drawn_figure<motion_of>,
      .gnuplot = plotted_figure<motion_of>},

@@ -160,9 +160,10 @@ const Mapping<TracePoint>& trace_point() {
 
 void declare_report(Mapping<MotionDescription>& m) {
   m.key("report",
-        "What each step reports: position, velocity, acceleration, action, reaction, power, ratio, "
-        "transmission_angle, mechanical_advantage, dynamics, an actuator, COUPLING.FREEDOM and "
-        "COUPLING.ACTION, or columns by their names, NAME/QUANTITY.")
+        "What each step reports: position, velocity, acceleration, action, reaction, power, "
+        "efficiency, ratio, transmission_angle, mechanical_advantage, dynamics, an actuator, "
+        "a coupling for all its actions, COUPLING.FREEDOM and COUPLING.ACTION, or columns by their "
+        "names, NAME/QUANTITY.")
       .may(&MotionDescription::report, one_or_more(column_name()), "[velocity, d.wz]")
       .offer("position", "positions of the freedoms")
       .offer("velocity", "velocities of the freedoms")
@@ -170,6 +171,7 @@ void declare_report(Mapping<MotionDescription>& m) {
       .offer("action", "the actions of the couplings")
       .offer("reaction", "resultant forces of the couplings, with friction and its loss")
       .offer("power", "the powers of the couplings")
+      .offer("efficiency", "power of the outputs over that of the inputs of the case")
       .offer("ratio", "input speed over output speed")
       .offer("transmission_angle", "the angle that tells how well the force drives the output")
       .offer("mechanical_advantage", "action of the output over that of the input")

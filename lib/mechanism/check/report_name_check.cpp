@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "core/text.hpp"
 #include "mechanism/cases/load.hpp"
@@ -19,37 +20,6 @@ namespace {
 
 constexpr std::string_view kMotionSection = "motion";
 
-// What has columns in a motion under its own name: its bodies, loads, springs and traced points,
-// and the whole.
-std::vector<std::string> elements_of_motion(const SectionContext& context) {
-  const auto bodies = context.names.bodies.names();
-  std::vector<std::string> all(bodies.begin(), bodies.end());
-  all.insert(all.end(), {std::string(kTimeColumn), std::string(kClosureErrorColumn)});
-  all.insert(all.end(), kColumnsOfDynamics.begin(), kColumnsOfDynamics.end());
-  const auto add_loads = [&all](const std::vector<LoadDescription>& loads) {
-    for (const LoadDescription& load : loads) {
-      all.push_back(load.name.text);
-    }
-  };
-  add_loads(context.description.loads);
-  for (const CaseDescription& one : context.description.cases) {
-    add_loads(one.loads);
-  }
-  for (const BodyDescription& body : context.description.bodies) {
-    if (body.mass && context.description.gravity) {
-      all.push_back(std::string(kWeightPrefix) + body.name.text);
-    }
-  }
-  for (const SpringDescription& spring : context.description.springs) {
-    all.push_back(std::string(kSpringPrefix) + spring.name.text);
-  }
-  const std::vector<TracePoint>& trace = context.description.motion->trace;
-  for (std::size_t i = 0; i < trace.size(); ++i) {
-    all.push_back(name_of_trace(trace, i));
-  }
-  return all;
-}
-
 // All that a report may name without a dot.
 std::vector<std::string> undotted(std::span<const std::string> words,
                                   std::string_view section,
@@ -58,7 +28,8 @@ std::vector<std::string> undotted(std::span<const std::string> words,
   const auto actuators = context.names.actuators.names();
   candidates.insert(candidates.end(), actuators.begin(), actuators.end());
   if (section == kMotionSection) {
-    const std::vector<std::string> elements = elements_of_motion(context);
+    const std::vector<std::string> elements =
+        elements_of_motion(context.description, context.names.bodies.names());
     candidates.insert(candidates.end(), elements.begin(), elements.end());
   }
   return candidates;
@@ -71,14 +42,15 @@ bool names_motion_column(const Name& name,
   if (section != kMotionSection) {
     return false;
   }
-  if (name.text.find('/') != std::string::npos) {
+  if (name.text.find('/') != std::string::npos || context.names.couplings.contains(name.text)) {
     return true;
   }
   const std::size_t dot = name.text.find('.');
   if (dot != std::string::npos && context.names.couplings.contains(name.text.substr(0, dot))) {
     return false;
   }
-  std::vector<std::string> elements = elements_of_motion(context);
+  std::vector<std::string> elements =
+      elements_of_motion(context.description, context.names.bodies.names());
   const auto actuators = context.names.actuators.names();
   elements.insert(elements.end(), actuators.begin(), actuators.end());
   return std::ranges::any_of(elements, [&](const std::string& element) {
@@ -101,23 +73,33 @@ bool names_lossy_actuator(const Name& name,
          context.names.actuators.contains(name.text.substr(kPrefix.size()));
 }
 
-// The word of `words` that people also call so: "torque" is an action.
+// The words of `words` that people also call so: "torque" is an action. Of several the first is
+// what the parts have one by one.
 std::string otherwise_called(std::string_view name, std::span<const std::string> words) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 10> kOthers = {
-      {{"torque", "action"},
-       {"torques", "action"},
-       {"moment", "action"},
-       {"moments", "action"},
-       {"force", "action"},
-       {"forces", "action"},
-       {"speed", "velocity"},
-       {"speeds", "velocity"},
-       {"angle", "position"},
-       {"angles", "position"}}};
-  const auto other = std::ranges::find(kOthers, name, &decltype(kOthers)::value_type::first);
-  const bool is_known =
-      other != kOthers.end() && std::ranges::find(words, other->second) != words.end();
-  return is_known ? fmt::format("did you mean '{}'? ", other->second) : "";
+  struct Other {
+    std::string_view called;
+    std::string_view word;
+  };
+
+  constexpr auto kOthers = std::to_array<Other>({{"torque", "action"},
+                                                 {"moment", "action"},
+                                                 {"couple", "action"},
+                                                 {"force", "action"},
+                                                 {"force", "reaction"},
+                                                 {"friction", "reaction"},
+                                                 {"loss", "reaction"},
+                                                 {"speed", "velocity"},
+                                                 {"angle", "position"}});
+  std::vector<std::string> meant;
+  for (const Other& other : kOthers) {
+    const bool is_called = name.starts_with(other.called) &&
+                           (name == other.called || name.substr(other.called.size()) == "s" ||
+                            name.substr(other.called.size()) == "es");
+    if (is_called && std::ranges::find(words, other.word) != words.end()) {
+      meant.push_back(fmt::format("'{}'", other.word));
+    }
+  }
+  return meant.empty() ? "" : fmt::format("did you mean {}? ", fmt::join(meant, " or "));
 }
 
 // "d.wz.position.range", of which a sweep has columns where there is a motion; which columns that
@@ -153,6 +135,35 @@ bool names_motion_figure(const Name& name,
 }
 
 }  // namespace
+
+std::vector<std::string> elements_of_motion(const MechanismDescription& description,
+                                            std::span<const std::string> bodies) {
+  std::vector<std::string> all(bodies.begin(), bodies.end());
+  all.insert(all.end(), {std::string(kTimeColumn), std::string(kClosureErrorColumn)});
+  all.insert(all.end(), kColumnsOfDynamics.begin(), kColumnsOfDynamics.end());
+  const auto add_loads = [&all](const std::vector<LoadDescription>& loads) {
+    for (const LoadDescription& load : loads) {
+      all.push_back(load.name.text);
+    }
+  };
+  add_loads(description.loads);
+  for (const CaseDescription& one : description.cases) {
+    add_loads(one.loads);
+  }
+  for (const BodyDescription& body : description.bodies) {
+    if (body.mass && description.gravity) {
+      all.push_back(std::string(kWeightPrefix) + body.name.text);
+    }
+  }
+  for (const SpringDescription& spring : description.springs) {
+    all.push_back(std::string(kSpringPrefix) + spring.name.text);
+  }
+  const std::vector<TracePoint>& trace = description.motion->trace;
+  for (std::size_t i = 0; i < trace.size(); ++i) {
+    all.push_back(name_of_trace(trace, i));
+  }
+  return all;
+}
 
 std::span<const std::string> sweep_report_words() {
   static const std::vector<std::string> kWords = {"ratio",
@@ -200,9 +211,10 @@ void check_report_names(const std::vector<Name>& names,
                                                    ? undotted(words, section, context)
                                                    : std::vector<std::string>();
       const std::string rest = fmt::format(
-          "write one of {}, an actuator, or coupling.freedom or coupling.action, "
+          "write one of {}, an actuator{}, or coupling.freedom or coupling.action, "
           "for example a.wz{}",
           plain_list(words),
+          section == kMotionSection ? ", a coupling" : "",
           section == kMotionSection ? "; or a column that the motion has, for example motor/action"
                                     : "");
       const auto whole = std::ranges::find_if(

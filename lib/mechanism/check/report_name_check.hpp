@@ -17,8 +17,14 @@ inline constexpr std::string_view kEquivalentInertiaWord = "equivalent_inertia";
 /// The words that a sweep may report, besides names of actuators and quantities of couplings.
 std::span<const std::string> sweep_report_words();
 
+/// What has columns in a motion under its own name: of these bodies and of the loads, springs and
+/// traced points of a description with a motion, and the whole.
+std::vector<std::string> elements_of_motion(const MechanismDescription& description,
+                                            std::span<const std::string> bodies);
+
 /// Checks that each name is one of `words`, an actuator, or a quantity of a coupling, written
-/// coupling.freedom or coupling.action; in a sweep it may also be a figure of a motion. Whether the
+/// coupling.freedom or coupling.action; in a sweep it may also be a figure of a motion, in a motion
+/// a coupling. Whether the
 /// coupling has this freedom or action is checked by check_report_quantities.
 void check_report_names(const std::vector<Name>& names,
                         std::span<const std::string> words,

@@ -90,6 +90,11 @@ TEST(Chart, LeavesLinesAsTheyAreWhereAMarkMayBeOnSeveralPieces) {
   chart.marks = {{.x = 45.0, .y = 4.0, .label = "max", .on = 0}};
 
   EXPECT_EQ(drawn_series(chart, 0).x.size(), 3U);
+
+  chart.marks.front().before = 2;
+  const Series drawn = drawn_series(chart, 0);
+  ASSERT_EQ(drawn.x.size(), 4U);
+  EXPECT_EQ(drawn.y[2], 4.0);
 }
 
 TEST(Chart, TellsMarksInTheUnitOfItsAxis) {

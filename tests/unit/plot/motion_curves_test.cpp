@@ -1,5 +1,6 @@
 #include "studies/motion/picture/motion_curves.hpp"
 
+#include <cmath>
 #include <numbers>
 #include <set>
 
@@ -7,6 +8,7 @@
 
 #include "files/load_file.hpp"
 #include "mechanism/bind/bind.hpp"
+#include "studies/motion/picture/motion_abscissa.hpp"
 #include "studies/motion/task/find_motion.hpp"
 #include "studies/motion/task/motion_choice.hpp"
 
@@ -133,6 +135,71 @@ TEST(MotionCharts, LeadNoLineThroughThePoleOfAQuotient) {
               is_quotient ? std::vector<std::size_t>{behind} : std::vector<std::size_t>())
         << chart.y.label;
   }
+}
+
+// To 90 deg and back, the row in which it is there in the middle.
+MotionTable there_and_back() {
+  MotionTable table;
+  table.drives = {{.name = "motor", .freedom = "a.wz", .unit = "deg", .reached = 0.0}};
+  table.columns = {{.element = "motor", .quantity = "drive", .unit = "deg"},
+                   {.element = "", .quantity = "time", .unit = "s"},
+                   {.element = "d.vx", .quantity = "velocity", .unit = "mm/s"}};
+  const double speeds[] = {0.0, 7.0, 0.0, -3.0, 0.0};
+  for (int step = 0; step < 5; ++step) {
+    const double drive = 90.0 - 45.0 * std::abs(2 - step);
+    table.rows.push_back(
+        {.step = step, .values = {drive, 0.25 * step, speeds[step]}, .status = {}});
+  }
+  table.figures.resize(3);
+  table.figures[2].greatest = {.value = 8.0, .drive = 67.5, .row = 1.5};
+  table.events = {{.kind = "dead_point",
+                   .element = "d.vx",
+                   .step = 2,
+                   .drive = {67.5},
+                   .row = 2.5,
+                   .places = {}}};
+  return table;
+}
+
+TEST(MotionCharts, StandOverTimeWhereTheDriveComesBack) {
+  const Figure figure = motion_figure(there_and_back(), "");
+
+  ASSERT_EQ(figure.charts.size(), 2U);
+  EXPECT_EQ(figure.charts[0].y.label, "position of motor");
+  const Chart& speed = figure.charts[1];
+  EXPECT_EQ(speed.x.label, "time");
+  EXPECT_EQ(speed.series.at(0).x, (std::vector<double>{0.0, 0.25, 0.5, 0.75, 1.0}));
+  ASSERT_EQ(speed.marks.size(), 1U);
+  EXPECT_DOUBLE_EQ(speed.marks[0].x, 0.375);
+  EXPECT_EQ(speed.marks[0].before, 2U);
+  ASSERT_EQ(speed.guides.size(), 1U);
+  EXPECT_DOUBLE_EQ(speed.guides[0].x, 0.625);
+  EXPECT_EQ(speed.guides[0].label, "dead point of d.vx at 0.625");
+}
+
+TEST(MotionCharts, StandOverAnyColumn) {
+  const MotionTable table = there_and_back();
+  const Figure over_drive = motion_figure(table, "", find_abscissa(table, "motor"));
+  const Figure over_speed = motion_figure(table, "", find_abscissa(table, "d.vx.velocity"));
+
+  ASSERT_EQ(over_drive.charts.size(), 1U);
+  EXPECT_EQ(over_drive.charts[0].x.label, "position of motor");
+  EXPECT_DOUBLE_EQ(over_drive.charts[0].marks.at(0).x, 67.5);
+  EXPECT_DOUBLE_EQ(over_drive.charts[0].guides.at(0).x, 67.5);
+  ASSERT_EQ(over_speed.charts.size(), 1U);
+  EXPECT_EQ(over_speed.charts[0].x.label, "velocity of d.vx");
+  EXPECT_EQ(over_speed.charts[0].y.label, "position of motor");
+  EXPECT_DOUBLE_EQ(over_speed.charts[0].guides.at(0).x, -1.5);
+  EXPECT_FALSE(find_abscissa(table, "d.vx"));
+}
+
+TEST(MotionCharts, StandOverTheDriveThatRunsSteadilyInTime) {
+  MotionTable table = there_and_back();
+  table.rows.resize(3);
+
+  EXPECT_EQ(usual_abscissa(table), 0U);
+  table.rows[1].values[0] = 44.9;
+  EXPECT_EQ(usual_abscissa(table), 1U);
 }
 
 TEST(MotionGuides, HaveOneLabelAPlaceInTheOrderOfNames) {

@@ -14,6 +14,7 @@
 
 #include "core/text.hpp"
 #include "core/tolerance.hpp"
+#include "studies/motion/picture/motion_abscissa.hpp"
 
 namespace kinestat {
 
@@ -24,63 +25,15 @@ constexpr std::size_t kMostMarked = 2;    // series of a chart whose extremes ar
 constexpr std::size_t kMostOfAGuide = 4;  // freedoms that its label names
 constexpr const char* kPlace = "at/";
 
-std::vector<double> values_of(const MotionTable& motion, std::size_t column) {
-  std::vector<double> values;
-  for (const MotionRow& row : motion.rows) {
-    values.push_back(row.values[column].value_or(std::numeric_limits<double>::quiet_NaN()));
-  }
-  return values;
-}
-
 // Rates that nothing determines have none.
 bool has_values(const MotionTable& motion, std::size_t column) {
   return std::ranges::any_of(
       motion.rows, [column](const MotionRow& row) { return row.values[column].has_value(); });
 }
 
-// Whether there are different values, and not by rounding alone.
-bool changes(const std::vector<double>& values) {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
-  for (const double value : values) {
-    if (std::isfinite(value)) {
-      low = std::min(low, value);
-      high = std::max(high, value);
-    }
-  }
-  return high - low > kSameValue * std::max(std::abs(low), std::abs(high));
-}
-
-// "transmission_angle", "linear/x", "lossy_power" in words.
-std::string words_of(std::string quantity) {
-  struct Key {
-    std::string_view head;
-    const char* before;
-    const char* behind;
-  };
-
-  constexpr std::array kKeys = {Key{"linear/", "velocity ", ""},
-                                Key{"angular/", "angular velocity ", ""},
-                                Key{"lossy_", "", " with mesh losses"},
-                                Key{"bias_", "", " at constant speed"}};
-  for (const Key& one : kKeys) {
-    if (quantity.starts_with(one.head)) {
-      quantity = one.before + quantity.substr(one.head.size()) + one.behind;
-    }
-  }
-  std::ranges::replace(quantity, '_', ' ');
-  std::ranges::replace(quantity, '/', ' ');
-  return quantity;
-}
-
-// "90°", as the label of an event says where it is.
-std::string place_of_event(const MotionEvent& event, const std::string& unit) {
-  return label_number(event.drive.front(), 5) + (unit == "deg" ? "°" : "");
-}
-
 // Events of one place share a guide: "dead point of D, G at 90°". The order is that of the names,
 // for rounding decides which of them was found first.
-std::vector<ChartGuide> guides_of(const MotionTable& motion) {
+std::vector<ChartGuide> guides_of(const MotionTable& motion, const MotionAbscissa& over) {
   struct Place {
     double x = 0.0;
     std::map<std::string, std::set<std::string>> elements;  // by kinds of events
@@ -89,16 +42,16 @@ std::vector<ChartGuide> guides_of(const MotionTable& motion) {
   std::vector<std::string> order;
   std::map<std::string, Place> places;
   for (const MotionEvent& event : motion.events) {
-    if (event.drive.empty() || !std::isfinite(event.drive.front())) {
+    const std::optional<double> x = over.place_of(event);
+    if (!x) {
       continue;
     }
-    const std::string where = place_of_event(event, motion.columns.front().unit);
-    const auto [at, is_new] =
-        places.try_emplace(where, Place{.x = event.drive.front(), .elements = {}});
+    const std::string where = over.place_text(*x);
+    const auto [at, is_new] = places.try_emplace(where, Place{.x = *x, .elements = {}});
     if (is_new) {
       order.push_back(where);
     }
-    at->second.elements[words_of(event.kind)].insert(event.element);
+    at->second.elements[quantity_words(event.kind)].insert(event.element);
   }
   std::vector<ChartGuide> guides;
   for (const std::string& where : order) {
@@ -140,6 +93,7 @@ std::optional<ChartMark> extreme_row(const Series& series, bool largest) {
 
 // That of the figures, which may lie between the rows.
 std::optional<ChartMark> extreme_of(const MotionTable& motion,
+                                    const MotionAbscissa& over,
                                     std::size_t column,
                                     const Series& series,
                                     bool largest) {
@@ -148,21 +102,29 @@ std::optional<ChartMark> extreme_of(const MotionTable& motion,
   }
   const ColumnFigures& figures = motion.figures[column];
   const std::optional<ColumnExtreme>& extreme = largest ? figures.greatest : figures.least;
-  if (!extreme || extreme->drive == series.x.front() || extreme->drive == series.x.back()) {
+  const std::optional<double> x = extreme ? over.place_of(*extreme) : std::nullopt;
+  if (!x || extreme->row == 0.0 || extreme->row == static_cast<double>(series.x.size() - 1)) {
     return std::nullopt;
   }
-  return ChartMark{.x = extreme->drive, .y = extreme->value, .label = {}};
+  ChartMark mark = {.x = *x, .y = extreme->value, .label = {}};
+  if (extreme->row != std::floor(extreme->row)) {
+    mark.before = static_cast<std::size_t>(extreme->row) + 1;
+  }
+  return mark;
 }
 
-void mark_extremes(const MotionTable& motion, const Group& group, Chart& chart) {
+void mark_extremes(const MotionTable& motion,
+                   const MotionAbscissa& over,
+                   const Group& group,
+                   Chart& chart) {
   if (chart.series.size() > kMostMarked) {
     return;
   }
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
     const Series& series = chart.series[i];
     for (const bool largest : {true, false}) {
-      auto mark = extreme_of(motion, group.columns[i], series, largest);
-      if (mark && changes(series.y)) {
+      auto mark = extreme_of(motion, over, group.columns[i], series, largest);
+      if (mark && has_changes(series.y)) {
         mark->label = largest ? "max" : "min";
         mark->tells_value = true;
         mark->on = i;
@@ -174,12 +136,12 @@ void mark_extremes(const MotionTable& motion, const Group& group, Chart& chart) 
 
 // Whether the column is of a driven freedom, or of a body that turns with it.
 bool follows_drive(const MotionTable& motion, const MotionColumn& column, std::size_t at) {
-  const std::vector<double> values = values_of(motion, at);
+  const std::vector<double> values = column_values(motion, at);
   for (std::size_t d = 0; d < motion.drives.size(); ++d) {
     if (column.element != motion.drives[d].freedom && !column.quantity.starts_with("rotation/")) {
       continue;
     }
-    const std::vector<double> drive = values_of(motion, d);
+    const std::vector<double> drive = column_values(motion, d);
     double largest = 0.0;
     double apart = 0.0;
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -194,19 +156,41 @@ bool follows_drive(const MotionTable& motion, const MotionColumn& column, std::s
   return false;
 }
 
-// How well circuits close is rounding, and where the drives are and when a straight line: of these
-// there is nothing to see, nor of what is always the same. Places are paths.
-bool is_left_out(const MotionTable& motion, const MotionColumn& column, std::size_t at) {
-  return column.quantity.starts_with(kPlace) || column.quantity == kClosureErrorColumn ||
-         column.quantity == kTimeColumn || column.quantity == kDriveColumn ||
-         !changes(values_of(motion, at)) || follows_drive(motion, column, at);
+// Whether there is a column of the position of the driven freedom, or columns are named one by one.
+bool needs_no_drive(const MotionTable& motion, std::size_t drive) {
+  return std::ranges::any_of(motion.columns, [&](const MotionColumn& one) {
+    return one.is_named ||
+           (one.element == motion.drives[drive].freedom && one.quantity == "position");
+  });
 }
 
-std::vector<Group> groups_of(const MotionTable& motion) {
+// How well circuits close is rounding, and where the drives are and when is a straight line over a
+// drive, or over time where they run steadily: of these there is nothing to see, nor of what is
+// always the same. Places are paths.
+bool is_left_out(const MotionTable& motion, const MotionAbscissa& over, std::size_t at) {
+  const MotionColumn& column = motion.columns[at];
+  const std::vector<double> values = column_values(motion, at);
+  if (column.quantity.starts_with(kPlace) || column.quantity == kClosureErrorColumn ||
+      column.quantity == kTimeColumn || at == over.column() || !has_changes(values)) {
+    return true;
+  }
+  const bool is_drive = column.quantity == kDriveColumn;
+  if (!is_drive && !follows_drive(motion, column, at)) {
+    return false;
+  }
+  const bool is_seen_elsewhere =
+      is_drive ? needs_no_drive(motion, at) : column.quantity != "position";
+  return over.is_drive() || is_seen_elsewhere || runs_straight(values, over.values());
+}
+
+std::vector<Group> groups_of(const MotionTable& motion, const MotionAbscissa& over) {
   std::vector<Group> groups;
   for (std::size_t c = 0; c < motion.columns.size(); ++c) {
     const MotionColumn& column = motion.columns[c];
-    if ((!column.is_named && is_left_out(motion, column, c)) || !has_values(motion, c)) {
+    // Named for being the abscissa, but for the drive, which is that by itself.
+    const bool is_abscissa = c == over.column() && c != 0;
+    if (is_abscissa || (!column.is_named && is_left_out(motion, over, c)) ||
+        !has_values(motion, c)) {
       continue;
     }
     const auto at = std::ranges::find_if(groups, [&column](const Group& group) {
@@ -222,34 +206,13 @@ std::vector<Group> groups_of(const MotionTable& motion) {
   return groups;
 }
 
-// From end to end of the motion.
-ChartAxis drive_axis(const MotionTable& motion) {
-  const MotionColumn& drive = motion.columns.front();
-  ChartAxis axis = {
-      .label = drive.element.empty() ? drive.quantity : "position of " + drive.element,
-      .unit = drive.unit};
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
-  for (const double value : values_of(motion, 0)) {
-    if (std::isfinite(value)) {
-      low = std::min(low, value);
-      high = std::max(high, value);
-    }
-  }
-  if (low < high) {
-    axis.low = low;
-    axis.high = high;
-  }
-  return axis;
-}
-
-Chart chart_of(const Group& group, const MotionTable& motion) {
-  Chart chart = {.x = drive_axis(motion),
-                 .y = {.label = words_of(group.quantity), .unit = group.unit},
+Chart chart_of(const Group& group, const MotionTable& motion, const MotionAbscissa& over) {
+  Chart chart = {.x = over.axis(),
+                 .y = {.label = quantity_words(group.quantity), .unit = group.unit},
                  .series = {}};
   for (const std::size_t c : group.columns) {
     chart.series.push_back(
-        {.name = motion.columns[c].element, .x = values_of(motion, 0), .y = values_of(motion, c)});
+        {.name = motion.columns[c].element, .x = over.values(), .y = column_values(motion, c)});
     if (c < motion.figures.size()) {
       chart.series.back().breaks = motion.figures[c].poles;
     }
@@ -257,7 +220,7 @@ Chart chart_of(const Group& group, const MotionTable& motion) {
   if (chart.series.size() == 1 && !chart.series.front().name.empty()) {
     chart.y.label += " of " + chart.series.front().name;
   }
-  chart.guides = guides_of(motion);
+  chart.guides = guides_of(motion, over);
   return chart;
 }
 
@@ -307,10 +270,10 @@ Chart path_chart(const MotionTable& motion, char up, std::size_t PlaceColumns::*
       continue;
     }
     Series series = {.name = place.element,
-                     .x = values_of(motion, place.x),
-                     .y = values_of(motion, place.*vertical)};
+                     .x = column_values(motion, place.x),
+                     .y = column_values(motion, place.*vertical)};
     // A point that rests has no path.
-    if (changes(series.x) || changes(series.y)) {
+    if (has_changes(series.x) || has_changes(series.y)) {
       chart.series.push_back(std::move(series));
     }
   }
@@ -330,28 +293,34 @@ Chart path_chart(const MotionTable& motion, char up, std::size_t PlaceColumns::*
 
 bool changes_height(const MotionTable& motion) {
   return std::ranges::any_of(places_of(motion), [&motion](const PlaceColumns& place) {
-    return place.z < motion.columns.size() && changes(values_of(motion, place.z));
+    return place.z < motion.columns.size() && has_changes(column_values(motion, place.z));
   });
 }
 
 }  // namespace
 
-Figure motion_figure(const MotionTable& motion, const std::string& title) {
+Figure motion_figure(const MotionTable& motion,
+                     const std::string& title,
+                     std::optional<std::size_t> column) {
   Figure figure = {.name = "motion-curves",
                    .title = title,
                    .description =
-                       "What the positions of the motion have, against the position of "
-                       "the drive; dead points and limits are marked.",
+                       "What the positions of the motion have, against one of its columns; dead "
+                       "points and limits are marked.",
                    .charts = {}};
   if (motion.rows.empty() || motion.columns.empty()) {
     return figure;
   }
-  for (const Group& group : groups_of(motion)) {
-    figure.charts.push_back(chart_of(group, motion));
+  const MotionAbscissa over(motion, column.value_or(usual_abscissa(motion)));
+  figure.description = fmt::format(
+      "What the positions of the motion have, against the {}; dead points and limits are marked.",
+      over.axis().label);
+  for (const Group& group : groups_of(motion, over)) {
+    figure.charts.push_back(chart_of(group, motion, over));
     for (ChartGuide& guide : figure.charts.back().guides) {
       guide.is_named = figure.charts.size() == 1;
     }
-    mark_extremes(motion, group, figure.charts.back());
+    mark_extremes(motion, over, group, figure.charts.back());
   }
   return figure;
 }

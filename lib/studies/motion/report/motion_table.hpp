@@ -62,6 +62,8 @@ struct MotionEvent {
   int step = 0;               ///< the last step before; -1: on the way from the drawn position
   std::vector<double> drive;  ///< position of each drive, in its unit
   double uncertainty = 0.0;   ///< of that of the first drive
+  double row = -1.0;  ///< where between the rows, 2.25 a quarter of the way from the third to the
+                      ///< fourth; negative before the first
   std::vector<std::optional<double>> places;  ///< of a dead point among the rows: parallel to the
                                               ///< columns, those of drives and positions
 };
@@ -102,6 +104,7 @@ struct CouplingGap {
 struct ColumnExtreme {
   double value = 0.0;  ///< in the unit of the column
   double drive = 0.0;  ///< position of the first drive, in its unit
+  double row = 0.0;    ///< where between the rows, as of an event
 };
 
 /// What one column comes to.

@@ -392,9 +392,10 @@ bool check_report(const MotionPlan& plan,
                   CasePlace place) {
   const MotionReport& report = plan.report;
   const bool needs_ends = report.ratio || report.transmission_angle || report.mechanical_advantage;
-  const bool needs_motion = report.velocity || report.acceleration || report.power || needs_ends;
-  const bool needs_action = report.action || report.reaction || report.power || report.dynamics ||
-                            !report.actions.empty();
+  const bool needs_motion =
+      report.velocity || report.acceleration || report.power || report.efficiency || needs_ends;
+  const bool needs_action = report.action || report.reaction || report.power || report.efficiency ||
+                            report.dynamics || !report.actions.empty();
   if (plan.which < 0) {
     if (!needs_motion && !needs_action) {
       return true;
@@ -425,6 +426,11 @@ bool check_report(const MotionPlan& plan,
   if (needs_ends && !has_ratio_ends(which)) {
     MissingEnds missing = missing_ratio_ends(mechanism, which);
     return refuse("what passes from input to output", missing.what, std::move(missing.hint));
+  }
+  if (report.efficiency && !which.names_both_ends()) {
+    return refuse("the efficiency",
+                  "does not name both ends",
+                  "add input: NAME and output: NAME, actuators or loads of the case");
   }
   if ((report.velocity || report.acceleration) && which.motions.empty() && !plan.schedule) {
     return refuse(

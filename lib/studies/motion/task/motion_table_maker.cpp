@@ -192,6 +192,9 @@ class TableMaker {
              });
     };
     said_.push_back(find_case_findings(file, *position.solved, is_reported));
+    if (plan_.report.efficiency) {
+      add_efficiency_findings(mechanism_, *position.solved, said_.back());
+    }
   }
 
   void tell_findings() {
@@ -244,8 +247,10 @@ class TableMaker {
     if (position.state.is_singular) {
       return std::string(kSingularEvent);
     }
-    return position.solved ? std::string(case_status(moved, *position.solved, plan_.report.power))
-                           : "solved";
+    const MotionReport& asked = plan_.report;
+    return position.solved
+               ? std::string(case_status(moved, *position.solved, asked.power, asked.efficiency))
+               : "solved";
   }
 
   std::vector<double> drives_at(double share) const {
@@ -362,19 +367,22 @@ class TableMaker {
     std::ranges::stable_sort(
         placed, {}, [](const Placed& one) { return std::pair(one.event.step >= 0, one.share); });
     for (Placed& one : placed) {
+      one.event.row = one.event.step < 0 ? -1.0 : step_at_share(motion_, one.share);
       table_.events.push_back(std::move(one.event));
     }
   }
 
   void add_column_figures() {
-    const auto drive_at = [this](double share) { return drives_at(share).front(); };
+    const auto where_at = [this](double share) {
+      return FigureWhere{.drive = drives_at(share).front(), .step = step_at_share(motion_, share)};
+    };
     const auto share_at = [this](double step) { return share_at_step(motion_, step); };
     std::vector<double> steps;
     for (std::size_t r = 0; r < table_.rows.size(); ++r) {
       steps.push_back(step_of_row(motion_, r));
     }
     if (readings_.empty()) {
-      add_figures(solution_.shares, steps, {}, {}, {}, drive_at, share_at, table_);
+      add_figures(solution_.shares, steps, {}, {}, {}, where_at, share_at, table_);
       return;
     }
     table_.looks_between_steps = scope_.extremes || table_.columns.size() <= kMostClimbed;
@@ -383,7 +391,7 @@ class TableMaker {
       climbed.emplace_back();
       if (scope_.extremes ? is_among(*scope_.extremes, one.column.name())
                           : table_.looks_between_steps) {
-        climbed.back() = ClimbedColumn();
+        climbed.back() = ClimbedColumn{.is_bounded = one.is_bounded};
         if (one.folds) {
           climbed.back()->folds = {.least = in_unit(one.kind, one.folds->least),
                                    .greatest = in_unit(one.kind, one.folds->greatest)};
@@ -417,7 +425,7 @@ class TableMaker {
                 corners.places,
                 climbed,
                 table_.looks_between_steps ? between : BetweenSteps(),
-                drive_at,
+                where_at,
                 share_at,
                 table_);
   }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cases/case_efficiency.hpp"
 #include "core/tolerance.hpp"
 #include "report/number_format.hpp"
 
@@ -107,6 +108,26 @@ void PositionFindings::tell(const MotionTable& table, Diagnostics& found) const 
         held.varies ? ", the worst at " + position_text(table, held.worst_row) : std::string());
     kinestat::add(one, found);
   }
+}
+
+void add_efficiency_findings(const Mechanism& mechanism,
+                             const CaseAnalysis& one,
+                             CaseFindings& found) {
+  const Efficiency efficiency = case_efficiency(one, mechanism);
+  if (!one.power || efficiency.value || efficiency.is_self_locking) {
+    return;
+  }
+  const bool is_lossless = !loses_power(one);
+  const std::string reason = is_lossless ? "nothing loses power" : efficiency.reason;
+  found
+      .warning("W0516",
+               one.which.where,
+               fmt::format("case '{}' has no efficiency: {}", one.which.label, reason),
+               is_lossless ? "give couplings 'friction', or meshes 'losses'; or take 'efficiency' "
+                             "out of 'report'"
+                           : "'report: power' shows where power goes there; name as 'input' what "
+                             "supplies it and as 'output' what takes it")
+      .element = reason;
 }
 
 std::string row_place(const MotionTable& table, const MotionRow& row) {

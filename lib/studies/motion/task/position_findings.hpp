@@ -47,6 +47,11 @@ void add_crossing_cables(const MechanismDescription& description,
                          std::span<const BodyPose> poses,
                          CaseFindings& found);
 
+/// W0516, why a case has no efficiency; nothing where it locks itself, which others tell.
+void add_efficiency_findings(const Mechanism& mechanism,
+                             const CaseAnalysis& one,
+                             CaseFindings& found);
+
 /// "m = 5 deg, n = 20 mm": the positions of the drives.
 std::string row_place(const MotionTable& table, const MotionRow& row);
 

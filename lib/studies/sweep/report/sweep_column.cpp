@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/case_efficiency.hpp"
 #include "cases/gear_answer.hpp"
 #include "cases/input_inertia.hpp"
 #include "cases/report/ratio_in_units.hpp"
@@ -264,15 +265,6 @@ class ColumnSearch {
   const FileUnits& units_;
 };
 
-// By the model that the file prefers, where meshes lose power; friction alone else.
-std::optional<double> efficiency_value(const CaseAnalysis& one, const Mechanism& mechanism) {
-  if (one.efficiency) {
-    return mechanism.loss_model == LossModel::carrier ? one.efficiency->carrier.value
-                                                      : one.efficiency->absolute.value;
-  }
-  return one.power ? one.power->efficiency : std::nullopt;
-}
-
 // The action, with mesh losses if asked for: callers do so only if some mesh has losses.
 std::optional<double> action_value(const CaseAnalysis& one, std::size_t action, bool is_lossy) {
   if (is_lossy) {
@@ -378,7 +370,7 @@ std::optional<double> value_of(const SweepColumn& column,
     case motion:
       return std::nullopt;
     case efficiency:
-      return efficiency_value(one, mechanism);
+      return case_efficiency(one, mechanism).value;
     case recirculation:
       return one.power_graph ? one.power_graph->recirculation : std::nullopt;
     case equivalent_inertia:

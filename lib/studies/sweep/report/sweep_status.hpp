@@ -16,9 +16,6 @@ inline constexpr std::string_view kLocked = "locked";
 /// The output rests.
 inline constexpr std::string_view kNoRatio = "no_ratio";
 
-/// Of a solved case whose efficiency is asked for, and has none for a reason.
-inline constexpr std::string_view kNoEfficiency = "no_efficiency";
-
 /// A position of a motion has no value of a quantity, and nothing else is to blame; or a rate is
 /// asked for that no other body feels and nobody gives.
 inline constexpr std::string_view kNoNumber = "no_value";

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cases/case_efficiency.hpp"
 #include "cases/case_status.hpp"
 
 namespace kinestat {
@@ -59,16 +60,7 @@ std::string_view row_status(const CaseAnalysis& one,
   if (asks(task.columns, SweepColumnKind::ratio) && one.ratios && !one.ratios->ratio) {
     return ratio_status(one, mechanism.topology);
   }
-  const bool asks_efficiency = asks(task.columns, SweepColumnKind::efficiency);
-  const bool is_lossless = !one.efficiency && one.action && one.action->friction.empty();
-  const bool has_efficiency =
-      value_of({.kind = SweepColumnKind::efficiency, .index = -1, .name = {}, .unit = {}},
-               one,
-               mechanism,
-               task.description.units)
-          .has_value();
-  if (asks_efficiency && one.power && one.which.names_both_ends() && !has_efficiency &&
-      !is_lossless) {
+  if (asks(task.columns, SweepColumnKind::efficiency) && lacks_efficiency(one, mechanism)) {
     return kNoEfficiency;
   }
   const bool has_idle_rate = std::ranges::any_of(task.columns, [&one](const SweepColumn& column) {

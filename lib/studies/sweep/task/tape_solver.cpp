@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "cases/case_status.hpp"
 #include "core/tolerance.hpp"
 #include "power/rate_ratio.hpp"
 #include "studies/sweep/state_rules.hpp"

@@ -10,6 +10,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "cases/case_efficiency.hpp"
 #include "core/axis_name.hpp"
 #include "math/numbers/zero_within_bound.hpp"
 #include "mechanism/label_kind.hpp"
@@ -83,6 +84,7 @@ class ReadingList {
     add_springs();
     add_powers();
     add_losses();
+    add_efficiency();
     if (report().dynamics && plan_.which >= 0 && which().has_inertia()) {
       std::vector<MotionReading> dynamics = dynamic_readings(units_, mechanism_, plan_);
       std::ranges::move(dynamics, std::back_inserter(readings_));
@@ -396,6 +398,18 @@ class ReadingList {
     }
   }
 
+  void add_efficiency() {
+    if (report().efficiency) {
+      add("",
+          std::string(kEfficiencyColumn),
+          QuantityKind::dimensionless,
+          [&mechanism = mechanism_](const MotionPosition& at) {
+            return at.solved ? case_efficiency(*at.solved, mechanism).value : std::nullopt;
+          });
+      readings_.back().is_bounded = true;
+    }
+  }
+
   // Those of the case, then those that follow from the motion, in the order of a solved case.
   std::vector<std::string> load_names() const {
     std::vector<std::string> names;
@@ -451,9 +465,9 @@ MotionDetail detail_of(const MotionPlan& plan, const Mechanism& mechanism) {
   const bool has_case = plan.which >= 0;
   const bool has_names = !report.freedoms.empty() || !report.actuators.empty();
   const bool has_statics =
-      has_case && (report.action || report.reaction || report.power || report.ratio ||
-                   report.mechanical_advantage || report.dynamics || !report.actions.empty() ||
-                   !report.actuators.empty());
+      has_case && (report.action || report.reaction || report.power || report.efficiency ||
+                   report.ratio || report.mechanical_advantage || report.dynamics ||
+                   !report.actions.empty() || !report.actuators.empty());
   const bool has_inertia =
       has_statics && mechanism.cases[static_cast<std::size_t>(plan.which)].has_inertia();
   return {.velocity = has_speed && (report.velocity || report.acceleration || report.is_default ||

@@ -17,6 +17,9 @@ namespace kinestat {
 /// is a motion in time.
 double share_at_step(const FoundMotion& motion, double step);
 
+/// The inverse.
+double step_at_share(const FoundMotion& motion, double share);
+
 /// At which step a row is: a motion in time that ends early has its last row between two of them.
 double step_of_row(const FoundMotion& motion, std::size_t row);
 

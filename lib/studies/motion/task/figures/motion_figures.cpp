@@ -5,10 +5,12 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <string>
 #include <utility>
 
 #include "core/motion_tolerance.hpp"
+#include "core/solve_status.hpp"
 #include "core/tolerance.hpp"
 #include "math/numbers/zero_within_bound.hpp"
 #include "studies/motion/peak_search.hpp"
@@ -24,14 +26,14 @@ class FigureMaker {
               std::span<const FigurePlace> places,
               const std::vector<std::optional<ClimbedColumn>>& climbed,
               const BetweenSteps& between,
-              const std::function<double(double)>& drive_at,
+              const std::function<FigureWhere(double)>& where_at,
               const std::function<double(double)>& share_at,
               MotionTable& table)
       : steps_(steps),
         corners_(places),
         climbed_(climbed),
         between_(between),
-        drive_at_(drive_at),
+        where_at_(where_at),
         share_at_(share_at),
         table_(table) {
     for (std::size_t r = 0; r < table.rows.size(); ++r) {
@@ -50,11 +52,11 @@ class FigureMaker {
     }
     std::ranges::stable_sort(samples_, {}, &Sample::step);
     for (const Sample& sample : samples_) {
-      places_.push_back(sample.values);
+      places_.push_back({.values = sample.values, .row = row_of(sample.step)});
     }
     for (const MotionEvent& event : table.events) {
       if (!event.places.empty()) {
-        places_.push_back(&event.places);
+        places_.push_back({.values = &event.places, .row = event.row});
       }
     }
   }
@@ -71,7 +73,7 @@ class FigureMaker {
       ColumnFigures& figures = table_.figures.emplace_back();
       figures.least = growth.falls ? std::nullopt : extreme(c, -1.0);
       figures.greatest = growth.grows ? std::nullopt : extreme(c, 1.0);
-      if (growth.falls || growth.grows) {
+      if (growth.falls || growth.grows || (is_bounded(c) && ends_on_the_way(c))) {
         continue;
       }
       figures.mean = mean(c, [](double low, double high) { return 0.5 * (low + high); });
@@ -91,6 +93,11 @@ class FigureMaker {
     std::optional<double> value_at_rest(std::size_t column) const {
       return at_rest->empty() ? std::nullopt : (*at_rest)[column];
     }
+  };
+
+  struct Place {
+    const std::vector<std::optional<double>>* values = nullptr;  // parallel to the columns
+    double row = 0.0;
   };
 
   // Those of the column: of the steps, and of the corners at which it has a value.
@@ -132,16 +139,75 @@ class FigureMaker {
 
   std::optional<ColumnExtreme> extreme(std::size_t column, double sign) {
     std::optional<ColumnExtreme> found;
-    for (const std::vector<std::optional<double>>* place : places_) {
-      const std::optional<double>& value = (*place)[column];
+    for (const Place& place : places_) {
+      const std::optional<double>& value = (*place.values)[column];
       if (value && (!found || sign * *value > sign * found->value)) {
-        found = ColumnExtreme{.value = *value, .drive = (*place)[0].value_or(0.0)};
+        found = ColumnExtreme{
+            .value = *value, .drive = (*place.values)[0].value_or(0.0), .row = place.row};
       }
     }
-    if (found && column < climbed_.size() && climbed_[column]) {
+    if (found && is_climbed(column)) {
+      if (is_bounded(column)) {
+        look_at_ends(column, sign, *found);
+      }
       climb(column, sign, *found);
     }
     return found;
+  }
+
+  // Rows stand at steps, but the last one of a motion that ends early.
+  double row_of(double step) const {
+    const auto behind = std::ranges::upper_bound(steps_, step);
+    if (behind == steps_.begin() || behind == steps_.end()) {
+      return behind == steps_.begin() ? 0.0 : static_cast<double>(steps_.size() - 1);
+    }
+    const double before = *std::prev(behind);
+    return static_cast<double>(behind - steps_.begin() - 1) + (step - before) / (*behind - before);
+  }
+
+  ColumnExtreme extreme_at(double value, double share) const {
+    const FigureWhere where = where_at_(share);
+    return {.value = value, .drive = where.drive, .row = row_of(where.step)};
+  }
+
+  bool is_climbed(std::size_t column) const {
+    return column < climbed_.size() && climbed_[column].has_value();
+  }
+
+  bool is_bounded(std::size_t column) const {
+    return is_climbed(column) && climbed_[column]->is_bounded;
+  }
+
+  // Whether rows lack it for another reason than that friction has no direction in them.
+  bool ends_on_the_way(std::size_t column) const {
+    return std::ranges::any_of(table_.rows, [column](const MotionRow& row) {
+      return !row.values[column] && row.status != kDeadPointEvent &&
+             row.status != word_of(SolveStatus::at_rest);
+    });
+  }
+
+  // Where values end between two samples, they are nearest to the end found by bisection.
+  void look_at_ends(std::size_t column, double sign, ColumnExtreme& found) const {
+    constexpr int kHalvings = 30;
+    const std::vector<Sample> samples = samples_of(column);
+    for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
+      const bool is_left = (*samples[i].values)[column].has_value();
+      if (is_left == (*samples[i + 1].values)[column].has_value()) {
+        continue;
+      }
+      const double from = samples[is_left ? i : i + 1].step;
+      const double end = samples[is_left ? i + 1 : i].step;
+      double none = 0.0;
+      double left = 1.0;
+      for (int k = 0; k < kHalvings; ++k) {
+        const double middle = std::midpoint(none, left);
+        const std::optional<double> value = value_before(column, from, end, middle);
+        (value ? left : none) = middle;
+        if (value && sign * *value > sign * found.value) {
+          found = extreme_at(*value, share_at_(std::lerp(end, from, middle)));
+        }
+      }
+    }
   }
 
   void climb(std::size_t column, double sign, ColumnExtreme& found) {
@@ -176,7 +242,7 @@ class FigureMaker {
       search.take(value ? std::optional(sign * *value) : std::nullopt);
     }
     if (const std::optional<PeakSample> top = search.better()) {
-      found = {.value = sign * top->value, .drive = drive_at_(top->share)};
+      found = extreme_at(sign * top->value, top->share);
     }
   }
 
@@ -332,6 +398,9 @@ class FigureMaker {
 
   Growth growth_of(std::size_t column) const {
     Growth growth;
+    if (is_bounded(column)) {
+      return growth;
+    }
     const std::vector<MotionRow>& rows = table_.rows;
     for (std::size_t r = 0; r + 1 < rows.size(); ++r) {
       const bool has_this = rows[r].values[column].has_value();
@@ -362,11 +431,11 @@ class FigureMaker {
   std::span<const FigurePlace> corners_;
   const std::vector<std::optional<ClimbedColumn>>& climbed_;
   const BetweenSteps& between_;
-  const std::function<double(double)>& drive_at_;
+  const std::function<FigureWhere(double)>& where_at_;
   const std::function<double(double)>& share_at_;
   MotionTable& table_;
-  std::vector<Sample> samples_;                                    // steps and corners, in order
-  std::vector<const std::vector<std::optional<double>>*> places_;  // parallel to the columns
+  std::vector<Sample> samples_;  // steps and corners, in order
+  std::vector<Place> places_;
 };
 
 }  // namespace
@@ -376,10 +445,10 @@ void add_figures(std::span<const double> shares,
                  std::span<const FigurePlace> places,
                  const std::vector<std::optional<ClimbedColumn>>& climbed,
                  const BetweenSteps& between,
-                 const std::function<double(double share)>& drive_at,
+                 const std::function<FigureWhere(double share)>& where_at,
                  const std::function<double(double step)>& share_at,
                  MotionTable& table) {
-  FigureMaker(shares, steps, places, climbed, between, drive_at, share_at, table).run();
+  FigureMaker(shares, steps, places, climbed, between, where_at, share_at, table).run();
 }
 
 }  // namespace kinestat

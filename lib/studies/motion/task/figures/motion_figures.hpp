@@ -19,6 +19,7 @@ using BetweenSteps = std::function<std::optional<double>(std::size_t column, dou
 /// A column whose extremes are looked for between the steps.
 struct ClimbedColumn {
   std::optional<ValueFolds> folds = {};
+  bool is_bounded = false;  ///< of values that never grow without bound
 };
 
 /// What columns have at a position, as in a MotionRow.
@@ -37,20 +38,27 @@ struct FigurePlace {
   std::vector<std::vector<std::optional<double>>> farther = {};
 };
 
+/// Where a motion is at a share of the ranges of the drives.
+struct FigureWhere {
+  double drive = 0.0;  ///< position of the first drive, in its unit
+  double step = 0.0;   ///< as of a FigurePlace
+};
+
 /// Fills the figures of a table whose rows stand at those shares of the ranges and those steps, and
 /// whose events are known. Extremes are those of the steps and of `places` between them, which are
 /// in order, of positions at dead points too; in the columns that are climbed, which may be fewer
-/// than all, they are looked for between these. Means take the middle of an interval where one of
-/// its ends has no value, as friction has none where it turns round; where both have none, what
-/// `between` says of it, or without that `at_rest`. Where values grow without bound on an approach,
-/// or towards a position that has none, there is no mean, and no extreme in that sense. `drive_at`
-/// answers where the first drive is at a share, in its unit, `share_at` the share at so many steps.
+/// than all, they are looked for between these, and of bounded ones where their values end, too.
+/// Means take the middle of an interval where one of its ends has no value, as friction has none
+/// where it turns round; where both have none, what `between` says of it, or without that
+/// `at_rest`. Where values grow without bound on an approach, or towards a position that has none,
+/// there is no mean, and no extreme in that sense. `where_at` answers where a share is, `share_at`
+/// the share at so many steps.
 void add_figures(std::span<const double> shares,
                  std::span<const double> steps,
                  std::span<const FigurePlace> places,
                  const std::vector<std::optional<ClimbedColumn>>& climbed,
                  const BetweenSteps& between,
-                 const std::function<double(double share)>& drive_at,
+                 const std::function<FigureWhere(double share)>& where_at,
                  const std::function<double(double step)>& share_at,
                  MotionTable& table);
 

@@ -1,0 +1,156 @@
+#include "studies/motion/picture/motion_abscissa.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/tolerance.hpp"
+#include "draw/axes.hpp"
+
+namespace kinestat {
+
+namespace {
+
+struct Ends {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+};
+
+Ends ends_of_values(const std::vector<double>& values) {
+  Ends ends;
+  for (const double value : values) {
+    if (std::isfinite(value)) {
+      ends.low = std::min(ends.low, value);
+      ends.high = std::max(ends.high, value);
+    }
+  }
+  return ends;
+}
+
+std::string with_slashes_as_dots(std::string name) {
+  std::ranges::replace(name, '/', '.');
+  return name;
+}
+
+}  // namespace
+
+std::vector<double> column_values(const MotionTable& motion, std::size_t column) {
+  std::vector<double> values;
+  for (const MotionRow& row : motion.rows) {
+    values.push_back(row.values[column].value_or(std::numeric_limits<double>::quiet_NaN()));
+  }
+  return values;
+}
+
+bool has_changes(const std::vector<double>& values) {
+  const Ends ends = ends_of_values(values);
+  return ends.high - ends.low > kSameValue * std::max(std::abs(ends.low), std::abs(ends.high));
+}
+
+bool runs_straight(const std::vector<double>& values, const std::vector<double>& over) {
+  if (values.empty() || over.front() == over.back()) {
+    return false;
+  }
+  const Ends ends = ends_of_values(values);
+  const double least = kSameValue * std::max(std::abs(ends.low), std::abs(ends.high));
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double share = (over[i] - over.front()) / (over.back() - over.front());
+    if (!(std::abs(values[i] - std::lerp(values.front(), values.back(), share)) <= least)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::string quantity_words(std::string quantity) {
+  struct Key {
+    std::string_view head;
+    const char* before;
+    const char* behind;
+  };
+
+  constexpr std::array kKeys = {Key{"linear/", "velocity ", ""},
+                                Key{"angular/", "angular velocity ", ""},
+                                Key{"lossy_", "", " with mesh losses"},
+                                Key{"bias_", "", " at constant speed"}};
+  if (quantity == kDriveColumn) {
+    return "position";
+  }
+  for (const Key& one : kKeys) {
+    if (quantity.starts_with(one.head)) {
+      quantity = one.before + quantity.substr(one.head.size()) + one.behind;
+    }
+  }
+  std::ranges::replace(quantity, '_', ' ');
+  std::ranges::replace(quantity, '/', ' ');
+  return quantity;
+}
+
+std::size_t usual_abscissa(const MotionTable& motion) {
+  const auto time = find_abscissa(motion, kTimeColumn);
+  return time && !motion.columns[*time].is_named &&
+                 !runs_straight(column_values(motion, 0), column_values(motion, *time))
+             ? *time
+             : 0;
+}
+
+std::optional<std::size_t> find_abscissa(const MotionTable& motion, std::string_view name) {
+  const std::string asked = with_slashes_as_dots(std::string(name));
+  for (std::size_t c = 0; c < motion.columns.size(); ++c) {
+    const MotionColumn& column = motion.columns[c];
+    const bool is_drive_of_name = column.quantity == kDriveColumn && column.element == name;
+    if (is_drive_of_name || with_slashes_as_dots(column.name()) == asked) {
+      return c;
+    }
+  }
+  return std::nullopt;
+}
+
+bool MotionAbscissa::is_drive() const {
+  return motion_.columns[column_].quantity == kDriveColumn;
+}
+
+ChartAxis MotionAbscissa::axis() const {
+  const MotionColumn& column = motion_.columns[column_];
+  const std::string words = quantity_words(column.quantity);
+  ChartAxis axis = {.label = column.element.empty() ? words : words + " of " + column.element,
+                    .unit = column.unit};
+  const Ends ends = ends_of_values(values_);
+  if (ends.low < ends.high) {
+    axis.low = ends.low;
+    axis.high = ends.high;
+  }
+  return axis;
+}
+
+std::string MotionAbscissa::place_text(double value) const {
+  return label_number(value, 5) + (motion_.columns[column_].unit == "deg" ? "°" : "");
+}
+
+std::optional<double> MotionAbscissa::place_of(const MotionEvent& event) const {
+  if (column_ == 0) {
+    return event.drive.empty() || !std::isfinite(event.drive.front())
+               ? std::nullopt
+               : std::optional(event.drive.front());
+  }
+  return column_ < event.places.size() && event.places[column_] ? event.places[column_]
+                                                                : between_rows(event.row);
+}
+
+std::optional<double> MotionAbscissa::place_of(const ColumnExtreme& extreme) const {
+  return column_ == 0 ? std::optional(extreme.drive) : between_rows(extreme.row);
+}
+
+std::optional<double> MotionAbscissa::between_rows(double row) const {
+  if (row < 0.0 || values_.empty()) {
+    return std::nullopt;
+  }
+  const auto i = std::min(static_cast<std::size_t>(row), values_.size() - 1);
+  const std::size_t next = std::min(i + 1, values_.size() - 1);
+  const double share = row - static_cast<double>(i);
+  const double value = share == 0.0 ? values_[i] : std::lerp(values_[i], values_[next], share);
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+}  // namespace kinestat
