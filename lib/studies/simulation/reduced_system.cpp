@@ -264,7 +264,7 @@ void ReducedSystem::add_springs(const std::vector<SpringState>& springs,
         const Vec3 to = state_.poses[at(spring.head.value)].point(spring.to);
         const Vec3 speed = velocity_at(units_[j].twists[at(spring.head.value)], to) -
                            velocity_at(units_[j].twists[at(spring.tail.value)], from);
-        rate = speed.dot(to - from) / now.position;
+        rate = now.position > 0.0 ? speed.dot(to - from) / now.position : 0.0;  // of no force
       }
       add_force(-against * rate, j, forces_, sizes_);
     }
