@@ -11,6 +11,7 @@
 #include "cases/limit_findings.hpp"
 #include "core/text.hpp"
 #include "core/tolerance.hpp"
+#include "dynamics/spring_obstacle_text.hpp"
 
 namespace kinestat {
 
@@ -168,29 +169,29 @@ void add_point_masses(const JudgedFile& file, const CaseAnalysis& one, CaseFindi
   }
 }
 
+// Of several positions, that in which a gas spring is farthest past its stroke.
 void add_spring_obstacle(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
   const SpringObstacle& obstacle = *one.spring_obstacle;
   const Spring& spring = file.mechanism.springs[obstacle.spring];
+  const auto add = [&](std::string hint) -> CaseFinding& {
+    return found.error(
+        "E0324", spring.where, text_of(obstacle, spring, file.description.units), std::move(hint));
+  };
   switch (obstacle.kind) {
     case SpringObstacle::Kind::no_length:
-      found.error(
-          "E0324",
-          spring.where,
-          fmt::format("spring '{}' has no direction, since its two points meet", spring.name),
-          "give points that are apart, or make it a spring of a coupling");
+      add("give points that are apart, or make it a spring of a coupling");
       return;
-    case SpringObstacle::Kind::past_stroke:
-      found.error("E0324",
-                  spring.where,
-                  fmt::format("gas spring '{}' is past its stroke", spring.name),
-                  "'length' is that of the extended spring, from which 'stroke' is pushed in; "
-                  "correct these or its points, or end the motion earlier");
+    case SpringObstacle::Kind::past_stroke: {
+      CaseFinding& added =
+          add("'length' is that of the extended spring, from which 'stroke' is pushed in; correct "
+              "these "
+              "or its points, or end the motion earlier");
+      added.element = limit_word(obstacle, spring);
+      added.size = excess_of(obstacle, spring);
       return;
+    }
     case SpringObstacle::Kind::no_position:
-      found.error("E0324",
-                  spring.where,
-                  fmt::format("spring '{}' is of a freedom that has no position", spring.name),
-                  "balls, contacts and cables have none: give the spring two points");
+      add("balls, contacts and cables have none: give the spring two points");
       return;
   }
 }

@@ -8,6 +8,10 @@
 
 namespace kinestat {
 
+/// The axes along which the components of a load stay while its body moves, in the order of the
+/// words in files. In the drawn position they are the same.
+enum class LoadFrame { world, body };
+
 /// A force and a couple on a body; a load of a case replaces the one of its name at the top level.
 struct LoadDescription {
   Name name;
@@ -15,6 +19,7 @@ struct LoadDescription {
   std::optional<PointDescription> at;     ///< where the force acts
   std::optional<PointDescription> force;  ///< vector [force]
   std::vector<Value> couple;  ///< [moment]: one number about z in the plane, three in space
+  LoadFrame frame = LoadFrame::world;
 };
 
 }  // namespace kinestat

@@ -57,6 +57,13 @@ bool is_past_stroke(const GasSpring& gas, double length) {
   return pushed_in < -kPastStroke * gas.stroke || pushed_in > (1.0 + kPastStroke) * gas.stroke;
 }
 
+// Whether it pulls with nothing where its points meet, so that it needs no direction there: one
+// that has no force without length, and no damping or ends that rest on each other.
+bool is_idle_without_length(const Spring& spring, double force, const Vec3& speed) {
+  return !spring.gas && force == 0.0 && spring.stiffness * spring.free == 0.0 &&
+         (spring.damping == 0.0 || speed.isZero(0.0));
+}
+
 // Of what a spring does to a body.
 std::string load_name(const Spring& spring, BodyId body, const Topology& topology) {
   const bool is_alone = spring.tail.value == 0 || spring.head.value == 0;
@@ -81,17 +88,21 @@ std::variant<std::vector<SpringState>, SpringObstacle> spring_states(
     const Ends ends = ends_of(spring, place);
     const Vec3 arm = ends.to - ends.from;
     const double length = arm.norm();
+    const Vec3 speed = place.twists.empty()
+                           ? Vec3(Vec3::Zero())
+                           : Vec3(velocity_at(place.twists[at(spring.head.value)], ends.to) -
+                                  velocity_at(place.twists[at(spring.tail.value)], ends.from));
     if (!(length > kNoSpringLength * drawn.geometry.length)) {
-      return SpringObstacle{.kind = SpringObstacle::Kind::no_length, .spring = i};
+      if (!is_idle_without_length(spring, forces[i], speed)) {
+        return SpringObstacle{.kind = SpringObstacle::Kind::no_length, .spring = i};
+      }
+      states.push_back({});
+      continue;
     }
-    SpringState state{.position = length};
-    if (!place.twists.empty()) {
-      const Vec3 speed = velocity_at(place.twists[at(spring.head.value)], ends.to) -
-                         velocity_at(place.twists[at(spring.tail.value)], ends.from);
-      state.rate = speed.dot(arm) / length;
-    }
+    SpringState state{.position = length, .rate = speed.dot(arm) / length};
     if (spring.gas && is_past_stroke(*spring.gas, length)) {
-      return SpringObstacle{.kind = SpringObstacle::Kind::past_stroke, .spring = i};
+      return SpringObstacle{
+          .kind = SpringObstacle::Kind::past_stroke, .spring = i, .length = length};
     }
     state.force = tension_of(numbers_of(spring, forces[i]), spring.acts, length, state.rate);
     states.push_back(state);

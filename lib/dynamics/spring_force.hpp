@@ -77,6 +77,7 @@ struct SpringObstacle {
 
   Kind kind = Kind::no_length;
   std::size_t spring = 0;
+  double length = 0.0;  ///< the distance of its points, past the stroke [m]
 };
 
 /// Of each spring of a mechanism that stands there; `forces` are what each has beside stiffness and

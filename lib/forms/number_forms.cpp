@@ -131,7 +131,10 @@ Form<Value> efficiency() {
 }
 
 Form<Value> component() {
-  return number_form("component", "Component of a direction, without a unit.", {"1", "0.5"});
+  return number_form("component",
+                     "Component of a direction: all are numbers without a unit, or all of one "
+                     "dimension, such as differences of coordinates.",
+                     {"1", "0.5"});
 }
 
 Form<Value> length() {

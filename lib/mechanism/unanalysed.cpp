@@ -34,15 +34,18 @@ void add_missing_places(const MechanismDescription& description, std::vector<Una
   }
   const auto first = std::ranges::find_if(description.couplings, is_counted_only);
   const bool is_cable = first->type == CouplingType::cable;
+  const char* const point = description.space == Space::planar ? "[x, y]" : "[x, y, z]";
   list.push_back(
       {.where = first->name.where,
-       .what = fmt::format("{} has no {}{}, and a file that can only be counted",
+       .what = fmt::format("{} needs {} in the drawn position{}",
                            word(*first),
-                           is_cable ? "'from' and 'to'" : "'at'",
-                           count == 1 ? "" : fmt::format(", nor have {} more a place", count - 1)),
-       .hint = fmt::format("add {}; 'kinestat mobility' counts the file as it is",
-                           is_cable ? "from: and to:, its ends on the tail and on the head"
-                                    : "'at', the point of the coupling in the drawn position"),
+                           is_cable ? "'from' and 'to', its ends" : "'at', its point",
+                           count == 1   ? ""
+                           : count == 2 ? ", and 1 more needs its place"
+                                        : fmt::format(", and {} more need theirs", count - 1)),
+       .hint = fmt::format(
+           "write {}; 'kinestat mobility' counts freedoms without it",
+           is_cable ? fmt::format("from: {0} and to: {0}", point) : fmt::format("at: {}", point)),
        .decides = true,
        .can_be_counted = true});
 }

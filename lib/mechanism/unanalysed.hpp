@@ -11,13 +11,16 @@ namespace kinestat {
 /// A section or key of the format that is not analysed.
 struct Unanalysed {
   SourceRange where;
-  std::string what;               ///< "section 'shift'"
+  std::string what;               ///< "section 'shift'"; of a missing place a whole sentence
   std::string hint = {};          ///< what would be analysed instead; may be empty
   bool decides = false;           ///< answers without it would be wrong, so there are none
   bool can_be_counted = false;    ///< a missing place, which mobility counts do not need
   bool is_closure_error = false;  ///< a gap, which a finite motion closes before it starts
 
   std::string message() const {
+    if (can_be_counted) {
+      return what;
+    }
     return what + (is_closure_error ? "; only 'kinestat motion' closes the gap between them"
                                     : " is not analysed yet");
   }

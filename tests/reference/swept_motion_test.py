@@ -130,6 +130,37 @@ class ClosedForms(ReferenceTest):
             self.assertAlmostEqual(least, row["transmission_angle.least [deg]"], delta=1e-10)
             self.assertEqual(2, row["d.wz.dead_points"])
 
+    def test_dead_points_are_those_within_the_motion(self) -> None:
+        """Drawn at its outer dead centre, a slider turns back there only if the crank goes round."""
+        for begin, end, expected in ((0, 180, 0), (0, 360, 2), (-180, 180, 2), (0, 540, 2),
+                                     (180, 270, 0), (90, 180, 0), (10, 370, 2), (-90, 90, 1),
+                                     (0, 720, 4)):
+            text = re.sub(r"\nmotion: {.*}",
+                          f"\nmotion: {{drive: motor, from: {begin} deg, to: {end} deg, steps: 24}}",
+                          SLIDER_CRANK)
+            rows, _ = swept(text, "{vary: {r: [1, 1.5], l: [4, 5], e: [0]}, "
+                                  "report: [s.vx.dead_points, dead_points]}")
+            for row in rows:
+                self.assertEqual(expected, row["s.vx.dead_points"], f"{begin} to {end}")
+                self.assertEqual(expected, row["dead_points"], f"{begin} to {end}")
+
+    def test_a_dead_point_at_which_a_drive_turns_back_or_rests_counts_once(self) -> None:
+        """The crank comes to a dead centre of the slider by a law, rests, and goes back or on."""
+        law = "time: 1 s, law: cycloidal"
+        for way, expected in ((f"{{to: 180 deg, {law}}}, {{to: 90 deg, {law}}}", 1),
+                              (f"{{to: 180 deg, {law}}}, {{dwell: 1 s}}, {{to: 90 deg, {law}}}", 1),
+                              (f"{{to: 180 deg, {law}}}, {{dwell: 1 s}}, {{to: 270 deg, {law}}}", 1),
+                              (f"{{to: 180 deg, {law}}}, {{to: 0 deg, {law}}}", 2),
+                              (f"{{dwell: 1 s}}, {{to: 180 deg, {law}}}, {{dwell: 1 s}}", 0),
+                              (f"{{dwell: 1 s}}, {{to: 200 deg, {law}}}, {{to: 180 deg, {law}}}", 1)):
+            begin = 90 if "to: 90" in way or "to: 270" in way else 0
+            text = re.sub(r"\nmotion: {.*}",
+                          f"\nmotion: {{drive: motor, from: {begin} deg, steps: 24, profile: [{way}]}}",
+                          SLIDER_CRANK)
+            rows, _ = swept(text, "{vary: {l: [4, 5], r: [1], e: [0]}, report: [s.vx.dead_points]}")
+            for row in rows:
+                self.assertEqual(expected, row["s.vx.dead_points"], way)
+
     def test_extremes_of_angles_do_not_hang_on_the_steps(self) -> None:
         """Between coupler and rocker, where crank and frame are in line; folded, at right angles."""
         text = FOUR_BAR.replace("to: 360 deg, steps: 72", "from: 3 deg, to: 363 deg, steps: n")

@@ -38,8 +38,9 @@ std::optional<Vec3> FileNumbers::direction(const AxisDescription& axis) const {
     return result;
   }
   for (std::size_t i = 0; i < axis.components.size() && i < 3; ++i) {
-    result[static_cast<int>(i)] =
-        number(axis.components[i], QuantityKind::dimensionless).value_or(0.0);
+    const auto component = evaluate(axis.components[i].expression, table_.lookup());
+    const Quantity* const found = std::get_if<Quantity>(&component);
+    result[static_cast<int>(i)] = found != nullptr ? found->value : 0.0;
   }
   const double length = result.norm();
   return length > 0.0 ? std::optional<Vec3>(result / length) : std::nullopt;

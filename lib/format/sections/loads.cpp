@@ -42,12 +42,21 @@ const Mapping<LoadDescription>& load() {
             .needed(&LoadDescription::body, body_name(), "coupler");
         m.key("at", "Where the force acts, in the drawn position; required with a force.")
             .may(&LoadDescription::at, point());
-        m.key("force", "The force on the body, in the world frame.")
+        m.key("force", "The force on the body; its components are along the world axes as drawn.")
             .may(&LoadDescription::force, force_vector());
         m.key("couple",
               "The couple on the body: in the plane one value, counterclockwise if positive; in "
               "space a vector [Tx, Ty, Tz].")
             .may(&LoadDescription::couple, couple(), "5 N*m");
+        m.key("frame", "Whether force and couple keep their direction or turn with the body.")
+            .may(&LoadDescription::frame,
+                 choice_of<LoadFrame>(
+                     {{"world", "they keep their directions in the world, as a weight does"},
+                      {"body",
+                       "they turn with the body from its drawn position, as a thrust, a pressure "
+                       "on a flap or a cutting force does"}}),
+                 "body")
+            .usual("world");
         declare_rules(m);
       });
   return mapping;

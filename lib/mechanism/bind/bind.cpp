@@ -294,7 +294,7 @@ std::optional<Mechanism> bind_for(Purpose purpose,
     warn_of_unused_curves(description, found);
     warn_of_idle_stiffness(description, found);
     if (description.motion) {  // at rest, coaxial bearings are as good as any
-      warn_of_links_without_length(result, found);
+      warn_of_links_without_length(description, result, found);
     }
     report_unanalysed(unanalysed, purpose, found);
   }

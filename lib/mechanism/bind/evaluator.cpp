@@ -49,6 +49,16 @@ void set_value(Scalar& number, double value) {
   number.value = value;
 }
 
+// In a list of those of which ExactInput knows no digits.
+template <class Scalar>
+void note_rounding(const Value& value, const Scalar& number, std::vector<const Value*>& list) {
+  if constexpr (std::is_same_v<Scalar, ExactInput>) {
+    if (!number.precise && std::ranges::find(list, &value) == list.end()) {
+      list.push_back(&value);
+    }
+  }
+}
+
 std::vector<int> free_parameters(const MechanismDescription& description) {
   std::vector<int> free;
   for (std::size_t i = 0; i < description.parameters.size(); ++i) {
@@ -131,11 +141,7 @@ std::optional<Scalar> EvaluatorOf<Scalar>::number(const Value& value, QuantityKi
     return std::nullopt;
   }
   const Scalar number = std::get<Scalar>(result);
-  if constexpr (std::is_same_v<Scalar, ExactInput>) {
-    if (!number.precise && std::ranges::find(by_rounding_, &value) == by_rounding_.end()) {
-      by_rounding_.push_back(&value);
-    }
-  }
+  note_rounding(value, number, by_rounding_);
   if (kind == QuantityKind::angle) {
     warn_of_degrees(value, value_of(number));
   }
@@ -256,14 +262,45 @@ std::optional<double> EvaluatorOf<Scalar>::from_origin(const Value& coordinate,
   return local.precise ? std::optional(static_cast<double>(*local.precise)) : std::nullopt;
 }
 
+// A zero that is typed without a unit is of every dimension.
+template <class Scalar>
+std::optional<Vec3Of<Scalar>> EvaluatorOf<Scalar>::direction(const std::vector<Value>& components) {
+  Vec3Of<Scalar> result = Vec3Of<Scalar>::Zero();
+  std::optional<Dimension> common;
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    const Value& component = components[i];
+    const std::optional<BasicQuantity<Scalar>> one = quantity(component);
+    if (!one) {
+      return std::nullopt;
+    }
+    note_rounding(component, one->value, by_rounding_);
+    result[static_cast<Eigen::Index>(i)] = one->value;
+    if (component.expression.names().empty() && is_bare(one->dimension) &&
+        value_of(one->value) == 0.0) {
+      continue;
+    }
+    if (common && *common != one->dimension) {
+      found_.error("E0309",
+                   component.where,
+                   fmt::format("a direction of {} and {} has no meaning",
+                               phrase_of(*common),
+                               phrase_of(one->dimension)),
+                   "give all of its components the same unit, or none; only a 0 needs no unit");
+      return std::nullopt;
+    }
+    common = one->dimension;
+  }
+  return !common || is_bare(*common) ? vector(components, QuantityKind::dimensionless)
+                                     : std::optional(result);
+}
+
 template <class Scalar>
 std::optional<AxisOf<Scalar>> EvaluatorOf<Scalar>::axis(const AxisDescription& axis) {
   if (axis.keyword != 0) {
     return AxisOf<Scalar>{.direction = Scalar(axis.sign) * Vec3Of<Scalar>::Unit(axis.keyword - 'x'),
                           .keyword = axis.keyword};
   }
-  const std::optional<Vec3Of<Scalar>> components =
-      vector(axis.components, QuantityKind::dimensionless);
+  const std::optional<Vec3Of<Scalar>> components = direction(axis.components);
   if (!components) {
     return std::nullopt;
   }

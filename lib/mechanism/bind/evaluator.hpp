@@ -63,7 +63,8 @@ class EvaluatorOf {
     return std::exchange(noted_, list);
   }
 
-  /// A unit vector; a zero vector is an error.
+  /// A unit vector; a zero vector is an error. Its components are of any one dimension, such as the
+  /// differences of the coordinates of two points.
   std::optional<AxisOf<Scalar>> axis(const AxisDescription& axis);
 
   /// Warns of parameters that nothing refers to.
@@ -74,6 +75,7 @@ class EvaluatorOf {
   void refuse_values_by_rounding() const;
 
  private:
+  std::optional<Vec3Of<Scalar>> direction(const std::vector<Value>& components);
   void complain(const Value& value, const ExpressionError& error);
   void warn_of_degrees(const Value& value, double angle);
   void mark_used(const Value& value);

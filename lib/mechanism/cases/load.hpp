@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/source.hpp"
+#include "description/load_description.hpp"
 #include "screw/bounded_screw.hpp"
 
 namespace kinestat {
@@ -32,6 +33,7 @@ struct Load {
   std::string name;
   BodyWrench acts;
   std::optional<Vec3> point;  ///< where the force acts [m]; empty for a couple alone
+  LoadFrame frame = LoadFrame::world;
   SourceRange where;
 };
 

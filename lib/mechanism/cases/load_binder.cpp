@@ -119,6 +119,7 @@ class LoadBinder {
     return Load{.name = load.name.text,
                 .acts = {.body = body, .wrench = {.moment = moment, .force = *force}},
                 .point = load.at ? point : std::nullopt,
+                .frame = load.frame,
                 .where = load.name.where};
   }
 
@@ -136,6 +137,7 @@ class LoadBinder {
                       .point = load.at ? point : std::nullopt,
                       .force = *std::move(force),
                       .couple = *std::move(couple),
+                      .frame = load.frame,
                       .where = load.name.where};
   }
 

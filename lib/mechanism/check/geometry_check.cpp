@@ -229,9 +229,17 @@ bool slips(const Mechanism& mechanism, const CouplingTopology& coupling) {
   });
 }
 
+bool has_place(const MechanismDescription& description, const CouplingTopology& coupling) {
+  return std::ranges::none_of(description.couplings, [&](const CouplingDescription& one) {
+    return one.name.text == coupling.name && is_counted_only(one);
+  });
+}
+
 }  // namespace
 
-void warn_of_links_without_length(const Mechanism& mechanism, Diagnostics& found) {
+void warn_of_links_without_length(const MechanismDescription& description,
+                                  const Mechanism& mechanism,
+                                  Diagnostics& found) {
   const Topology& topology = mechanism.topology;
   std::vector<std::vector<const CouplingTopology*>> joined(topology.bodies.size());
   for (const CouplingTopology& coupling : topology.couplings) {
@@ -246,7 +254,9 @@ void warn_of_links_without_length(const Mechanism& mechanism, Diagnostics& found
     const auto motion = [&](std::size_t i) {
       return mechanism.geometry.motions[static_cast<std::size_t>(joined[b][i]->first_freedom)];
     };
-    if (is_bar && are_coaxial(motion(0), motion(1), mechanism.geometry.length)) {
+    if (is_bar && are_coaxial(motion(0), motion(1), mechanism.geometry.length) &&
+        std::ranges::all_of(
+            joined[b], [&](const CouplingTopology* one) { return has_place(description, *one); })) {
       found.warning(
           "W0309",
           topology.bodies[b].where,

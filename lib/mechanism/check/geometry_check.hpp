@@ -28,7 +28,10 @@ bool check_axis_place(const CouplingDescription& coupling,
                       const GearFrame* gears,
                       Diagnostics& found);
 
-/// Adds W0309 for every moving body whose only couplings are two revolutes on one axis.
-void warn_of_links_without_length(const Mechanism& mechanism, Diagnostics& found);
+/// Adds W0309 for every moving body whose only couplings are two revolutes on one axis. A coupling
+/// without a place has none.
+void warn_of_links_without_length(const MechanismDescription& description,
+                                  const Mechanism& mechanism,
+                                  Diagnostics& found);
 
 }  // namespace kinestat

@@ -19,6 +19,11 @@ struct Border {
   int sign = 1;
 };
 
+// Whether a turn about the axis turns the vector.
+bool is_across(const Vec3& vector, const Vec3& axis) {
+  return axis.cross(vector).norm() > kRankZero * axis.norm() * vector.norm();
+}
+
 // Lengths count in that of the mechanism.
 double unit_of(const Mechanism& mechanism, int freedom) {
   const bool is_rotation =
@@ -286,6 +291,26 @@ std::vector<int> deciding_freedoms(const std::vector<PassiveFreedom>& passive,
     rows.col(f) /= unit_of(mechanism, f);
   }
   return deciding_columns(std::move(rows));
+}
+
+bool turns_load(const PassiveFreedom& one, const Case& which) {
+  const auto turns = [&](BodyId body, auto is_turned) {
+    const auto found = std::ranges::find(one.bodies, body);
+    return found != one.bodies.end() &&
+           is_turned(one.twists[static_cast<std::size_t>(found - one.bodies.begin())].angular);
+  };
+  return std::ranges::any_of(which.loads,
+                             [&](const Load& load) {
+                               return load.frame == LoadFrame::body &&
+                                      turns(load.acts.body, [&](const Vec3& axis) {
+                                        return is_across(load.acts.wrench.force, axis) ||
+                                               is_across(couple_of(load), axis);
+                                      });
+                             }) ||
+         std::ranges::any_of(which.moving_loads, [&](const MovingLoad& load) {
+           return load.frame == LoadFrame::body &&
+                  turns(load.body, [](const Vec3& axis) { return axis.norm() > 0.0; });
+         });
 }
 
 }  // namespace kinestat

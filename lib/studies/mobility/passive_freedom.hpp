@@ -36,4 +36,8 @@ std::vector<PassiveFreedom> passive_freedoms_beside(std::vector<PassiveFreedom> 
 std::vector<int> deciding_freedoms(const std::vector<PassiveFreedom>& passive,
                                    const Mechanism& mechanism);
 
+/// Whether it turns a load that is fixed to its body (LoadFrame::body), whose direction then
+/// follows from where the freedom stands.
+bool turns_load(const PassiveFreedom& one, const Case& which);
+
 }  // namespace kinestat

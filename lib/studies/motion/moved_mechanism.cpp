@@ -5,6 +5,7 @@
 #include "core/contract.hpp"
 #include "core/index.hpp"
 #include "mechanism/cables/capstan.hpp"
+#include "mechanism/cases/moved_load.hpp"
 #include "studies/motion/internal/coupling_poses.hpp"
 
 namespace kinestat {
@@ -39,13 +40,13 @@ class MechanismMover {
     }
     for (std::size_t c = 0; c < moved.cases.size(); ++c) {
       for (std::size_t l = 0; l < moved.cases[c].loads.size(); ++l) {
-        move_load(mechanism_.cases[c].loads[l], moved.cases[c].loads[l]);
+        const Load& drawn = mechanism_.cases[c].loads[l];
+        moved.cases[c].loads[l].point = moved_point(drawn.point, pose(drawn.acts.body));
+        moved.cases[c].loads[l].acts.wrench = moved_wrench(drawn, pose(drawn.acts.body));
       }
       for (std::size_t l = 0; l < moved.cases[c].moving_loads.size(); ++l) {
         const MovingLoad& drawn = mechanism_.cases[c].moving_loads[l];
-        if (drawn.point) {
-          moved.cases[c].moving_loads[l].point = pose(drawn.body).point(*drawn.point);
-        }
+        move_load(drawn, pose(drawn.body), moved.cases[c].moving_loads[l]);
       }
     }
   }
@@ -90,16 +91,6 @@ class MechanismMover {
         }
       }
     }
-  }
-
-  void move_load(const Load& drawn, Load& moved) const {
-    if (!drawn.point) {
-      return;
-    }
-    const Vec3 couple = couple_of(drawn);
-    const Vec3 point = pose(drawn.acts.body).point(*drawn.point);
-    moved.point = point;
-    moved.acts.wrench.moment = point.cross(drawn.acts.wrench.force) + couple;
   }
 
   const MotionNetwork& network_;

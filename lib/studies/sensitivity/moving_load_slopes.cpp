@@ -95,19 +95,28 @@ class LoadDifferentiator {
   }
 
   void add_between(const Spring& spring, const SpringNumbersOf<Dual>& numbers) {
-    const Vec3Of<Dual> arm = numbers.to - numbers.from;
-    const Dual length = sqrt(Dual(arm.squaredNorm()));
-    Dual rate(0.0);
-    if (!motion_.twists.empty()) {
-      const Vec3Of<Dual> speed =
-          velocity_at<Dual>(motion_.twists[at(spring.head.value)], numbers.to) -
-          velocity_at<Dual>(motion_.twists[at(spring.tail.value)], numbers.from);
-      rate = Dual(speed.dot(arm)) / length;
-    }
-    const Vec3Of<Dual> pull = tension_of(numbers, spring.acts, length, rate) * unit_along(arm);
+    const Vec3Of<Dual> pull = pull_of(spring, numbers);
     const Vec3Of<Dual> back = -pull;
     add(spring.head, {.moment = numbers.to.cross(back), .force = back});
     add(spring.tail, {.moment = numbers.from.cross(pull), .force = pull});
+  }
+
+  // Where the points meet, a spring has a direction only as they part: its tension is that times
+  // its stiffness (spring_states).
+  Vec3Of<Dual> pull_of(const Spring& spring, const SpringNumbersOf<Dual>& numbers) const {
+    const Vec3Of<Dual> arm = numbers.to - numbers.from;
+    Vec3Of<Dual> speed = Vec3Of<Dual>::Zero();
+    if (!motion_.twists.empty()) {
+      speed = velocity_at<Dual>(motion_.twists[at(spring.head.value)], numbers.to) -
+              velocity_at<Dual>(motion_.twists[at(spring.tail.value)], numbers.from);
+    }
+    if (!(values_of(arm).norm() > kNoSpringLength * mechanism_.geometry.length)) {
+      const bool pulls = spring.acts != SpringSense::push;
+      return Dual(pulls ? 1.0 : 0.0) * (numbers.stiffness * arm + numbers.damping * speed);
+    }
+    const Dual length = sqrt(Dual(arm.squaredNorm()));
+    const Dual rate = Dual(speed.dot(arm)) / length;
+    return tension_of(numbers, spring.acts, length, rate) * unit_along(arm);
   }
 
   const DualCase& values_;

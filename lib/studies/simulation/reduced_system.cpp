@@ -8,19 +8,11 @@
 #include "core/simulation_tolerance.hpp"
 #include "dynamics/body_inertia.hpp"
 #include "math/dense/dense_solve.hpp"
+#include "mechanism/cases/moved_load.hpp"
 
 namespace kinestat {
 
 namespace {
-
-Wrench moved_load(const Load& load, const BodyPose& pose, Vec3& point) {
-  if (!load.point) {
-    return load.acts.wrench;
-  }
-  point = pose.point(*load.point);
-  const Vec3& force = load.acts.wrench.force;
-  return {.moment = load.acts.wrench.moment + (point - *load.point).cross(force), .force = force};
-}
 
 // The sizes of the terms of its power, whatever point it is written about.
 double power_size(const Wrench& wrench, const Twist& twist, double length) {
@@ -196,11 +188,8 @@ bool ReducedSystem::add_forces(double time, const Configuration& configuration) 
     place_.positions = freedom_positions(network_, mechanism_, configuration);
   }
   for (std::size_t l = 0; l < which_.moving_loads.size(); ++l) {
-    MovingLoad& load = which_.moving_loads[l];
-    if (load.point) {
-      const Case& drawn = mechanism_.cases.front();
-      load.point = state_.poses[at(load.body.value)].point(*drawn.moving_loads[l].point);
-    }
+    const MovingLoad& drawn = mechanism_.cases.front().moving_loads[l];
+    move_load(drawn, state_.poses[at(drawn.body.value)], which_.moving_loads[l]);
   }
   const auto numbers = curve_numbers(mechanism_, which_, place_);
   if (const CurveObstacle* const none = std::get_if<CurveObstacle>(&numbers)) {
@@ -216,9 +205,8 @@ bool ReducedSystem::add_forces(double time, const Configuration& configuration) 
   springs_ = std::get<std::vector<SpringState>>(springs);
   spring_forces_ = known.springs;
   for (const Load& load : which_.loads) {
-    Vec3 point = Vec3::Zero();
     const std::size_t b = at(load.acts.body.value);
-    const Wrench wrench = moved_load(load, state_.poses[b], point);
+    const Wrench wrench = moved_wrench(load, state_.poses[b]);
     add_wrench(load.acts.body, wrench);
     powers_.supplied += is_weight(load) ? 0.0 : power(wrench, state_.twists[b]);
   }
@@ -276,7 +264,7 @@ void ReducedSystem::add_springs(const std::vector<SpringState>& springs,
         const Vec3 to = state_.poses[at(spring.head.value)].point(spring.to);
         const Vec3 speed = velocity_at(units_[j].twists[at(spring.head.value)], to) -
                            velocity_at(units_[j].twists[at(spring.tail.value)], from);
-        rate = speed.dot(to - from) / now.position;
+        rate = now.position > 0.0 ? speed.dot(to - from) / now.position : 0.0;  // of no force
       }
       add_force(-against * rate, j, forces_, sizes_);
     }

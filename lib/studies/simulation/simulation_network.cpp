@@ -78,7 +78,8 @@ class IdleMotion {
 
   bool has_load() const {
     const Case& which = mechanism_.cases.front();
-    return std::ranges::any_of(
+    return turns_load(idle_, which) ||
+           std::ranges::any_of(
                which.loads,
                [&](const Load& one) {
                  return one.point ? shifts(one.acts.body, *one.point) ||

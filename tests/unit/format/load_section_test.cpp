@@ -60,6 +60,17 @@ TEST(LoadSection, RefusesThePointOfACouple) {
             (Complaints{"1:16 E0302 load 'a' has 'at' but no force that acts there"}));
 }
 
+TEST(LoadSection, TurnsWithItsBodyOnlyWhereTheFileSaysSo) {
+  const auto reading = loads_of(
+      "a: {body: rod, couple: 1}\nb: {body: rod, couple: 1, frame: body}\n"
+      "c: {body: rod, couple: 1, frame: world}\n");
+
+  ASSERT_EQ(reading.complaints(), Complaints{});
+  EXPECT_EQ((*reading.value)[0].frame, LoadFrame::world);
+  EXPECT_EQ((*reading.value)[1].frame, LoadFrame::body);
+  EXPECT_EQ((*reading.value)[2].frame, LoadFrame::world);
+}
+
 TEST(LoadSection, ReportsEveryUnknownKey) {
   EXPECT_EQ(
       loads_of("a: {bdy: rod, couple: 1}\nb: {body: rod, couple: 1, moment: 2}\n").complaints(),

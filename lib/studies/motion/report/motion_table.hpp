@@ -66,6 +66,8 @@ struct MotionEvent {
                       ///< fourth; negative before the first
   std::vector<std::optional<double>> places;  ///< of a dead point among the rows: parallel to the
                                               ///< columns, those of drives and positions
+  bool reverses = true;  ///< whether a freedom turns back at its dead point: not at an end of a
+                         ///< motion that does not close
 };
 
 /// Friction that turns round with the sliding of its coupling.

@@ -14,6 +14,7 @@
 #include "studies/motion/motion.hpp"
 #include "studies/motion/motion_state.hpp"
 #include "studies/motion/path_leg.hpp"
+#include "studies/motion/task/reversals.hpp"
 
 namespace kinestat {
 
@@ -484,8 +485,11 @@ MotionEnd end_of(MotionStatus status) {
 }
 
 DeadPoints find_dead_points(const Mechanism& mechanism, const FoundMotion& motion) {
-  return motion.solution.path ? DeadPointsOnPath(mechanism, motion).run()
-                              : DeadPointFinder(mechanism, motion.network, motion.solution).run();
+  DeadPoints found = motion.solution.path
+                         ? DeadPointsOnPath(mechanism, motion).run()
+                         : DeadPointFinder(mechanism, motion.network, motion.solution).run();
+  judge_reversals(mechanism, motion, found.points);
+  return found;
 }
 
 }  // namespace kinestat

@@ -8,13 +8,14 @@
 
 namespace kinestat {
 
-/// A place on the way at which a freedom comes to rest and turns back.
+/// A place on the way at which a freedom comes to rest, and turns back where the motion goes on.
 struct DeadPoint {
   int freedom = 0;                   ///< index into Topology::freedoms
   int step = 0;                      ///< the last position before
   double share = 0.0;                ///< of the ranges of the drives
   double uncertainty = 0.0;          ///< of the share: half of the bracket
   Configuration configuration = {};  ///< at an end of the bracket
+  bool reverses = true;              ///< false where judge_reversals says so
 };
 
 struct DeadPoints {

@@ -19,14 +19,15 @@ namespace {
 class PassiveFindings {
  public:
   PassiveFindings(const FoundMotion& motion, const Mechanism& mechanism)
-      : report_(motion.plan.report),
+      : plan_(motion.plan),
+        report_(motion.plan.report),
         trace_(motion.plan.trace),
         mechanism_(mechanism),
         has_position_(
             freedom_positions(motion.network, mechanism, motion.solution.configuration_at(0))) {}
 
   bool shows_position(const PassiveFreedom& one) const {
-    return shows_body(one) || shows(one, true);
+    return shows_body(one) || shows(one, true) || shows_load(one);
   }
 
   bool shows_rate(const PassiveFreedom& one) const {
@@ -39,6 +40,12 @@ class PassiveFindings {
     return report_.position || std::ranges::any_of(trace_, [&](const TracedPoint& point) {
              return moves_point(one, point.body, point.at, mechanism_);
            });
+  }
+
+  // By the actions that the direction of a load decides.
+  bool shows_load(const PassiveFreedom& one) const {
+    return plan_.which >= 0 &&
+           turns_load(one, mechanism_.cases[static_cast<std::size_t>(plan_.which)]);
   }
 
   // A freedom of it, by name or as all are; of some there are only rates.
@@ -56,6 +63,7 @@ class PassiveFindings {
     return false;
   }
 
+  const MotionPlan& plan_;
   const MotionReport& report_;
   const std::vector<TracedPoint>& trace_;
   const Mechanism& mechanism_;

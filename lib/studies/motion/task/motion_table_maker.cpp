@@ -347,7 +347,8 @@ class TableMaker {
                      .step = point.step,
                      .drive = drives_at(point.share),
                      .uncertainty = uncertainty(point.share, point.uncertainty, point.step),
-                     .places = places_at(point, positions)}});
+                     .places = places_at(point, positions),
+                     .reverses = point.reverses}});
     }
     for (const SpecialPosition& special : solution_.special) {
       std::vector<double> drive;

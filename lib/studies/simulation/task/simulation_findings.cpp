@@ -14,6 +14,7 @@
 #include "core/index.hpp"
 #include "core/simulation_tolerance.hpp"
 #include "core/text.hpp"
+#include "dynamics/spring_obstacle_text.hpp"
 #include "mechanism/label_kind.hpp"
 #include "report/number_format.hpp"
 
@@ -21,7 +22,9 @@ namespace kinestat {
 
 namespace {
 
-std::string name_of(const SimulationObstacle& obstacle, const Mechanism& mechanism) {
+std::string name_of(const SimulationObstacle& obstacle,
+                    const Mechanism& mechanism,
+                    const FileUnits& units) {
   using enum SimulationObstacle::Kind;
   const std::string rubbing =
       obstacle.coupling ? fmt::format("'{}'", mechanism.topology.coupling(*obstacle.coupling).name)
@@ -39,8 +42,7 @@ std::string name_of(const SimulationObstacle& obstacle, const Mechanism& mechani
           "another",
           mechanism.topology.body(*obstacle.body).name);
     case spring:
-      return fmt::format("spring '{}' has no force there",
-                         mechanism.springs[obstacle.of_spring->spring].name);
+      return text_of(*obstacle.of_spring, mechanism.springs[obstacle.of_spring->spring], units);
     case curve:
       return obstacle.of_curve->kind == CurveObstacle::Kind::no_value
                  ? fmt::format("'{}' has no value there", obstacle.of_curve->number)
@@ -349,7 +351,7 @@ void add_obstacle(const FoundSimulation& simulation, const FileUnits& units, Dia
               fmt::format("the simulation cannot go on after {} {}: {}",
                           format_short(units.from_si(QuantityKind::time, time)),
                           units.text(QuantityKind::time),
-                          name_of(solution.obstacle, simulation.mechanism)),
+                          name_of(solution.obstacle, simulation.mechanism, units)),
               std::string(hint_of(solution.obstacle)));
 }
 

@@ -38,7 +38,8 @@ class FigureReader {
 
   double dead_points(const std::string& freedom) const {
     return static_cast<double>(std::ranges::count_if(motion_.events, [&](const MotionEvent& one) {
-      return one.kind == kDeadPointEvent && (freedom.empty() || one.element == freedom);
+      return one.kind == kDeadPointEvent && one.reverses &&
+             (freedom.empty() || one.element == freedom);
     }));
   }
 
