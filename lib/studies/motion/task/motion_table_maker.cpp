@@ -8,6 +8,7 @@
 #include "core/tolerance.hpp"
 #include "mechanism/label_kind.hpp"
 #include "studies/motion/followed_configurations.hpp"
+#include "studies/motion/task/assembly_table.hpp"
 #include "studies/motion/task/columns/motion_column_choice.hpp"
 #include "studies/motion/task/columns/motion_columns.hpp"
 #include "studies/motion/task/drive_counts.hpp"
@@ -74,7 +75,7 @@ class TableMaker {
     add_events();
     add_column_figures();
     poles_.leave_out_unbounded(readings_, table_.drives.size(), table_);
-    add_assembly();
+    add_assembly(solution_.assembly, mechanism_, units_, table_);
     return std::move(table_);
   }
 
@@ -443,32 +444,6 @@ class TableMaker {
     }
     return value && std::isfinite(*value) ? std::optional(in_unit(readings_[reading].kind, *value))
                                           : std::nullopt;
-  }
-
-  std::vector<CouplingGap> gaps(const std::vector<CouplingMiss>& misses) const {
-    std::vector<CouplingGap> result;
-    for (const CouplingMiss& miss : misses) {
-      result.push_back({.coupling = topology_.coupling(miss.coupling).name,
-                        .distance = in_unit(QuantityKind::length, miss.distance),
-                        .angle = in_unit(QuantityKind::angle, miss.angle)});
-    }
-    return result;
-  }
-
-  void add_assembly() {
-    const Assembly& assembly = solution_.assembly;
-    table_.drawn_gaps = gaps(assembly.drawn_misses);
-    table_.nearest_gaps = gaps(assembly.nearest_misses);
-    for (std::size_t b = 1; b < assembly.corrections.size(); ++b) {
-      const BodyPose& pose = assembly.corrections[b];
-      const Vec3& reference = mechanism_.geometry.references[b];
-      const Vec3 shift = pose.point(reference) - reference;
-      table_.corrections.push_back(
-          {.body = topology_.bodies[b].name,
-           .shift = shift.unaryExpr([this](double x) { return in_unit(QuantityKind::length, x); }),
-           .angle =
-               in_unit(QuantityKind::angle, std::abs(Eigen::AngleAxisd(pose.rotation).angle()))});
-    }
   }
 
   const MechanismDescription& description_;
