@@ -39,6 +39,7 @@ loads: {wind: {body: pendulum, at: [0.3, -0.4], force: [0, pull]}}
 simulation: {action: {push: 3, swing: 0.5}, stops: {push: {to: 0.05}}, time: 2 s, steps: 40,
              report: [position, velocity, acceleration, action], tolerance: 1e-11}
 """)
+        self.assertIn("spring.s/couple", found.columns)
         for i, time in enumerate(found.columns["time"]):
             at = {name: values[i] for name, values in found.columns.items()}
             angle = math.atan2(-0.4, 0.3) + at["b.wz/position"]
@@ -50,6 +51,11 @@ simulation: {action: {push: 3, swing: 0.5}, stops: {push: {to: 0.05}}, time: 2 s
             self.near(at["a.Ry/action"], 3 * G + rise - wind, 1e-7, f"cart {time}")
             self.near(at["b.Rx/action"], along, 1e-7, f"pin {time}")
             self.near(at["b.Ry/action"], G + rise - wind, 1e-7, f"pin {time}")
+            self.near(at["spring.s/angle"], at["b.wz/position"], 1e-12, f"spring {time}")
+            self.near(at["spring.s/couple"], 3 * (0.2 - at["b.wz/position"]) - 0.1 * spin, 1e-9,
+                      f"spring {time}")
+            self.near(at["spring.k/length"], 1 + at["a.vx/position"], 1e-12, f"spring {time}")
+            self.near(at["spring.k/force"], 40 * (0.1 + at["a.vx/position"]), 1e-10, f"spring {time}")
         self.assertIn("impact", [event["kind"] for event in found.events])
 
     def test_bearing_of_a_pendulum(self) -> None:

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "description/simulation_report_words.hpp"
+#include "mechanism/cases/load.hpp"
 #include "mechanism/check/section_checks.hpp"
 
 namespace kinestat {
@@ -31,7 +32,9 @@ void check_report(const Name& name, const SectionContext& context) {
     return;
   }
   const Name owner{.text = name.text.substr(0, name.text.find_first_of("./")), .where = name.where};
-  if (owner.text != kEnergyWord && !context.names.couplings.contains(owner.text)) {
+  const bool is_spring =
+      name.text.starts_with(kSpringPrefix) && !context.description.springs.empty();
+  if (owner.text != kEnergyWord && !is_spring && !context.names.couplings.contains(owner.text)) {
     context.names.check_actuator(owner, "'report' of 'simulation' names", context.found);
   }
 }

@@ -382,6 +382,7 @@ ReducedState ReducedSystem::tell(const Configuration& configuration,
   result.held = held_;
   result.actions = actions_;
   result.friction = friction_;
+  result.springs = springs_;
   for (std::size_t i = 0; i < mechanism_.frictions.size(); ++i) {
     const CouplingFriction& friction = mechanism_.frictions[i];
     const int freedom = mechanism_.topology.coupling(friction.coupling).first_freedom;

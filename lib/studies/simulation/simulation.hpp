@@ -32,8 +32,9 @@ struct SimulationRow {
   std::vector<std::optional<double>> borne = {};  ///< of all actions; none unless the plan asks
   std::vector<std::optional<double>> friction = {};  ///< of each friction of the mechanism, of tail
                                                      ///< on head about or along its freedom
-  std::optional<double> kinetic = {};                ///< [J]; none in a singular position
-  double potential = 0.0;                            ///< of weights and springs, as drawn zero [J]
+  std::vector<SpringState> springs = {};  ///< of each spring; none in a singular position
+  std::optional<double> kinetic = {};     ///< [J]; none in a singular position
+  double potential = 0.0;                 ///< of weights and springs, as drawn zero [J]
   double supplied = 0.0;  ///< by actions, loads and what is held, since the begin [J]
   double lost = 0.0;      ///< in dampers, friction and impacts, likewise
 

@@ -281,6 +281,7 @@ bool Simulator::add_row(double time, std::span<const double> y) {
        .held = std::move(now.held),
        .borne = std::move(now.borne),
        .friction = std::move(now.friction),
+       .springs = std::move(now.springs),
        .kinetic = now.kinetic,
        .potential = now.potential,
        .supplied = y[2 * free],

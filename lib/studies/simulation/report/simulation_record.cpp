@@ -6,6 +6,7 @@
 #include "core/diagnostic.hpp"
 #include "core/index.hpp"
 #include "mechanism/label_kind.hpp"
+#include "mechanism/springs/spring_quantities.hpp"
 #include "report/report_keys.hpp"
 
 namespace kinestat {
@@ -67,6 +68,7 @@ class ColumnMaker {
       add_freedom(f);
     }
     add_actions();
+    add_springs();
     using enum QuantityKind;
     add("", "energy/kinetic", energy, [](const SimulationRow& row) { return row.kinetic; });
     add("", "energy/potential", energy, [](const SimulationRow& row) { return row.potential; });
@@ -106,6 +108,25 @@ class ColumnMaker {
     }
   }
 
+  void add_springs() {
+    for (std::size_t i = 0; i < v_.mechanism.springs.size(); ++i) {
+      const Spring& spring = v_.mechanism.springs[i];
+      const SpringQuantities& quantities = quantities_of(spring, topology_);
+      const auto add_of = [&](const char* quantity,
+                              QuantityKind kind,
+                              double SpringState::*member) {
+        add(std::string(kSpringPrefix) + spring.name,
+            quantity,
+            kind,
+            [=](const SimulationRow& row) {
+              return i < row.springs.size() ? std::optional(row.springs[i].*member) : std::nullopt;
+            });
+      };
+      add_of(quantities.position, quantities.position_kind, &SpringState::position);
+      add_of(quantities.action, quantities.action_kind, &SpringState::force);
+    }
+  }
+
   // What else the freedom of an actuator may be called.
   std::string actuator_of(const std::string& element) const {
     for (const ActuatorTopology& actuator : topology_.actuators) {
@@ -121,7 +142,7 @@ class ColumnMaker {
     const SimulationReport& report = v_.plan.report;
     return quantity == "time" || report.is_default ||
            wants(report, element, actuator_of(element), quantity) ||
-           (report.action && quantity == kFrictionColumn);
+           (report.action && (quantity == kFrictionColumn || element.starts_with(kSpringPrefix)));
   }
 
   template <class Read>

@@ -14,6 +14,7 @@
 #include "description/simulation_report_words.hpp"
 #include "mechanism/bind/evaluator.hpp"
 #include "mechanism/label_kind.hpp"
+#include "mechanism/springs/spring_quantities.hpp"
 #include "studies/simulation/rubbing.hpp"
 #include "studies/simulation/task/simulation_limits.hpp"
 
@@ -206,8 +207,8 @@ class SimulationReader {
         found_.error("E0313",
                      name.where,
                      fmt::format("the simulation has no column '{}'", name.text),
-                     fmt::format("write {}, or the name of a freedom, an actuator, an action or a "
-                                 "coupling",
+                     fmt::format("write {}, or the name of a freedom, an actuator, an action, a "
+                                 "coupling or a spring, spring.NAME",
                                  fmt::join(kSimulationReportWords, ", ")));
       }
     }
@@ -233,7 +234,14 @@ class SimulationReader {
         return true;
       }
     }
-    return std::ranges::any_of(
+    const auto names_spring = [&](const Spring& spring) {
+      const SpringQuantities& quantities = quantities_of(spring, topology_);
+      const std::string element = std::string(kSpringPrefix) + spring.name;
+      return names_column(name, element, "", quantities.position) ||
+             names_column(name, element, "", quantities.action);
+    };
+    return std::ranges::any_of(mechanism_.springs, names_spring) ||
+           std::ranges::any_of(
                mechanism_.frictions,
                [&](const CouplingFriction& one) {
                  return names_column(
