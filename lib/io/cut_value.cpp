@@ -77,7 +77,8 @@ void report_decimal_commas(const YamlNode& node, Diagnostics& found) {
     const YamlNode& before = node.entries[i - 1].value;
     const bool is_beside = before.where.line == entry.key_where.line &&
                            before.where.column + before.where.length + 1 == entry.key_where.column;
-    if (!is_piece(before) || !is_beside || !ends_in_digit(before.text)) {
+    if (!is_piece(before) || !is_beside || !ends_in_digit(before.text) ||
+        open_parentheses(before.text) != 0) {
       continue;
     }
     const std::size_t digits = leading_digits(entry.key);

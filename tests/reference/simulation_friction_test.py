@@ -255,6 +255,24 @@ simulation: {action: {m: 0, o: 0, C: 0}, start: {m: {speed: 30 rad/s}}, time: 60
                     self.assertIsNone(at["C/friction"])
             self.near(found.last()["energy/lost"], 5 * 30 ** 2 / 2, 1e-6)
 
+    def test_a_clutch_that_sticks_later_leaves_the_start_as_it_is(self) -> None:
+        """What the start does not name is at rest, however long the simulation is."""
+        for clutch in ("clutch", "revolute"):
+            for time in (0.001, 60):
+                found = Simulation(f"""
+kinestat: 1
+space: planar
+ground: frame
+bodies: {{fly: {{inertia: 5}}, shaft: {{inertia: 0.1}}}}
+couplings:
+  a: {{type: revolute, bodies: [frame, fly], at: [0, 0], friction: {{tau: 2}}}}
+  b: {{type: revolute, bodies: [frame, shaft], at: [0, 0], friction: {{tau: 1}}}}
+  C: {{type: {clutch}, bodies: [fly, shaft], at: [0, 0], friction: {{tau: 80}}}}
+actuators: {{m: {{coupling: a}}}}
+simulation: {{action: {{m: 0{", C: 0" if clutch == "clutch" else ""}}}, start: {{a.wz: {{speed: 30}}}}, time: {time}, steps: 2}}
+""")
+                self.near(found.at(0)["b.wz/velocity"], 0.0, 1e-12, f"{clutch} {time}")
+
     def test_plank_takes_a_block_along_until_it_is_too_fast(self) -> None:
         found = Simulation(PLANK)
         self.assertEqual(kinds(found), ["stick", "stick", "slip", "slip"])

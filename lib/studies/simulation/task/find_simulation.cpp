@@ -29,15 +29,13 @@ class StartFinder {
       : mechanism_(mechanism), topology_(mechanism.topology), plan_(plan), found_(found) {}
 
   // Of the freedoms that stick by themselves, those of `preferred` are joints of the tree before
-  // others: not all in a circuit can be.
+  // others: not all in a circuit can be. Where it begins does not depend on them.
   std::optional<SimulationBegin> find(const std::vector<DrawnCoupling>& drawn,
                                       const std::vector<int>& preferred) {
-    std::vector<int> sticking = sticking_freedoms(mechanism_);
-    std::ranges::stable_partition(sticking, [&](int freedom) {
-      return std::ranges::find(preferred, freedom) != preferred.end();
-    });
-    std::vector<int> more = driven_freedoms();
+    const std::vector<int> sticking = sticking_freedoms(mechanism_);
+    std::vector<int> more = topology_.driven_freedoms();
     more.insert(more.end(), sticking.begin(), sticking.end());
+    more = ground_first(std::move(more));
     const MotionNetwork network =
         make_simulation_network(mechanism_, drawn, plan_, named(true), more);
     if (!check_movable(network) || !check_goals(network)) {
@@ -56,6 +54,9 @@ class StartFinder {
         sticking, [&](int freedom) { return rate_of_freedom(network, freedom) >= 0; });
     if (!has_all) {
       std::vector<int> first = sticking;
+      std::ranges::stable_partition(first, [&](int freedom) {
+        return std::ranges::find(preferred, freedom) != preferred.end();
+      });
       const std::vector<int> starts = named(true);
       first.insert(first.end(), starts.begin(), starts.end());
       const MotionNetwork other =
@@ -66,16 +67,15 @@ class StartFinder {
   }
 
  private:
-  // Of actuators, on the ground first: where a start does not name enough freedoms, these begin at
-  // rest, rather than what moves with others.
-  std::vector<int> driven_freedoms() const {
-    std::vector<int> all = topology_.driven_freedoms();
-    std::ranges::stable_partition(all, [&](int freedom) {
+  // Those of couplings on the ground before others: where a start does not name enough freedoms,
+  // these begin at rest, rather than what moves with others.
+  std::vector<int> ground_first(std::vector<int> freedoms) const {
+    std::ranges::stable_partition(freedoms, [&](int freedom) {
       const CouplingTopology& coupling =
           topology_.coupling(topology_.freedoms[at(freedom)].coupling);
       return coupling.tail.value == 0 || coupling.head.value == 0;
     });
-    return all;
+    return freedoms;
   }
 
   // Freedoms that must be joints of the tree: those that are held or stopped, and those given.
@@ -157,7 +157,7 @@ class StartFinder {
       }
     }
     std::vector<int> preferred = first;
-    for (const int freedom : driven_freedoms()) {
+    for (const int freedom : ground_first(topology_.driven_freedoms())) {
       const int rate = rate_of_freedom(network, freedom);
       if (rate >= 0 && std::ranges::find(preferred, rate) == preferred.end()) {
         preferred.push_back(rate);
@@ -306,7 +306,7 @@ class StartFinder {
   // Of the named freedoms, then of the actuators, as far as the tree has them.
   std::vector<int> rates_of(const MotionNetwork& network) const {
     std::vector<int> freedoms = named(true);
-    const std::vector<int> driven = driven_freedoms();
+    const std::vector<int> driven = ground_first(topology_.driven_freedoms());
     freedoms.insert(freedoms.end(), driven.begin(), driven.end());
     std::vector<int> rates;
     for (const int freedom : freedoms) {

@@ -133,7 +133,28 @@ class ColumnSearch {
                    "remove 'step', or let 'shift:' name the input, the output and the elements");
       return std::nullopt;
     }
+    if (const std::vector<std::string> others = gears_left_out(); !others.empty()) {
+      found_.error(
+          "E0305",
+          name.where,
+          fmt::format("'step' compares a gear with the next lower one of the file, and the "
+                      "sweep leaves out {}",
+                      quoted_list(others)),
+          "name them too, or leave out 'cases:' of 'sweep'");
+      return std::nullopt;
+    }
     return SweepColumn{.kind = step, .index = -1, .name = name.text, .unit = {}};
+  }
+
+  // Of the gears that 'shift' names, those that the sweep does not analyse.
+  std::vector<std::string> gears_left_out() const {
+    std::vector<std::string> others;
+    for (const GearLabel& gear : description_.shift->names) {
+      if (std::ranges::find(cases_, gear.label.text, &Case::label) == cases_.end()) {
+        others.push_back(gear.label.text);
+      }
+    }
+    return others;
   }
 
   std::optional<SweepColumn> limit_use_of_gears(const Name& name) {
