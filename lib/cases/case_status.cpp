@@ -8,8 +8,8 @@
 namespace kinestat {
 
 std::string_view impossible_status(const Mechanism& mechanism, const CaseAnalysis& one) {
-  const std::vector<WrongFreewheel> wrong = find_wrong_freewheels(
-      mechanism, one.motion ? &*one.motion : nullptr, one.action ? &*one.action : nullptr);
+  const std::vector<WrongFreewheel> wrong =
+      find_wrong_freewheels(mechanism, one.motion, one.action);
   if (!wrong.empty()) {
     return wrong.front().fault == FreewheelFault::overruns ? kFreewheelOverruns : kFreewheelLocks;
   }

@@ -12,9 +12,8 @@ namespace kinestat {
 
 void add_freewheel_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
   const FileUnits& units = file.description.units;
-  for (const WrongFreewheel& wrong : find_wrong_freewheels(file.mechanism,
-                                                           one.motion ? &*one.motion : nullptr,
-                                                           one.action ? &*one.action : nullptr)) {
+  for (const WrongFreewheel& wrong :
+       find_wrong_freewheels(file.mechanism, one.motion, one.action)) {
     const CouplingTopology& coupling = file.mechanism.topology.coupling(wrong.coupling);
     const bool overruns = wrong.fault == FreewheelFault::overruns;
     const QuantityKind kind = overruns ? QuantityKind::moment : QuantityKind::angular_velocity;
@@ -44,7 +43,7 @@ void add_freewheel_findings(const JudgedFile& file, const CaseAnalysis& one, Cas
             : fmt::format("engage it: motion: {{{0}: 0}} instead of action: {{{0}: 0}}; the "
                           "sign is that of the second of its bodies relative to the first",
                           coupling.name));
-    added.element = coupling.name;
+    added.element = fmt::format("{} {}", coupling.name, overruns ? "overruns" : "locks");
     added.size = std::abs(wrong.value);
   }
 }

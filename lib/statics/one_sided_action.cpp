@@ -40,16 +40,15 @@ std::vector<int> find_pulling_contacts(const Mechanism& mechanism, const StaticS
 }
 
 std::vector<WrongFreewheel> find_wrong_freewheels(const Mechanism& mechanism,
-                                                  const KinematicSolution* motion,
-                                                  const StaticSolution* action) {
+                                                  const std::optional<KinematicSolution>& motion,
+                                                  const std::optional<StaticSolution>& action) {
   const auto torque_of = [&](const Freewheel& one) {
-    const bool is_known = action != nullptr && !action->magnitudes.empty() &&
+    const bool is_known = action && !action->magnitudes.empty() &&
                           action->magnitudes[static_cast<std::size_t>(one.action)].has_value();
     return is_known ? bounded_action(*action, one.action).zeroed() : 0.0;
   };
   const auto slip_of = [&](const Freewheel& one) {
-    const bool is_known =
-        motion != nullptr && !motion->rates.empty() && motion->knows_rate(one.freedom);
+    const bool is_known = motion && !motion->rates.empty() && motion->knows_rate(one.freedom);
     return is_known ? bounded_rate(*motion, one.freedom).zeroed() : 0.0;
   };
   std::vector<WrongFreewheel> wrong;

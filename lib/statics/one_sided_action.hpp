@@ -2,6 +2,7 @@
 // hold one torque.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "kinematics/kinematic_solution.hpp"
@@ -25,10 +26,10 @@ struct WrongFreewheel {
   double value = 0.0;  ///< the torque [N·m] or the slip [rad/s] that it asks for
 };
 
-/// By what is known of the motion and the actions beyond rounding; either may be null.
+/// By what is known of the motion and the actions beyond rounding; either may be empty.
 std::vector<WrongFreewheel> find_wrong_freewheels(const Mechanism& mechanism,
-                                                  const KinematicSolution* motion,
-                                                  const StaticSolution* action);
+                                                  const std::optional<KinematicSolution>& motion,
+                                                  const std::optional<StaticSolution>& action);
 
 /// Whether, among these actions [N·m or N], all contacts push and all cables pull within rounding.
 bool is_one_sided(const VecX& actions, const Topology& topology);

@@ -255,6 +255,27 @@ simulation: {action: {m: 0, o: 0, C: 0}, start: {m: {speed: 30 rad/s}}, time: 60
                     self.assertIsNone(at["C/friction"])
             self.near(found.last()["energy/lost"], 5 * 30 ** 2 / 2, 1e-6)
 
+    def test_a_clutch_takes_a_shaft_along_from_rest(self) -> None:
+        """Three couplings stick before; two of them slide at once, and the clutch sticks."""
+        for torque in (5.0, 90.0):
+            found = Simulation(f"""
+kinestat: 1
+space: planar
+ground: frame
+bodies: {{fly: {{inertia: 5}}, shaft: {{inertia: 0.1}}}}
+couplings:
+  a: {{type: revolute, bodies: [frame, fly], at: [0, 0], friction: {{tau: 2}}}}
+  b: {{type: revolute, bodies: [frame, shaft], at: [0, 0], friction: {{tau: 1}}}}
+  C: {{type: clutch, bodies: [fly, shaft], at: [0, 0], friction: {{tau: 80}}}}
+actuators: {{m: {{coupling: a}}}}
+simulation: {{action: {{m: {torque}, C: 0}}, time: 2, steps: 4, tolerance: 1e-11}}
+""")
+            turns = (torque - 3) / 5.1
+            last = found.last()
+            self.near(last["a.wz/velocity"], 2 * turns, 1e-9, f"{torque}")
+            self.near(last["b.wz/velocity"], 2 * turns, 1e-9, f"{torque}")
+            self.near(abs(last["C/friction"]), 1 + 0.1 * turns, 1e-9, f"{torque}")
+
     def test_a_clutch_that_sticks_later_leaves_the_start_as_it_is(self) -> None:
         """What the start does not name is at rest, however long the simulation is."""
         for clutch in ("clutch", "revolute"):

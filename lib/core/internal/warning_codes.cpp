@@ -239,10 +239,11 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      done,
      "no efficiency in a position of a motion",
      "The efficiency of a case is the power of its outputs over that of its inputs. It has no "
-     "value "
-     "where the power of an input is not positive, where an output supplies power, where something "
-     "else supplies or absorbs power, such as a load that the case names neither as 'input' nor as "
-     "'output', and where nothing loses any. The rows have the status 'no_efficiency' there."},
+     "value where the power of an input is not positive, where an output supplies power, or where "
+     "something else supplies or absorbs power, such as a load that the case names neither as "
+     "'input' nor as 'output': rows there have the status 'no_efficiency', or 'self_locking' where "
+     "friction takes more than the inputs supply. Where nothing loses power there is none either, "
+     "and rows are solved."},
     {"W0601",
      done,
      "actions are statically indeterminate",

@@ -61,7 +61,7 @@ std::optional<DutyState> ClosedCase::find(std::span<const double> motions,
   return state;
 }
 
-// Of those on the wrong side, an analysis tells.
+// Where one is on the wrong side, an analysis of the point has to say so.
 bool ClosedCase::has_right_freewheels(const DutyState& state) const {
   return std::ranges::none_of(mechanism_.freewheels, [&](const Freewheel& one) {
     const double torque = state.actions[static_cast<std::size_t>(one.action)].value_or(0.0);

@@ -7,7 +7,8 @@
 
 #include "core/index.hpp"
 #include "core/motion_tolerance.hpp"
-#include "mechanism/gears/coast_flanks.hpp"
+#include "core/tolerance.hpp"
+#include "math/numbers/zero_within_bound.hpp"
 #include "network/bases.hpp"
 #include "statics/action.hpp"
 #include "statics/equilibrium.hpp"
@@ -124,10 +125,16 @@ FrictionMagnitudes StateBalance::solve_friction(std::span<const BodyWrench> load
                                  .along = along});
 }
 
+// Zero where they are rounding of what acts.
+ForceOf StateBalance::tooth_forces(std::span<const std::optional<double>> magnitudes) const {
+  return [=, this](int action) {
+    return zero_within_bound(magnitudes[at(action)].value_or(0.0), kConsistency * largest_load_);
+  };
+}
+
 // True if some press on another flank than those for which the magnitudes hold.
 bool StateBalance::turn_flanks_under(std::span<const std::optional<double>> magnitudes) {
-  std::vector<int> coast = coast_flanks_under(
-      moved_.geometry, coast_, [&](int action) { return magnitudes[at(action)].value_or(0.0); });
+  std::vector<int> coast = coast_flanks_under(moved_.geometry, coast_, tooth_forces(magnitudes));
   if (coast == coast_) {
     return false;
   }
@@ -138,15 +145,26 @@ bool StateBalance::turn_flanks_under(std::span<const std::optional<double>> magn
 }
 
 std::vector<int> StateBalance::pulling(std::span<const std::optional<double>> magnitudes) const {
-  return pulling_teeth(
-      moved_, coast_, [&](int action) { return magnitudes[at(action)].value_or(0.0); });
+  return pulling_teeth(moved_, coast_, tooth_forces(magnitudes));
+}
+
+// Forces, and couples over the size of the mechanism.
+void StateBalance::note_largest(std::span<const BodyWrench> loads) {
+  largest_load_ = 0.0;
+  for (const BodyWrench& load : loads) {
+    largest_load_ = std::max({largest_load_,
+                              load.wrench.force.norm(),
+                              load.wrench.moment.norm() / moved_.geometry.length});
+  }
 }
 
 bool StateBalance::turn_flanks(std::span<const BodyWrench> loads) {
+  note_largest(loads);
   return !moved_.geometry.other_flanks.empty() && turn_flanks_under(solve_on_flanks(loads));
 }
 
 std::vector<std::optional<double>> StateBalance::solve(std::span<const BodyWrench> loads) {
+  note_largest(loads);
   std::vector<std::optional<double>> magnitudes = solve_on_flanks(loads);
   const std::size_t most_rounds = 2 * moved_.geometry.other_flanks.size();
   for (std::size_t i = 0; i < most_rounds && turn_flanks_under(magnitudes); ++i) {

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "mechanism/gears/coast_flanks.hpp"
 #include "statics/friction_solve.hpp"
 #include "statics/static_solution.hpp"
 #include "studies/motion/motion_solution.hpp"
@@ -52,6 +53,8 @@ class StateBalance {
 
  private:
   std::vector<std::optional<double>> solve_on_flanks(std::span<const BodyWrench> loads) const;
+  void note_largest(std::span<const BodyWrench> loads);
+  ForceOf tooth_forces(std::span<const std::optional<double>> magnitudes) const;
   bool turn_flanks_under(std::span<const std::optional<double>> magnitudes);
   std::vector<std::optional<double>> solve_with_rounding(const CoordinateBasis& basis,
                                                          std::span<const BodyWrench> loads) const;
@@ -63,6 +66,7 @@ class StateBalance {
   std::vector<Rubbing> sliding_;  // without what is viscous
   std::vector<Rubbing> resting_;
   std::vector<Primary> idle_;  // the actions of actuators, which are loads here
+  double largest_load_ = 0.0;  // of those that were solved last [N]
   std::vector<int> coast_;     // flanks on which teeth press, as they did last
 };
 

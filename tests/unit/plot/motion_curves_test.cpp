@@ -189,7 +189,7 @@ TEST(MotionCharts, StandOverAnyColumn) {
   ASSERT_EQ(over_speed.charts.size(), 1U);
   EXPECT_EQ(over_speed.charts[0].x.label, "velocity of d.vx");
   EXPECT_EQ(over_speed.charts[0].y.label, "position of motor");
-  EXPECT_DOUBLE_EQ(over_speed.charts[0].guides.at(0).x, -1.5);
+  EXPECT_DOUBLE_EQ(over_speed.charts[0].guides.at(0).x, 0.0);
   EXPECT_FALSE(find_abscissa(table, "d.vx"));
 }
 

@@ -129,13 +129,18 @@ std::string MotionAbscissa::place_text(double value) const {
 }
 
 std::optional<double> MotionAbscissa::place_of(const MotionEvent& event) const {
-  if (column_ == 0) {
-    return event.drive.empty() || !std::isfinite(event.drive.front())
-               ? std::nullopt
-               : std::optional(event.drive.front());
+  if (column_ < event.drive.size()) {
+    return std::isfinite(event.drive[column_]) ? std::optional(event.drive[column_]) : std::nullopt;
   }
-  return column_ < event.places.size() && event.places[column_] ? event.places[column_]
-                                                                : between_rows(event.row);
+  if (column_ < event.places.size() && event.places[column_]) {
+    return event.places[column_];
+  }
+  const MotionColumn& column = motion_.columns[column_];
+  if (event.kind == kDeadPointEvent && column.element == event.element &&
+      column.quantity == "velocity") {
+    return 0.0;
+  }
+  return column.quantity == kTimeColumn ? between_rows(event.row) : std::nullopt;
 }
 
 std::optional<double> MotionAbscissa::place_of(const ColumnExtreme& extreme) const {

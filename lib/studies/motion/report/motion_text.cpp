@@ -79,16 +79,15 @@ class MotionWriter {
       const auto drive_at = [&](const std::optional<ColumnExtreme>& one) {
         return one && !is_constant ? std::optional(one->drive) : std::nullopt;
       };
-      const std::array cells = {with_unit(motion_.columns[c].name(), motion_.columns[c].unit),
-                                least ? format_short(least->value) : infinite,
-                                shown(drive_at(least)),
-                                greatest ? format_short(greatest->value) : infinite,
-                                shown(drive_at(greatest)),
-                                is_constant  ? "constant"
-                                : is_bounded ? format_short(greatest->value - least->value)
-                                             : infinite,
-                                shown(mean),
-                                shown(rms)};
+      const std::array cells = {
+          with_unit(motion_.columns[c].name(), motion_.columns[c].unit),
+          least ? format_short(least->value) : infinite,
+          shown(drive_at(least)),
+          greatest ? format_short(greatest->value) : infinite,
+          shown(drive_at(greatest)),
+          is_bounded ? format_short(is_constant ? 0.0 : greatest->value - least->value) : infinite,
+          shown(mean),
+          shown(rms)};
       for (std::size_t i = 0; i < cells.size(); ++i) {
         table[i].cells.push_back(cells[i]);
       }

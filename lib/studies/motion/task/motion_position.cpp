@@ -132,8 +132,10 @@ MotionPosition MotionPositions::at(const Configuration& configuration,
     hold_known(*which_, position.state);
   }
   place(configuration, position);
-  const bool lacks_velocities = asks_speeds && !position.has_speeds();
-  const bool has_passes = !position.state.is_singular && (detail_.statics || lacks_velocities);
+  // Freewheels are judged by their slips alone, too.
+  const bool needs_motion =
+      asks_speeds && (!position.has_speeds() || !mechanism_.freewheels.empty());
+  const bool has_passes = !position.state.is_singular && (detail_.statics || needs_motion);
   if (detail_.transmission_angle || has_passes) {
     move(configuration, position);
   }

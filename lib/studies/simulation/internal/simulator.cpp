@@ -349,6 +349,22 @@ void Simulator::note_borne(const std::vector<std::optional<double>>& borne) {
   }
 }
 
+namespace {
+
+void forget_actions(SimulationRow& row) {
+  const auto forget = [](std::vector<std::optional<double>>& values) {
+    std::ranges::fill(values, std::nullopt);
+  };
+  forget(row.rate_rates);
+  forget(row.borne);
+  forget(row.friction);
+  row.actions.clear();
+  row.held.clear();
+  row.lacks_accelerations = true;
+}
+
+}  // namespace
+
 SimulationSolution Simulator::stuck() {
   result_.end = SimulationEnd::stuck;
   result_.obstacle = obstacle_;
@@ -364,8 +380,12 @@ SimulationSolution Simulator::finish() {
     const double spacing = plan_.duration / plan_.steps;
     const bool is_same =
         !result_.rows.empty() && time_ - result_.rows.back().time <= kSameRow * spacing;
-    if (add_row(time_, state_) && is_same) {
+    const bool is_added = add_row(time_, state_);
+    if (is_added && is_same) {
       result_.rows.erase(result_.rows.end() - 2);
+    }
+    if (is_added && result_.end == SimulationEnd::stuck && has_dry()) {
+      forget_actions(result_.rows.back());  // those of the last way that was tried
     }
   }
   for (const SimulationRow& row : result_.rows) {

@@ -49,6 +49,7 @@ class Simulator : private StateInTime {
 
   // What moves a friction, by unit speeds of the free coordinates in radians and sizes.
   VecX direction_in_sizes(std::size_t friction) const;
+  std::vector<VecX> directions_of(const std::vector<StuckGroup>& groups) const;
 
   bool is_joint(std::size_t friction) const;      // of the tree, so that it can be held
   double no_sliding(std::size_t friction) const;  // what counts as none
@@ -132,7 +133,6 @@ class Simulator : private StateInTime {
   void note_borne(const std::vector<std::optional<double>>& borne);
   SimulationSolution stuck();
   SimulationSolution finish();
-
   std::vector<double> signs_;                 // of each goal
   std::vector<StuckGroup> stuck_before_;      // the impact that let them go
   std::vector<double> turns_;                 // of curves over time

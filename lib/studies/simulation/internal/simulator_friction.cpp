@@ -48,6 +48,17 @@ bool are_independent(std::vector<VecX> directions) {
   return true;
 }
 
+// Whether there is a motion for each group that sticks, so that it is known what holds each.
+bool stick_alone(const std::vector<int>& pattern, const std::vector<VecX>& directions) {
+  std::vector<VecX> sticking;
+  for (std::size_t g = 0; g < pattern.size(); ++g) {
+    if (pattern[g] == 0) {
+      sticking.push_back(directions[g]);
+    }
+  }
+  return are_independent(std::move(sticking));
+}
+
 // How it speeds up.
 std::optional<double> sliding_acceleration(const Rubbing& friction,
                                            ReducedSystem& system,
@@ -96,6 +107,14 @@ void Simulator::read_senses() {
     }
   }
   system_->set_friction(senses_, false);
+}
+
+std::vector<VecX> Simulator::directions_of(const std::vector<StuckGroup>& groups) const {
+  std::vector<VecX> directions;
+  for (const StuckGroup& group : groups) {
+    directions.push_back(direction_in_sizes(group.frictions.front()));
+  }
+  return directions;
 }
 
 VecX Simulator::direction_in_sizes(std::size_t friction) const {
@@ -149,7 +168,6 @@ std::vector<Simulator::StuckGroup> Simulator::groups_at_rest() const {
 // sliding tells whether it does, unless it may do both.
 std::optional<SimulationObstacle> Simulator::obstacle_of(
     const std::vector<StuckGroup>& groups) const {
-  std::vector<VecX> directions;
   for (const StuckGroup& group : groups) {
     const std::size_t lead = group.frictions.front();
     const bool has_both = std::ranges::any_of(
@@ -158,9 +176,8 @@ std::optional<SimulationObstacle> Simulator::obstacle_of(
       return SimulationObstacle{.kind = SimulationObstacle::Kind::stuck_in_circuit,
                                 .coupling = frictions_[lead].coupling};
     }
-    directions.push_back(direction_in_sizes(lead));
   }
-  if (groups.size() > kMostGroups || !are_independent(std::move(directions))) {
+  if (groups.size() > kMostGroups) {
     return SimulationObstacle{.kind = SimulationObstacle::Kind::open_friction,
                               .coupling = frictions_[groups.front().frictions.front()].coupling};
   }
@@ -222,6 +239,7 @@ std::optional<std::vector<int>> Simulator::find_pattern(const std::vector<StuckG
   const SimulationObstacle in_two_ways{
       .kind = SimulationObstacle::Kind::friction_in_two_ways,
       .coupling = frictions_[groups.front().frictions.front()].coupling};
+  const std::vector<VecX> directions = directions_of(groups);
   std::optional<SimulationObstacle> why;
   std::optional<std::vector<int>> found;
   for (const std::vector<int>& pattern : patterns_of(groups.size())) {
@@ -233,6 +251,11 @@ std::optional<std::vector<int>> Simulator::find_pattern(const std::vector<StuckG
         why = SimulationObstacle{.kind = SimulationObstacle::Kind::stuck_in_circuit,
                                  .coupling = frictions_[lead].coupling};
       }
+    }
+    if (!is_left_out && !stick_alone(pattern, directions)) {
+      is_left_out = true;
+      why = why.value_or(SimulationObstacle{.kind = SimulationObstacle::Kind::open_friction,
+                                            .coupling = in_two_ways.coupling});
     }
     if (is_left_out || (found && std::ranges::count(pattern, 0) < std::ranges::count(*found, 0))) {
       continue;
@@ -331,12 +354,18 @@ bool Simulator::decide_friction(const std::optional<Happening>& given) {
     forced = std::ranges::count(groups[g].frictions, lead) > 0 ? std::optional(g) : forced;
   }
   if (const std::optional<SimulationObstacle> why = obstacle_of(groups)) {
-    if (groups.size() <= kMostGroups && stick_together(groups, *rates, forced)) {
+    obstacle_ = *why;
+    return false;
+  }
+  if (!stick_alone(std::vector<int>(groups.size(), 0), directions_of(groups))) {
+    const std::vector<FrictionSense> sliding = senses_;
+    if (stick_together(groups, *rates, forced)) {
       tell_changes(before);
       return true;
     }
-    obstacle_ = *why;
-    return false;
+    groups_.clear();
+    senses_ = sliding;
+    go_on_with(*rates);
   }
   const std::optional<std::vector<int>> found =
       find_pattern(groups, *rates, forced, given ? given->sense : 0);
