@@ -181,16 +181,18 @@ std::string end_text(const MotionTable& motion, const DriveTravel& drive) {
 
 // "30 to 390 deg", or as far as the drive goes.
 void add_motion(const MotionTable& motion, Sentences& sentences) {
+  const bool is_to_limit = motion.until_limit && motion.end == MotionEnd::limited;
   std::string text;
   for (const DriveTravel& drive : motion.drives) {
-    text += fmt::format("{}{}{} from {} to {} {}{}",
+    text += fmt::format("{}{}{} from {} to {}{} {}{}",
                         text.empty() ? "Drive " : "; ",
                         drive.name,
                         text.empty() ? " goes" : "",
                         format_short(drive.from),
-                        format_short(drive.to),
+                        is_to_limit ? "its limit at " : "",
+                        format_short(is_to_limit ? drive.reached.value_or(drive.to) : drive.to),
                         drive.unit,
-                        end_text(motion, drive));
+                        is_to_limit ? "" : end_text(motion, drive));
   }
   if (!text.empty()) {
     sentences.push_back(text + ".");

@@ -30,7 +30,7 @@ bool is_number(const std::string& cell) {
     return kNone.find(cell) != std::string_view::npos || (cell[0] >= '0' && cell[0] <= '9');
   }
   const std::size_t first = cell.find_first_not_of("-*");
-  return cell.empty() || cell == "infinite" ||
+  return cell.empty() || cell.ends_with("infinite") ||
          (first != std::string::npos && cell[first] >= '0' && cell[first] <= '9' &&
           cell.find_first_not_of("0123456789.e+-*") == std::string::npos);
 }

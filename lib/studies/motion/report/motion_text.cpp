@@ -81,7 +81,7 @@ class MotionWriter {
       };
       const std::array cells = {
           with_unit(motion_.columns[c].name(), motion_.columns[c].unit),
-          least ? format_short(least->value) : infinite,
+          least ? format_short(least->value) : "-" + infinite,
           shown(drive_at(least)),
           greatest ? format_short(greatest->value) : infinite,
           shown(drive_at(greatest)),
