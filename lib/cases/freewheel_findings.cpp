@@ -1,7 +1,6 @@
 // Findings about freewheels.
 #include <cmath>
 #include <string>
-#include <string_view>
 
 #include <fmt/format.h>
 
@@ -17,25 +16,19 @@ void add_freewheel_findings(const JudgedFile& file, const CaseAnalysis& one, Cas
     const CouplingTopology& coupling = file.mechanism.topology.coupling(wrong.coupling);
     const bool overruns = wrong.fault == FreewheelFault::overruns;
     const QuantityKind kind = overruns ? QuantityKind::moment : QuantityKind::angular_velocity;
-    const std::string value =
-        fmt::format("{:.6g} {}", wrong.value / units.factor(kind), units.text(kind));
-    const std::string_view holds = wrong.value > 0.0 ? "negative" : "positive";
+    const std::string asked =
+        fmt::format("'{}' would have to {}", coupling.name, overruns ? "hold" : "slip at");
     CaseFinding& added = found.warning(
         "W0611",
         coupling.where,
-        overruns
-            ? fmt::format("case '{}': freewheel '{}' would have to hold {}, and it holds {} "
-                          "torques only: it overruns",
-                          one.which.label,
-                          coupling.name,
-                          value,
-                          holds)
-            : fmt::format("case '{}': freewheel '{}' would have to slip at {}, and it slips in "
-                          "the {} sense only: it locks",
-                          one.which.label,
-                          coupling.name,
-                          value,
-                          holds),
+        fmt::format("case '{}': freewheel {} {:.6g} {}, and it {} {} {}",
+                    one.which.label,
+                    asked,
+                    wrong.value / units.factor(kind),
+                    units.text(kind),
+                    overruns ? "holds" : "slips in the",
+                    wrong.value > 0.0 ? "negative" : "positive",
+                    overruns ? "torques only: it overruns" : "sense only: it locks"),
         overruns
             ? fmt::format("open it: action: {{{0}: 0}} instead of motion: {{{0}: 0}}; the sign "
                           "is that of the torque of the first of its bodies on the second",
@@ -43,7 +36,7 @@ void add_freewheel_findings(const JudgedFile& file, const CaseAnalysis& one, Cas
             : fmt::format("engage it: motion: {{{0}: 0}} instead of action: {{{0}: 0}}; the "
                           "sign is that of the second of its bodies relative to the first",
                           coupling.name));
-    added.element = fmt::format("{} {}", coupling.name, overruns ? "overruns" : "locks");
+    added.element = asked;  // other freewheels, and the other fault, are told beside it
     added.size = std::abs(wrong.value);
   }
 }
