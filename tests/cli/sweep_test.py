@@ -356,7 +356,7 @@ class Gears(InFolder):
                     self.assert_number(row["ratio"], 1)
                     self.assert_number(row["step"], 20 if first == 19 else None)
 
-        named = sweep.replace("report", "cases: [creeper, K+B], report")
+        named = sweep.replace("report", "cases: [creeper, K+B], report").replace("ratio, step,", "ratio,")
         self.assertEqual([(row["S1"], row["case"], row["status"]) for row in
                           self.rows(TWO_SUNS + named)],
                          [(first, label, status) for first, creeper in
