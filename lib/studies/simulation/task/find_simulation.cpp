@@ -54,7 +54,7 @@ class StartFinder {
         sticking, [&](int freedom) { return rate_of_freedom(network, freedom) >= 0; });
     if (!has_all) {
       std::vector<int> first = sticking;
-      std::ranges::stable_partition(first, [&](int freedom) {
+      std::stable_partition(first.begin(), first.end(), [&](int freedom) {
         return std::ranges::find(preferred, freedom) != preferred.end();
       });
       const std::vector<int> starts = named(true);
@@ -70,7 +70,7 @@ class StartFinder {
   // Those of couplings on the ground before others: where a start does not name enough freedoms,
   // these begin at rest, rather than what moves with others.
   std::vector<int> ground_first(std::vector<int> freedoms) const {
-    std::ranges::stable_partition(freedoms, [&](int freedom) {
+    std::stable_partition(freedoms.begin(), freedoms.end(), [&](int freedom) {
       const CouplingTopology& coupling =
           topology_.coupling(topology_.freedoms[at(freedom)].coupling);
       return coupling.tail.value == 0 || coupling.head.value == 0;
