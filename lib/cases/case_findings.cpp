@@ -184,8 +184,7 @@ void add_spring_obstacle(const JudgedFile& file, const CaseAnalysis& one, CaseFi
     case SpringObstacle::Kind::past_stroke: {
       CaseFinding& added =
           add("'length' is that of the extended spring, from which 'stroke' is pushed in; correct "
-              "these "
-              "or its points, or end the motion earlier");
+              "these or its points, or end the motion earlier");
       added.element = limit_word(obstacle, spring);
       added.size = excess_of(obstacle, spring);
       return;

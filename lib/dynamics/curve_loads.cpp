@@ -108,11 +108,8 @@ Vec3 vector_of(const std::array<MovingNumber, 3>& numbers,
 }
 
 Load load_of(const MovingLoad& load, CurveReader& reader) {
-  const auto turned = [&](const Vec3& components) -> Vec3 {
-    return load.frame == LoadFrame::body ? Vec3(load.turn * components) : components;
-  };
-  const Vec3 force = turned(vector_of(load.force, load.name, reader));
-  const Vec3 couple = turned(vector_of(load.couple, load.name, reader));
+  const Vec3 force = load.turn * vector_of(load.force, load.name, reader);
+  const Vec3 couple = load.turn * vector_of(load.couple, load.name, reader);
   const Vec3 moment = load.point ? moment_of_load(*load.point, force, couple) : couple;
   return {.name = load.name,
           .acts = {.body = load.body, .wrench = {.moment = moment, .force = force}},

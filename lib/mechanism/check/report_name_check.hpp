@@ -24,8 +24,8 @@ std::vector<std::string> elements_of_motion(const MechanismDescription& descript
 
 /// Checks that each name is one of `words`, an actuator, or a quantity of a coupling, written
 /// coupling.freedom or coupling.action; in a sweep it may also be a figure of a motion, in a motion
-/// a coupling. Whether the
-/// coupling has this freedom or action is checked by check_report_quantities.
+/// a coupling. Whether the coupling has this freedom or action is checked by
+/// check_report_quantities.
 void check_report_names(const std::vector<Name>& names,
                         std::span<const std::string> words,
                         std::string_view section,

@@ -9,8 +9,8 @@
 namespace kinestat {
 
 /// A P = Q R by Householder reflections, the longest remaining column first, its largest entry in
-/// the first row; Q holds these swaps, too. What is shorter than
-/// kRankZero of the longest column counts as zero. Buffers grow to the largest system and stay.
+/// the first row; Q holds these swaps, too. What is shorter than kRankZero of the longest column
+/// counts as zero. Buffers grow to the largest system and stay.
 class PivotedQr {
  public:
   /// `A` holds rows x columns, one column after the other. Below `scale` the longest column is
