@@ -285,7 +285,7 @@ class LeverDrawing {
     }
     for (const NamedShiftState& state : analysis_.shift->solution.states) {
       if (state.name == one.which.label) {
-        for (const int element : state.engaged) {
+        for (const int element : state.holding()) {
           result.push_back(
               analysis_.shift->plan.elements[static_cast<std::size_t>(element)].actuator);
         }

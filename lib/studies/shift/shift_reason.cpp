@@ -109,6 +109,13 @@ class ReasonWriter {
     if (!state_.surplus.empty()) {
       text += (text.empty() ? "" : "; ") + redundancy_text();
     }
+    if (!state_.overrunning.empty()) {
+      text += fmt::format("{}{} {} overrun{}",
+                          text.empty() ? "" : "; ",
+                          state_.overrunning.size() == 1 ? "freewheel" : "freewheels",
+                          names_of(state_.overrunning),
+                          state_.overrunning.size() == 1 ? "s" : "");
+    }
     if (!state_.open_freewheels.empty()) {
       const bool is_one = state_.open_freewheels.size() == 1;
       text += fmt::format("{}equilibrium does not determine whether {} {} hold{}",
@@ -121,12 +128,12 @@ class ReasonWriter {
   }
 
   std::string redundancy_text() const {
-    const bool are_all = state_.surplus.size() == engaged_.size();
+    const bool are_all = state_.surplus.size() + state_.overrunning.size() == engaged_.size();
     return fmt::format(
         "{} {} from slipping, so that {} not determined",
         are_all ? "the train itself already keeps" : "the other elements already keep",
         names_of(state_.surplus),
-        are_all && engaged_.size() == 1 ? "its torque is" : "their torques are");
+        are_all && state_.surplus.size() == 1 ? "its torque is" : "their torques are");
   }
 
   std::string freewheel_text(std::string_view event,
@@ -169,7 +176,9 @@ class ReasonWriter {
   RemainingMotion motions(bool has_inputs_at_rest) const {
     RemainingMotion left(network_.net_freedom());
     for (const int element : engaged_) {
-      (void)left.prescribe(network_.elements[static_cast<std::size_t>(element)], 0.0);
+      if (!std::ranges::binary_search(state_.overrunning, element)) {
+        (void)left.prescribe(network_.elements[static_cast<std::size_t>(element)], 0.0);
+      }
     }
     for (std::size_t i = 0; has_inputs_at_rest && i < network_.inputs.size(); ++i) {
       (void)left.prescribe(network_.inputs[i], 0.0);

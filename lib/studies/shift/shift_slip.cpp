@@ -159,7 +159,7 @@ class SlipSolver {
 
   // Which element slips, which opens, and which stay engaged.
   bool find_elements() {
-    const std::vector<int>& after = state(result_.to).engaged;
+    const std::vector<int> after = state(result_.to).holding();
     if (!result_.from) {
       if (!asked_.element && after.size() != 1) {
         return refuse(asked_.where_capacity,
@@ -171,7 +171,7 @@ class SlipSolver {
       }
       result_.slips = asked_.element.value_or(after.empty() ? 0 : after.front());
     } else {
-      const std::vector<int>& before = state(*result_.from).engaged;
+      const std::vector<int> before = state(*result_.from).holding();
       std::vector<int> opens;
       std::vector<int> engages;
       std::ranges::set_difference(before, after, std::back_inserter(opens));

@@ -1,6 +1,7 @@
 #include "studies/shift/shift_solution.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -134,7 +135,7 @@ class ShiftSolver {
           share_of(reference_rate(plan_, one.state), one.state.outputs.front());
       gears.push_back({.state = static_cast<int>(s),
                        .ratio = ratio == 0.0 ? std::nullopt : ratio,
-                       .engaged = one.engaged,
+                       .engaged = one.holding(),
                        .slips = one.state.slips});
     }
     const double forward = plan_.forward.value_or(find_forward_sign(gears));
@@ -157,6 +158,12 @@ class ShiftSolver {
 };
 
 }  // namespace
+
+std::vector<int> NamedShiftState::holding() const {
+  std::vector<int> elements;
+  std::ranges::set_difference(engaged, state.overrunning, std::back_inserter(elements));
+  return elements;
+}
 
 std::optional<double> reference_rate(const ShiftPlan& plan, const ShiftState& state) {
   if (!plan.is_hybrid()) {

@@ -24,6 +24,9 @@ struct NamedShiftState {
   SourceRange where;         ///< of the label, or of the section
   ShiftState state;
   std::string reason;  ///< why it is no gear, or what a gear leaves free
+
+  /// Those of `engaged` that don't slip: without freewheels that overrun; ascending.
+  std::vector<int> holding() const;
 };
 
 struct ShiftSolution {

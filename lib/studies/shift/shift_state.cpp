@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/index.hpp"
 #include "core/tolerance.hpp"
@@ -359,12 +360,92 @@ class StateSolver {
   ShiftState state_;
 };
 
+// Whether the inputs move with `engaged` alone, and all of `open` slip with them in the sense in
+// which a freewheel overruns.
+bool overruns(const ShiftNetwork& network,
+              const ShiftPlan& plan,
+              std::span<const int> engaged,
+              std::span<const int> open) {
+  RemainingMotion left(network.net_freedom());
+  for (const int element : engaged) {
+    (void)left.prescribe(network.elements[at(element)], 0.0);
+  }
+  for (std::size_t i = 0; i < network.inputs.size(); ++i) {
+    const double speed = plan.inputs[i].speed;
+    const bool moves = left.prescribe(network.inputs[i], speed);
+    const double rate = left.rate(network.inputs[i]).value;
+    if (!moves && !plan.is_hybrid() && std::abs(rate - speed) > kConsistency * std::abs(speed)) {
+      return false;
+    }
+  }
+  return std::ranges::all_of(open, [&](int e) {
+    const RateRow& row = network.elements[at(e)];
+    return !left.changes(row) && plan.elements[at(e)].one_way * left.rate(row).value > 0.0;
+  });
+}
+
+// The engaged freewheels, each subset of them once and small ones first, until `is_it` answers yes.
+template <typename IsIt>
+std::vector<int> find_freewheels(const ShiftPlan& plan, std::span<const int> engaged, IsIt is_it) {
+  std::vector<int> freewheels;
+  std::ranges::copy_if(engaged, std::back_inserter(freewheels), [&plan](int element) {
+    return plan.elements[at(element)].one_way != 0;
+  });
+  for (std::size_t size = 1; size <= freewheels.size(); ++size) {
+    std::vector<bool> is_chosen(freewheels.size());
+    std::fill_n(is_chosen.begin(), size, true);
+    do {
+      std::vector<int> open;
+      std::vector<int> others;
+      for (const int element : engaged) {
+        const auto found = std::ranges::find(freewheels, element);
+        const bool opens = found != freewheels.end() &&
+                           is_chosen[static_cast<std::size_t>(found - freewheels.begin())];
+        (opens ? open : others).push_back(element);
+      }
+      if (is_it(others, open)) {
+        return open;
+      }
+    } while (std::prev_permutation(is_chosen.begin(), is_chosen.end()));
+  }
+  return {};
+}
+
+// What the others make where engaged freewheels overrun.
+std::optional<ShiftState> solve_overrunning(const ShiftNetwork& network,
+                                            const ShiftPlan& plan,
+                                            std::span<const int> engaged,
+                                            ShiftCause cause) {
+  std::optional<ShiftState> state;
+  const std::vector<int> open = find_freewheels(
+      plan, engaged, [&](const std::vector<int>& others, const std::vector<int>& freewheels) {
+        if (cause == ShiftCause::input_held && !overruns(network, plan, others, freewheels)) {
+          return false;
+        }
+        state = StateSolver(network, plan, others).run();
+        return cause == ShiftCause::input_held || state->kind == ShiftClass::gear;
+      });
+  if (open.empty()) {
+    return std::nullopt;
+  }
+  state->overrunning = open;
+  if (state->kind == ShiftClass::neutral) {
+    state->cause = ShiftCause::freewheel_overruns;
+    state->which = open.front();
+  }
+  return state;
+}
+
 }  // namespace
 
 ShiftState solve_shift_state(const ShiftNetwork& network,
                              const ShiftPlan& plan,
                              std::span<const int> engaged) {
-  return StateSolver(network, plan, engaged).run();
+  ShiftState state = StateSolver(network, plan, engaged).run();
+  if (state.cause == ShiftCause::input_held || state.cause == ShiftCause::freewheel_overruns) {
+    return solve_overrunning(network, plan, engaged, state.cause).value_or(std::move(state));
+  }
+  return state;
 }
 
 }  // namespace kinestat

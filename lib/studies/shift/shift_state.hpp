@@ -36,7 +36,7 @@ enum class ShiftCause {
   output_free,         ///< the output `which` moves while the inputs rest
   outputs_held,        ///< no output moves
   redundant,           ///< an element more than needed, and it follows from the others
-  freewheel_overruns,  ///< the element `which` would have to hold a torque that it does not hold
+  freewheel_overruns,  ///< the element `which` would have to hold what it does not hold
   freewheel_locks      ///< the element `which` would have to slip in the sense in which it holds
 };
 
@@ -58,10 +58,11 @@ struct ShiftReaction {
 struct ShiftState {
   ShiftClass kind = ShiftClass::gear;
   ShiftCause cause = ShiftCause::none;
-  int which = -1;            ///< index into the plan's inputs, outputs or elements; -1: none
-  int freedom = 0;           ///< what is left of the net degree of freedom with these elements
-  int idle = 0;              ///< of it, what is left while the inputs rest
-  std::vector<int> surplus;  ///< engaged elements whose rest follows from those before them
+  int which = -1;                ///< index into the plan's inputs, outputs or elements; -1: none
+  int freedom = 0;               ///< what is left of the net degree of freedom with these elements
+  int idle = 0;                  ///< of it, what is left while the inputs rest
+  std::vector<int> surplus;      ///< engaged elements whose rest follows from those before them
+  std::vector<int> overrunning;  ///< engaged freewheels that slip all the same, ascending
   std::vector<int> open_freewheels;  ///< engaged elements of a gear that hold one sign of torque,
                                      ///< and equilibrium does not tell which they have
   std::vector<int> unloaded;         ///< open elements that bear nothing by equilibrium alone
@@ -86,7 +87,9 @@ struct ShiftState {
 /// are decided in this order: an input cannot move (locked); an output is not determined by the
 /// inputs (neutral); no output moves (locked); more elements are engaged than the mobility asks
 /// for, and one of them follows from the others (tie-up); a freewheel is on the wrong side (neutral
-/// where it overruns, tie-up where it locks); gear. Where a machine reacts, inputs may follow from
+/// where it overruns, tie-up where it locks); gear. Engaged freewheels that would hold an input or
+/// a torque in the sense in which they overrun let the others decide: what they make with these
+/// open, a gear for example, is the state. Where a machine reacts, inputs may follow from
 /// those before them and rest, as long as one moves. Costs a few small dense products: names are
 /// nowhere, so that sweeps may ask for millions of states.
 [[nodiscard]] ShiftState solve_shift_state(const ShiftNetwork& network,

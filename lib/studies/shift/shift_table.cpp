@@ -119,7 +119,7 @@ ShiftTable make_shift_table(std::span<const TableGear> gears, double forward) {
     for (std::size_t j = i + 1; j < gears.size(); ++j) {
       GearChange change = change_between(gears[i], gears[j]);
       const bool is_of_one = change.opens.size() <= 1 && change.engages.size() <= 1;
-      if (is_of_one || is_next(gears, forward, i, j)) {
+      if (change.elements() > 0 && (is_of_one || is_next(gears, forward, i, j))) {
         if (group_of(gears[i], forward) == 0 && group_of(gears[j], forward) == 0) {
           change.step = *gears[i].ratio / *gears[j].ratio;
         }

@@ -12,7 +12,7 @@ struct TableGear {
   int state = 0;                ///< index into ShiftSolution::states
   std::optional<double> ratio;  ///< ω_in/ω_out of the inputs, if they turn alike, and
                                 ///< the first output
-  std::vector<int> engaged;     ///< ascending
+  std::vector<int> engaged;     ///< ascending; without freewheels that overrun
   std::vector<std::optional<double>> slips = {};  ///< of each element [rad/s]
 };
 

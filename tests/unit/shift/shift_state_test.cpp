@@ -160,6 +160,22 @@ TEST_F(TwoSpeedTrain, TiesUpWhereAnOpenFreewheelWouldHold) {
   EXPECT_EQ(state({0}).kind, ShiftClass::gear);
 }
 
+// Clutch and freewheel engaged: the ring turns with the sun, out of the freewheel's hold or into
+// it.
+TEST_F(TwoSpeedTrain, IsTheGearOfTheClutchWhileAnEngagedFreewheelOverruns) {
+  plan_.elements[1].one_way = 1;
+  const ShiftState direct = state({0, 1});
+
+  EXPECT_EQ(direct.kind, ShiftClass::gear);
+  EXPECT_EQ(direct.overrunning, std::vector<int>{1});
+  EXPECT_NEAR(direct.outputs.front().value(), 10.0, kRounding);
+  EXPECT_NEAR(direct.slips[1].value(), 10.0, kRounding);
+  EXPECT_EQ(direct.torques[1], 0.0);
+
+  plan_.elements[1].one_way = -1;
+  EXPECT_EQ(state({0, 1}).cause, ShiftCause::input_held);
+}
+
 // Two freewheels in parallel: where one is engaged the other has no slip, and may be open.
 TEST_F(TwoSpeedTrain, LetsAFreewheelWithoutSlipBeOpen) {
   plan_.elements[2].one_way = -1;

@@ -417,7 +417,7 @@ class ShiftTables {
       TextColumn column{.head = element_name(static_cast<int>(e)), .cells = {}};
       for (std::size_t s = 0; s < gears_.size(); ++s) {
         const bool is_engaged =
-            std::ranges::binary_search(solution_.states[s].engaged, static_cast<int>(e));
+            std::ranges::binary_search(solution_.states[s].holding(), static_cast<int>(e));
         const std::optional<double>& si = (gears_[s].values.*values)[e];
         const auto value = si ? std::optional(in_.of(kind, *si)) : std::nullopt;
         column.cells.push_back(is_engaged == of_engaged ? number_or_dash(value) : kOpen);

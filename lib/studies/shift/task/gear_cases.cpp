@@ -86,8 +86,9 @@ GearCase gear_case(const NamedShiftState& state, const ShiftPlan& plan) {
       add_unless(state.state.unloaded_others, o, gear.others);
     }
   }
+  const std::vector<int> holding = state.holding();
   for (int e = 0; e < static_cast<int>(plan.elements.size()); ++e) {
-    if (!std::ranges::binary_search(state.engaged, e)) {
+    if (!std::ranges::binary_search(holding, e)) {
       add_unless(state.state.unloaded, e, gear.open);
     } else {
       add_unless(state.state.surplus, e, gear.engaged);
