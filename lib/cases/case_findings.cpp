@@ -128,8 +128,8 @@ void add_inertia_obstacle(const JudgedFile& file, const CaseAnalysis& one, CaseF
       found.error(
           "E0511",
           one.which.where,
-          fmt::format("case '{}' has no inertia forces, since its position is singular: there the "
-                      "speeds of its drives do not determine accelerations",
+          fmt::format("case '{}' has no inertia forces, since its position is singular or so near "
+                      "to a singular one that the accelerations would be rounding",
                       one.which.label),
           "draw the mechanism a little away from that position, or drive it by another coupling");
       return;

@@ -41,6 +41,14 @@ BoundedWrench inertial_wrench(const BodyInertia& body,
           .force = {.value = acts.force, .bound = Vec3::Constant(force)}};
 }
 
+Wrench settled(const BoundedWrench& acts, const BodyInertia& body, const StateBounds& bounds) {
+  const double arm = body.centre.norm();
+  const double force = body.mass * bounds.rate_rate_rounding * (bounds.reach + arm);
+  const double moment = body.tensor.norm() * bounds.rate_rate_rounding + arm * force;
+  return {.moment = settled_rates(acts.moment.value, acts.moment.bound.maxCoeff(), moment),
+          .force = settled_rates(acts.force.value, acts.force.bound.maxCoeff(), force)};
+}
+
 // What D'Alembert's forces are where a body at rest speeds up so, with the other sign.
 BoundedWrench momentum(const BodyInertia& body, const Twist& twist, const BodyBounds& bounds) {
   const BodyBounds speeding_up = {.turn = bounds.turn,

@@ -47,6 +47,10 @@ BoundedWrench inertial_wrench(const BodyInertia& body,
                               const Twist& twist_rate,
                               const BodyBounds& bounds);
 
+/// Components that are mere rounding become zero, as `bounds` of the state has it for
+/// accelerations; the others stay as they are.
+Wrench settled(const BoundedWrench& acts, const BodyInertia& body, const StateBounds& bounds);
+
 /// Of a motion that may be off by `bounds`.
 BoundedWrench momentum(const BodyInertia& body, const Twist& twist, const BodyBounds& bounds);
 

@@ -32,7 +32,7 @@ ReducedEquation find_reduced(const InertialMotion& motion) {
                          .bias = VecX::Zero(count),
                          .derivative = {}};
   std::vector<BoundedNumber> bias(static_cast<std::size_t>(count));
-  for (const auto& [id, body, acts] : motion.inertial) {
+  for (const auto& [id, body, bounded, acts] : motion.inertial) {
     const std::size_t b = at(id.value);
     std::vector<BoundedTwist> twists;
     std::vector<BoundedWrench> momenta;
@@ -44,7 +44,7 @@ ReducedEquation find_reduced(const InertialMotion& motion) {
     for (int j = 0; j < count; ++j) {
       const BoundedTwist& of_drive = twists[at(j)];
       BoundedNumber& sum = bias[at(j)];
-      sum = sum - power(acts, of_drive);
+      sum = sum - power(bounded, of_drive);
       for (int k = 0; k < count; ++k) {
         const BoundedNumber shared = power(momenta[at(k)], of_drive);
         result.inertia(j, k) += shared.value;
@@ -142,22 +142,19 @@ CaseDynamics find_dynamics(const Mechanism& mechanism,
   CaseDynamics result;
   result.bodies.reserve(motion.inertial.size());
   std::optional<BoundedWrench> shaking = BoundedWrench{};
-  for (const auto& [id, body, acts] : motion.inertial) {
+  for (const auto& [id, body, bounded, acts] : motion.inertial) {
     const std::size_t b = at(id.value);
     const Twist& twist = motion.twists[b];
     const Twist& rate = motion.twist_rates[b];
-    const Wrench inertial = acts.zeroed();
-    const BoundedVector angular_acceleration = {
-        .value = rate.angular, .bound = Vec3::Constant(motion.bounds[b].angular_rate)};
     result.bodies.push_back({.body = id,
-                             .angular_acceleration = angular_acceleration.zeroed(),
+                             .angular_acceleration = rate.angular,
                              .centre = body.centre,
                              .centre_acceleration = centre_acceleration(body, twist, rate),
-                             .inertial = inertial,
+                             .inertial = acts,
                              .kinetic_energy = kinetic_energy(body, twist)});
     result.kinetic_energy += result.bodies.back().kinetic_energy;
-    result.kinetic_energy_rate -= power(inertial, twist);
-    const auto shakes = shaking_of(mechanism, id, body, acts, motion);
+    result.kinetic_energy_rate -= power(acts, twist);
+    const auto shakes = shaking_of(mechanism, id, body, bounded, motion);
     shaking = shaking && shakes ? std::optional(*shaking + *shakes) : std::nullopt;
   }
   if (shaking) {

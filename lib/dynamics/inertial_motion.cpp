@@ -47,13 +47,40 @@ std::vector<InertialBody> inertial_bodies(const Mechanism& mechanism, const Moti
   for (std::size_t b = 0; b < mechanism.masses.size(); ++b) {
     if (mechanism.masses[b].counts()) {
       const BodyInertia body = inertia_at(mechanism.masses[b], state.poses[b]);
+      const BoundedWrench bounded =
+          inertial_wrench(body, state.twists[b], state.twist_rates[b], state.bounds.bodies[b]);
       bodies.push_back({.body = BodyId{static_cast<int>(b)},
                         .inertia = body,
-                        .acts = inertial_wrench(
-                            body, state.twists[b], state.twist_rates[b], state.bounds.bodies[b])});
+                        .bounded = bounded,
+                        .acts = settled(bounded, body, state.bounds)});
     }
   }
   return bodies;
+}
+
+// Whether the bounds of the accelerations leave forces that say something.
+bool are_known(const std::vector<InertialBody>& bodies,
+               const Mechanism& mechanism,
+               const MotionState& state) {
+  const double reach = state.bounds.reach;
+  double largest = 0.0;
+  double unknown = 0.0;
+  for (const InertialBody& one : bodies) {
+    const auto b = at(one.body.value);
+    const double turn = one.inertia.tensor.norm() / reach;
+    const BoundedRate centre = point_acceleration(state, one.body, mechanism.masses[b].centre);
+    const Vec3& angular = state.twist_rates[b].angular;
+    largest = std::max({largest, one.inertia.mass * centre.value.norm(), turn * angular.norm()});
+    const double rounding = state.bounds.rate_rate_rounding;
+    const double turn_bound = state.bounds.bodies[b].angular_rate;
+    if (turn_bound > rounding) {
+      unknown = std::max(unknown, turn * turn_bound);
+    }
+    if (centre.bound > rounding * (reach + one.inertia.centre.norm())) {
+      unknown = std::max(unknown, one.inertia.mass * centre.bound);
+    }
+  }
+  return unknown <= kKnownInertia * largest;
 }
 
 // Of a unit rate of one drive, or of one idle freedom, everything else at rest.
@@ -115,10 +142,14 @@ std::variant<InertialMotion, InertiaObstacle> inertial_motion_of(const MotionSta
   if (state.is_singular || state.twist_rates.empty()) {
     return InertiaObstacle{.kind = InertiaObstacle::Kind::singular};
   }
+  std::vector<InertialBody> bodies = inertial_bodies(mechanism, state);
+  if (!are_known(bodies, mechanism, state)) {
+    return InertiaObstacle{.kind = InertiaObstacle::Kind::singular};
+  }
   InertialMotion motion{.twists = state.twists,
                         .twist_rates = state.twist_rates,
                         .bounds = state.bounds.bodies,
-                        .inertial = inertial_bodies(mechanism, state),
+                        .inertial = std::move(bodies),
                         .drives = network.driven_freedoms,
                         .rates = {},
                         .accelerations = {},
@@ -182,7 +213,7 @@ std::vector<Load> inertial_loads(const Mechanism& mechanism, const InertialMotio
   loads.reserve(motion.inertial.size());
   for (const InertialBody& one : motion.inertial) {
     loads.push_back({.name = std::string(kInertiaPrefix) + mechanism.topology.body(one.body).name,
-                     .acts = {.body = one.body, .wrench = one.acts.zeroed()},
+                     .acts = {.body = one.body, .wrench = one.acts},
                      .point = one.inertia.centre,
                      .where = mechanism.masses[at(one.body.value)].where});
   }

@@ -17,7 +17,8 @@ namespace kinestat {
 struct InertialBody {
   BodyId body;
   BodyInertia inertia;
-  BoundedWrench acts;  ///< D'Alembert's
+  BoundedWrench bounded;  ///< D'Alembert's
+  Wrench acts;            ///< likewise, with zero for what is mere rounding
 };
 
 /// What is worked out of a motion with inertia.
@@ -45,7 +46,7 @@ struct InertiaObstacle {
   enum class Kind {
     unknown_motion,  ///< the case does not determine the velocities
     unmovable,       ///< a coupling has no finite law
-    singular,        ///< velocities determine no accelerations
+    singular,        ///< velocities determine no accelerations, or hardly
     idle_spin        ///< a body turns by itself, and its inertia about that axis counts
   };
 

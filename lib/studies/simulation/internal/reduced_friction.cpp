@@ -205,9 +205,10 @@ void ReducedSystem::find_borne(const MotionState& state, ReducedState& told) {
       const BodyInertia body = inertia_at(mechanism_.masses[b], state.poses[b]);
       loads.push_back(
           {.body = BodyId{static_cast<int>(b)},
-           .wrench =
-               inertial_wrench(body, state.twists[b], state.twist_rates[b], state.bounds.bodies[b])
-                   .zeroed()});
+           .wrench = settled(
+               inertial_wrench(body, state.twists[b], state.twist_rates[b], state.bounds.bodies[b]),
+               body,
+               state.bounds)});
     }
   }
   told.borne = balance_->solve(loads);
