@@ -192,6 +192,9 @@ void add_spring_obstacle(const JudgedFile& file, const CaseAnalysis& one, CaseFi
     case SpringObstacle::Kind::no_position:
       add("balls, contacts and cables have none: give the spring two points");
       return;
+    case SpringObstacle::Kind::no_speed:
+      add("give 'motion' of the case what determines that speed");
+      return;
   }
 }
 
@@ -205,16 +208,6 @@ std::string reach_of(const Curve& curve, const FileUnits& units) {
 
 void add_curve_obstacle(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
   const CurveObstacle& obstacle = *one.curve_obstacle;
-  if (obstacle.kind == CurveObstacle::Kind::no_value) {
-    found.error(
-        "E0326",
-        one.which.where,
-        fmt::format(
-            "'{}' of case '{}' is undefined in this position", obstacle.number, one.which.label),
-        "its curves have values, but the expression divides by zero, or takes a root or a "
-        "logarithm that does not exist");
-    return;
-  }
   const Curve& curve = file.mechanism.curves[obstacle.curve];
   const FileUnits& units = file.description.units;
   switch (obstacle.kind) {
@@ -252,6 +245,13 @@ void add_curve_obstacle(const JudgedFile& file, const CaseAnalysis& one, CaseFin
                   "give 'motion' of the case what determines that speed");
       return;
     case CurveObstacle::Kind::no_value:
+      found.error(
+          "E0326",
+          one.which.where,
+          fmt::format(
+              "'{}' of case '{}' is undefined in this position", obstacle.number, one.which.label),
+          "its curves have values, but the expression divides by zero, or takes a root or a "
+          "logarithm that does not exist");
       return;
   }
 }
@@ -260,10 +260,13 @@ void add_inertia_findings(const JudgedFile& file, const CaseAnalysis& one, CaseF
   if (one.inertia_obstacle) {
     add_inertia_obstacle(file, one, found);
   }
-  if (one.spring_obstacle) {
+  // What leaves the speeds open has a finding of its own.
+  const bool is_open = one.motion && one.motion->status != SolveStatus::solved;
+  const auto is_told = [is_open](auto kind) { return is_open && kind == decltype(kind)::no_speed; };
+  if (one.spring_obstacle && !is_told(one.spring_obstacle->kind)) {
     add_spring_obstacle(file, one, found);
   }
-  if (one.curve_obstacle) {
+  if (one.curve_obstacle && !is_told(one.curve_obstacle->kind)) {
     add_curve_obstacle(file, one, found);
   }
   if (one.dynamics && one.motion && one.motion->status == SolveStatus::solved) {

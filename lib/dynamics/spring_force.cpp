@@ -52,6 +52,14 @@ SpringState state_of_freedom(const Spring& spring, const LoadState& place, doubl
           .force = action_of(numbers_of(spring, force), position, rate)};
 }
 
+// Whether its force asks for a speed that nobody knows.
+bool lacks_speed(const Spring& spring, const LoadState& place) {
+  if (spring.damping == 0.0 || place.rates.empty()) {
+    return false;
+  }
+  return spring.is_of_freedom() ? !place.rates[at(spring.freedom)] : place.twists.empty();
+}
+
 bool is_past_stroke(const GasSpring& gas, double length) {
   const double pushed_in = gas.length - length;
   return pushed_in < -kPastStroke * gas.stroke || pushed_in > (1.0 + kPastStroke) * gas.stroke;
@@ -78,6 +86,9 @@ std::variant<std::vector<SpringState>, SpringObstacle> spring_states(
   std::vector<SpringState> states;
   for (std::size_t i = 0; i < drawn.springs.size(); ++i) {
     const Spring& spring = drawn.springs[i];
+    if (lacks_speed(spring, place)) {
+      return SpringObstacle{.kind = SpringObstacle::Kind::no_speed, .spring = i};
+    }
     if (spring.is_of_freedom()) {
       if (!place.positions.empty() && !place.positions[at(spring.freedom)]) {
         return SpringObstacle{.kind = SpringObstacle::Kind::no_position, .spring = i};

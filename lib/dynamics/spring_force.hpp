@@ -72,7 +72,8 @@ struct SpringObstacle {
   enum class Kind {
     no_length,    ///< its points meet, so that it has no direction
     past_stroke,  ///< a gas spring is shorter or longer than it can be
-    no_position   ///< of a freedom without a position
+    no_position,  ///< of a freedom without a position
+    no_speed      ///< of a damper whose ends have no speed
   };
 
   Kind kind = Kind::no_length;

@@ -46,6 +46,9 @@ std::string text_of(const SpringObstacle& obstacle, const Spring& spring, const 
       return past_stroke_text(obstacle, spring, units);
     case SpringObstacle::Kind::no_position:
       return fmt::format("spring '{}' is of a freedom that has no position", spring.name);
+    case SpringObstacle::Kind::no_speed:
+      return fmt::format("spring '{}' damps, and the speeds of its ends are not known",
+                         spring.name);
   }
   return "";
 }

@@ -1,6 +1,7 @@
 // The joints of a network and its conditions between frames, as its closure needs them.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -35,17 +36,19 @@ struct FramedRow {
   double tail_radius = 0.0;
   double head_radius = 0.0;
   int angle = -1;
-  int first = 0;              ///< row of the system
-  std::vector<int> rates;     ///< of the joints between the two frames
-  std::vector<double> signs;  ///< +1: the joint moves the head
-  std::vector<int> steady;    ///< of the rates: see RatesOfRow
+  int first = 0;                       ///< row of the system
+  std::vector<int> rates;              ///< of the joints between the two frames
+  std::vector<double> signs;           ///< +1: the joint moves the head
+  std::vector<int> steady;             ///< of the rates: see RatesOfRow
+  std::array<bool, 3> is_linear = {};  ///< each of its rows: in all rates, likewise
 };
 
 /// The rates of the joints that a row depends on.
 struct RatesOfRow {
   std::span<const int> all;
   std::span<const int> steady;  ///< those in which it is linear wherever the joints stand: of teeth
-                                ///< all, of cables the turns of pulleys about their centres
+                                ///< all, of cables the turns of pulleys about their centres, and
+                                ///< all along the one axis about which joints turn
 };
 
 }  // namespace kinestat

@@ -92,6 +92,7 @@ void ClosureSystem<Frames>::add_row(const ClosureRow& closure) {
     add_steady(closure.tail_frame, one.tail_point, row);
     add_steady(closure.head_frame, one.head_point, row);
   }
+  row.is_linear = find_linear(one, row.rates);
   const int count = one.kind == ClosureKind::meet ? Frames::kDirections : 1;
   row_count_ += count;
   row_couplings_.insert(row_couplings_.end(), at(count), closure.coupling.value);
@@ -310,19 +311,6 @@ void ClosureSystem<Frames>::evaluate(std::span<const double> coordinates,
     }
     residuals_[at(r++)] = sum;
   }
-}
-
-template <class Frames>
-std::vector<RatesOfRow> ClosureSystem<Frames>::rates_of_rows() const {
-  std::vector<RatesOfRow> result;
-  for (const Row& row : rows_) {
-    const int count = row.kind == ClosureKind::meet ? Frames::kDirections : 1;
-    result.insert(result.end(), at(count), {.all = row.rates, .steady = row.steady});
-  }
-  for (const RollingRow& rolling : rollings_) {
-    result.push_back({.all = rolling.rates, .steady = rolling.rates});
-  }
-  return result;
 }
 
 template <class Frames>

@@ -99,7 +99,7 @@ class CornerFinder {
       case Curve::Over::position:
         return position->freedoms[static_cast<std::size_t>(curve.freedom)];
       case Curve::Over::speed:
-        return position->has_speeds()
+        return has_motion(*position)
                    ? position->state.rates[static_cast<std::size_t>(curve.freedom)]
                    : std::nullopt;
     }

@@ -1,0 +1,70 @@
+#include <algorithm>
+#include <optional>
+
+#include "core/index.hpp"
+#include "core/tolerance.hpp"
+#include "studies/motion/internal/closure_system.hpp"
+
+namespace kinestat {
+
+namespace {
+
+bool is_along(const Vec3& direction, const Vec3& axis) {
+  return direction.cross(axis).norm() <= 4.0 * kEpsilon;
+}
+
+}  // namespace
+
+// Turns about one direction change nothing along it, and slides keep what they have along it.
+template <class Frames>
+std::array<bool, 3> ClosureSystem<Frames>::find_linear(const ClosureCondition& condition,
+                                                       const std::vector<int>& rates) const {
+  std::optional<Vec3> axis;
+  for (const ClosureJoint& joint : joints_) {
+    if (joint.kind == ElementaryKind::slide || std::ranges::count(rates, joint.rate) == 0) {
+      continue;
+    }
+    axis = axis.value_or(joint.direction);
+    if (joint.kind == ElementaryKind::ball || !is_along(joint.direction, *axis)) {
+      return {};
+    }
+  }
+  const auto keeps = [&axis](const Vec3& direction) { return !axis || is_along(direction, *axis); };
+  switch (condition.kind) {
+    case ClosureKind::meet:
+      return {keeps(Vec3::UnitX()), keeps(Vec3::UnitY()), keeps(Vec3::UnitZ())};
+    case ClosureKind::along:
+    case ClosureKind::screw:
+      return {keeps(condition.tail)};
+    case ClosureKind::across:
+      return {keeps(condition.tail) || keeps(condition.head)};
+    case ClosureKind::reach:
+    case ClosureKind::cable:
+      return {};
+  }
+  return {};
+}
+
+template <class Frames>
+std::vector<RatesOfRow> ClosureSystem<Frames>::rates_of_rows() const {
+  std::vector<RatesOfRow> result;
+  for (const Row& row : rows_) {
+    const std::size_t count = row.kind == ClosureKind::meet ? Frames::kDirections : 1;
+    for (std::size_t i = 0; i < count; ++i) {
+      result.push_back({.all = row.rates, .steady = row.is_linear[i] ? row.rates : row.steady});
+    }
+  }
+  for (const RollingRow& rolling : rollings_) {
+    result.push_back({.all = rolling.rates, .steady = rolling.rates});
+  }
+  return result;
+}
+
+template std::array<bool, 3> ClosureSystem<PlanarFrames>::find_linear(
+    const ClosureCondition&, const std::vector<int>&) const;
+template std::array<bool, 3> ClosureSystem<SpatialFrames>::find_linear(
+    const ClosureCondition&, const std::vector<int>&) const;
+template std::vector<RatesOfRow> ClosureSystem<PlanarFrames>::rates_of_rows() const;
+template std::vector<RatesOfRow> ClosureSystem<SpatialFrames>::rates_of_rows() const;
+
+}  // namespace kinestat
