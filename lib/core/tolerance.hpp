@@ -128,9 +128,8 @@ inline constexpr double kSameEnd = 1e-6;
 /// The sine of the angle by which a body may turn about another axis than that of its inertia.
 inline constexpr double kRotorAxis = 1e-9;
 
-/// Forces of inertia are known while the bounds of accelerations leave all of them within this
-/// share of the largest: one digit is sure.
-inline constexpr double kKnownInertia = 0.1;
+/// Forces of inertia that may be off by more than this share of the largest get a word.
+inline constexpr double kKnownInertia = 1e-3;
 
 /// A body that turns by itself has no inertia about that axis if it is this share of what it could
 /// have at most: that of a slender rod is as exact as its coordinates are typed.

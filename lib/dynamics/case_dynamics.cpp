@@ -140,6 +140,7 @@ CaseDynamics find_dynamics(const Mechanism& mechanism,
                            const InertialMotion& motion,
                            const StaticSolution* action) {
   CaseDynamics result;
+  result.open_share = motion.open_share;
   result.bodies.reserve(motion.inertial.size());
   std::optional<BoundedWrench> shaking = BoundedWrench{};
   for (const auto& [id, body, bounded, acts] : motion.inertial) {

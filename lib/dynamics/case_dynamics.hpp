@@ -31,7 +31,9 @@ struct ReducedEquation {
 
 struct CaseDynamics {
   std::vector<BodyDynamics> bodies;
-  double kinetic_energy = 0.0;       ///< [J]
+  double open_share = 0.0;      ///< by how much of the largest one forces of inertia may be off,
+                                ///< as accelerations are hardly determined; else 0
+  double kinetic_energy = 0.0;  ///< [J]
   double kinetic_energy_rate = 0.0;  ///< [W]
   std::optional<Wrench> shaking;     ///< all forces of inertia together; empty where the axis that
                                      ///< several planets stand around turns over

@@ -58,29 +58,32 @@ std::vector<InertialBody> inertial_bodies(const Mechanism& mechanism, const Moti
   return bodies;
 }
 
-// Whether the bounds of the accelerations leave forces that say something.
-bool are_known(const std::vector<InertialBody>& bodies,
-               const Mechanism& mechanism,
-               const MotionState& state) {
+// What the bounds of accelerations leave open, but for rounding, over the largest force of inertia
+// that bodies which turn so fast could have.
+double open_share(const std::vector<InertialBody>& bodies,
+                  const Mechanism& mechanism,
+                  const MotionState& state) {
+  const double rounding = state.bounds.rate_rate_rounding;
   const double reach = state.bounds.reach;
   double largest = 0.0;
-  double unknown = 0.0;
+  double open = 0.0;
   for (const InertialBody& one : bodies) {
     const auto b = at(one.body.value);
     const double turn = one.inertia.tensor.norm() / reach;
+    const double spin = state.twists[b].angular.norm();
+    const double speed = velocity_at(state.twists[b], one.inertia.centre).norm();
     const BoundedRate centre = point_acceleration(state, one.body, mechanism.masses[b].centre);
-    const Vec3& angular = state.twist_rates[b].angular;
-    largest = std::max({largest, one.inertia.mass * centre.value.norm(), turn * angular.norm()});
-    const double rounding = state.bounds.rate_rate_rounding;
-    const double turn_bound = state.bounds.bodies[b].angular_rate;
-    if (turn_bound > rounding) {
-      unknown = std::max(unknown, turn * turn_bound);
+    const double of_centre = centre.value.norm() + spin * speed;
+    const double of_turn = state.twist_rates[b].angular.norm() + spin * spin;
+    largest = std::max({largest, one.inertia.mass * of_centre, turn * of_turn});
+    if (state.bounds.bodies[b].angular_rate > rounding) {
+      open = std::max(open, turn * state.bounds.bodies[b].angular_rate);
     }
     if (centre.bound > rounding * (reach + one.inertia.centre.norm())) {
-      unknown = std::max(unknown, one.inertia.mass * centre.bound);
+      open = std::max(open, one.inertia.mass * centre.bound);
     }
   }
-  return unknown <= kKnownInertia * largest;
+  return largest > 0.0 ? open / largest : 0.0;
 }
 
 // Of a unit rate of one drive, or of one idle freedom, everything else at rest.
@@ -143,13 +146,12 @@ std::variant<InertialMotion, InertiaObstacle> inertial_motion_of(const MotionSta
     return InertiaObstacle{.kind = InertiaObstacle::Kind::singular};
   }
   std::vector<InertialBody> bodies = inertial_bodies(mechanism, state);
-  if (!are_known(bodies, mechanism, state)) {
-    return InertiaObstacle{.kind = InertiaObstacle::Kind::singular};
-  }
+  const double share = open_share(bodies, mechanism, state);
   InertialMotion motion{.twists = state.twists,
                         .twist_rates = state.twist_rates,
                         .bounds = state.bounds.bodies,
                         .inertial = std::move(bodies),
+                        .open_share = share,
                         .drives = network.driven_freedoms,
                         .rates = {},
                         .accelerations = {},

@@ -33,6 +33,7 @@ struct InertialMotion {
   std::vector<Twist> twist_rates;                     ///< time derivatives
   std::vector<BodyBounds> bounds;                     ///< how far all of these may be off
   std::vector<InertialBody> inertial;                 ///< those that have any, in order
+  double open_share = 0.0;                            ///< see CaseDynamics
   std::vector<int> drives;                            ///< freedoms whose rates determine all others
   std::vector<double> rates;                          ///< of the drives [rad/s or m/s]
   std::vector<double> accelerations;                  ///< of the drives [rad/s² or m/s²]
@@ -46,7 +47,7 @@ struct InertiaObstacle {
   enum class Kind {
     unknown_motion,  ///< the case does not determine the velocities
     unmovable,       ///< a coupling has no finite law
-    singular,        ///< velocities determine no accelerations, or hardly
+    singular,        ///< velocities determine no accelerations
     idle_spin        ///< a body turns by itself, and its inertia about that axis counts
   };
 

@@ -46,17 +46,19 @@ Scalar gas_tension(const GasNumbersOf<Scalar>& gas, const Scalar& length) {
 }
 
 /// Of a spring between two points, by its length and how fast that grows; `hold` of a gas spring is
-/// not looked at.
+/// not looked at. Where one that acts one way alone would not act at rest, its ends are apart, and
+/// its damper does nothing; a damper without a spring knows no such place.
 template <class Scalar>
 Scalar tension_of(const SpringNumbersOf<Scalar>& spring,
                   SpringSense acts,
                   const Scalar& length,
                   const Scalar& rate) {
-  Scalar tension = spring.stiffness * (length - spring.free) + spring.damping * rate - spring.force;
+  Scalar at_rest = spring.stiffness * (length - spring.free) - spring.force;
   if (spring.gas) {
-    tension = tension + gas_tension(*spring.gas, length);
+    at_rest = at_rest + gas_tension(*spring.gas, length);
   }
-  return cut_off(acts, tension);
+  const bool has_left = cut_off(acts, value_of(at_rest)) != value_of(at_rest);
+  return has_left ? Scalar(0.0) : cut_off(acts, Scalar(at_rest + spring.damping * rate));
 }
 
 /// Of tail on head, of a spring of a freedom.

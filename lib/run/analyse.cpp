@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "cases/case_findings.hpp"
-#include "cases/certainty_findings.hpp"
 #include "cases/exact_input_cases.hpp"
+#include "cases/findings/case_findings.hpp"
+#include "cases/findings/certainty_findings.hpp"
 #include "core/utf8.hpp"
 #include "files/each_file.hpp"
 #include "mechanism/bind/bind.hpp"

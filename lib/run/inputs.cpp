@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "cases/known_side.hpp"
+#include "cases/findings/known_side.hpp"
 #include "core/text.hpp"
 #include "core/utf8.hpp"
 #include "files/each_file.hpp"

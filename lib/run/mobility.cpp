@@ -3,8 +3,8 @@
 #include <optional>
 #include <utility>
 
-#include "cases/certainty_findings.hpp"
 #include "cases/exact_input_cases.hpp"
+#include "cases/findings/certainty_findings.hpp"
 #include "files/each_file.hpp"
 #include "mechanism/bind/bind.hpp"
 #include "mechanism/bind/bind_counted.hpp"

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "cases/case_findings.hpp"
+#include "cases/findings/case_findings.hpp"
 #include "cases/solve_cases.hpp"
 #include "core/text.hpp"
 #include "core/utf8.hpp"

@@ -3,9 +3,9 @@
 #include <optional>
 #include <utility>
 
-#include "cases/case_findings.hpp"
-#include "cases/certainty_findings.hpp"
 #include "cases/exact_input_cases.hpp"
+#include "cases/findings/case_findings.hpp"
+#include "cases/findings/certainty_findings.hpp"
 #include "cases/solve_cases.hpp"
 #include "files/each_file.hpp"
 #include "files/load_file.hpp"

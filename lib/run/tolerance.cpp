@@ -3,7 +3,7 @@
 #include <optional>
 #include <utility>
 
-#include "cases/case_findings.hpp"
+#include "cases/findings/case_findings.hpp"
 #include "cases/solve_cases.hpp"
 #include "files/each_file.hpp"
 #include "studies/tolerance/task/find_tolerance.hpp"

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "cases/certainty_findings.hpp"
+#include "cases/findings/certainty_findings.hpp"
 #include "cases/solve_cases.hpp"
 #include "format/mechanism_reader.hpp"
 #include "mechanism/bind/bind.hpp"

@@ -244,6 +244,13 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "'input' nor as 'output': rows there have the status 'no_efficiency', or 'self_locking' where "
      "friction takes more than the inputs supply. Where nothing loses power there is none either, "
      "and rows are solved."},
+    {"W0517",
+     done,
+     "forces of inertia hardly known",
+     "Forces of inertia follow from accelerations, which are hardly determined beside a singular "
+     "position, and where the case gives the speed of something that hardly moves while other "
+     "parts run. The bound is the worst that rounding can do; the values are mostly far better. "
+     "Move a little away from such a position, or give the speed of a coupling that moves more."},
     {"W0601",
      done,
      "actions are statically indeterminate",

@@ -274,14 +274,13 @@ void ReducedSystem::add_springs(const std::vector<SpringState>& springs,
 }
 
 double ReducedSystem::uncut_tension(std::size_t spring) const {
-  return uncut_elastic_tension(spring) +
-         mechanism_.springs[spring].damping * springs_[spring].rate - spring_forces_[spring];
+  return uncut_tension_at_rest(spring) + mechanism_.springs[spring].damping * springs_[spring].rate;
 }
 
-double ReducedSystem::uncut_elastic_tension(std::size_t spring) const {
+double ReducedSystem::uncut_tension_at_rest(std::size_t spring) const {
   Spring both = mechanism_.springs[spring];
   both.acts = SpringSense::both;
-  return elastic_tension(both, springs_[spring].position);
+  return elastic_tension(both, springs_[spring].position) - spring_forces_[spring];
 }
 
 std::optional<BodyId> ReducedSystem::wrong_rotor() const {

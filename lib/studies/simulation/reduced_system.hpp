@@ -54,7 +54,7 @@ class ReducedSystem {
 
   /// What a spring would pull if it acted both ways [N], and the same without its damping.
   double uncut_tension(std::size_t spring) const;
-  double uncut_elastic_tension(std::size_t spring) const;
+  double uncut_tension_at_rest(std::size_t spring) const;
 
   /// What the rates of a freedom are for unit speeds of all coordinates there.
   VecX direction_of(int freedom) const;

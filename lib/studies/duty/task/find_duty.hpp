@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "cases/case_findings.hpp"
+#include "cases/findings/case_findings.hpp"
 #include "core/diagnostic.hpp"
 #include "studies/duty/duty_solution.hpp"
 

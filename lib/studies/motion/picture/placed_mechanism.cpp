@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "cases/case_findings.hpp"
 #include "cases/chosen_case.hpp"
+#include "cases/findings/case_findings.hpp"
 #include "core/utf8.hpp"
 #include "draw/axes.hpp"
 #include "draw/linkage/drawn_motion.hpp"

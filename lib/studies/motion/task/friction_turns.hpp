@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "cases/case_findings.hpp"
+#include "cases/findings/case_findings.hpp"
 #include "mechanism/mechanism.hpp"
 #include "studies/motion/report/motion_table.hpp"
 #include "studies/motion/task/motion_position.hpp"

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "cases/case_findings.hpp"
+#include "cases/findings/case_findings.hpp"
 #include "core/diagnostic.hpp"
 #include "studies/motion/configuration.hpp"
 #include "studies/motion/report/motion_table.hpp"

@@ -76,7 +76,7 @@ std::optional<double> Simulator::find_turn() {
     first = one ? one : first;
     if (mechanism_.springs[spring].damping != 0.0) {
       const std::optional<double> other =
-          spring_turn(spring, &ReducedSystem::uncut_elastic_tension, from, first.value_or(to));
+          spring_turn(spring, &ReducedSystem::uncut_tension_at_rest, from, first.value_or(to));
       first = other ? other : first;
     }
   }

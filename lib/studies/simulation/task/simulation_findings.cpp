@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "cases/action_findings.hpp"
+#include "cases/findings/action_findings.hpp"
 #include "core/index.hpp"
 #include "core/simulation_tolerance.hpp"
 #include "core/text.hpp"

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "cases/action_findings.hpp"
+#include "cases/findings/action_findings.hpp"
 #include "core/text.hpp"
 #include "statics/one_sided_action.hpp"
 

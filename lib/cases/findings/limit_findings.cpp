@@ -1,4 +1,4 @@
-#include "cases/limit_findings.hpp"
+#include "cases/findings/limit_findings.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "cases/certainty_findings.hpp"
+#include "cases/findings/certainty_findings.hpp"
 
 #include <string>
 

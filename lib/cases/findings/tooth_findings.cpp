@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "cases/action_findings.hpp"
+#include "cases/findings/action_findings.hpp"
 #include "mechanism/gears/coast_flanks.hpp"
 #include "statics/coupling_wrenches.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "cases/case_findings.hpp"
+#include "cases/findings/case_findings.hpp"
 #include "statics/friction_law.hpp"
 
 namespace kinestat {

@@ -1,7 +1,7 @@
 // Findings about gears that exceed the limits of `shift`.
 #pragma once
 
-#include "cases/case_findings.hpp"
+#include "cases/findings/case_findings.hpp"
 
 namespace kinestat {
 

@@ -1,4 +1,4 @@
-#include "cases/action_findings.hpp"
+#include "cases/findings/action_findings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "cases/bearing_pair.hpp"
-#include "cases/known_side.hpp"
+#include "cases/findings/bearing_pair.hpp"
+#include "cases/findings/known_side.hpp"
 #include "core/text.hpp"
 #include "kinematics/bounded_motion.hpp"
 #include "screw/bounded_screw.hpp"

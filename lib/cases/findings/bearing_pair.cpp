@@ -1,4 +1,4 @@
-#include "cases/bearing_pair.hpp"
+#include "cases/findings/bearing_pair.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "cases/known_side.hpp"
+#include "cases/findings/known_side.hpp"
 
 #include <algorithm>
 #include <cmath>
