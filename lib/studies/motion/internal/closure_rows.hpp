@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -41,6 +42,15 @@ struct FramedRow {
   std::vector<double> signs;           ///< +1: the joint moves the head
   std::vector<int> steady;             ///< of the rates: see RatesOfRow
   std::array<bool, 3> is_linear = {};  ///< each of its rows: in all rates, likewise
+};
+
+/// Of the joints between two frames.
+struct TurnAxis {
+  bool is_one = true;             ///< all that turn have one direction
+  std::optional<Vec3> axis = {};  ///< it; empty if none turns
+
+  /// Whether it is no axis of the world.
+  bool is_oblique() const { return axis && axis->cwiseAbs().maxCoeff() < 1.0; }
 };
 
 /// The rates of the joints that a row depends on.

@@ -73,6 +73,18 @@ ClosureSystem<Frames>::ClosureSystem(const MotionNetwork& network)
 template <class Frames>
 void ClosureSystem<Frames>::add_row(const ClosureRow& closure) {
   const ClosureCondition& one = closure.condition;
+  const TurnAxis turns = axis_between(closure.tail_frame, closure.head_frame);
+  if (Frames::kDirections == 3 && one.kind == ClosureKind::meet && turns.is_oblique()) {
+    ClosureRow part = closure;
+    part.condition.kind = ClosureKind::along;
+    part.condition.value = 0.0;
+    const Vec3 across = turns.axis->unitOrthogonal();
+    for (const Vec3& direction : {*turns.axis, across, Vec3(turns.axis->cross(across))}) {
+      part.condition.tail = direction;
+      add_row(part);
+    }
+    return;
+  }
   const bool is_angle = one.kind == ClosureKind::across;
   Row row;
   row.kind = one.kind;
@@ -92,7 +104,7 @@ void ClosureSystem<Frames>::add_row(const ClosureRow& closure) {
     add_steady(closure.tail_frame, one.tail_point, row);
     add_steady(closure.head_frame, one.head_point, row);
   }
-  row.is_linear = find_linear(one, row.rates);
+  row.is_linear = find_linear(one, turns);
   const int count = one.kind == ClosureKind::meet ? Frames::kDirections : 1;
   row_count_ += count;
   row_couplings_.insert(row_couplings_.end(), at(count), closure.coupling.value);

@@ -17,18 +17,29 @@ bool is_along(const Vec3& direction, const Vec3& axis) {
 
 // Turns about one direction change nothing along it, and slides keep what they have along it.
 template <class Frames>
-std::array<bool, 3> ClosureSystem<Frames>::find_linear(const ClosureCondition& condition,
-                                                       const std::vector<int>& rates) const {
-  std::optional<Vec3> axis;
+TurnAxis ClosureSystem<Frames>::axis_between(int tail_frame, int head_frame) const {
+  Row path;
+  add_path(tail_frame, head_frame, path);
+  TurnAxis result;
   for (const ClosureJoint& joint : joints_) {
-    if (joint.kind == ElementaryKind::slide || std::ranges::count(rates, joint.rate) == 0) {
+    if (joint.kind == ElementaryKind::slide || std::ranges::count(path.rates, joint.rate) == 0) {
       continue;
     }
-    axis = axis.value_or(joint.direction);
-    if (joint.kind == ElementaryKind::ball || !is_along(joint.direction, *axis)) {
-      return {};
+    result.axis = result.axis.value_or(joint.direction);
+    if (joint.kind == ElementaryKind::ball || !is_along(joint.direction, *result.axis)) {
+      return {.is_one = false};
     }
   }
+  return result;
+}
+
+template <class Frames>
+std::array<bool, 3> ClosureSystem<Frames>::find_linear(const ClosureCondition& condition,
+                                                       const TurnAxis& turns) const {
+  if (!turns.is_one) {
+    return {};
+  }
+  const std::optional<Vec3>& axis = turns.axis;
   const auto keeps = [&axis](const Vec3& direction) { return !axis || is_along(direction, *axis); };
   switch (condition.kind) {
     case ClosureKind::meet:
@@ -60,10 +71,12 @@ std::vector<RatesOfRow> ClosureSystem<Frames>::rates_of_rows() const {
   return result;
 }
 
-template std::array<bool, 3> ClosureSystem<PlanarFrames>::find_linear(
-    const ClosureCondition&, const std::vector<int>&) const;
-template std::array<bool, 3> ClosureSystem<SpatialFrames>::find_linear(
-    const ClosureCondition&, const std::vector<int>&) const;
+template TurnAxis ClosureSystem<PlanarFrames>::axis_between(int, int) const;
+template TurnAxis ClosureSystem<SpatialFrames>::axis_between(int, int) const;
+template std::array<bool, 3> ClosureSystem<PlanarFrames>::find_linear(const ClosureCondition&,
+                                                                      const TurnAxis&) const;
+template std::array<bool, 3> ClosureSystem<SpatialFrames>::find_linear(const ClosureCondition&,
+                                                                       const TurnAxis&) const;
 template std::vector<RatesOfRow> ClosureSystem<PlanarFrames>::rates_of_rows() const;
 template std::vector<RatesOfRow> ClosureSystem<SpatialFrames>::rates_of_rows() const;
 
