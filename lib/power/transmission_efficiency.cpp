@@ -120,6 +120,9 @@ class LossyCase {
       return self_locking("losses exceed the power of the inputs");
     }
     if (result.value && *result.value == 0.0) {
+      if (gives_outputs()) {
+        return {.value = 0.0, .reason = "no power leaves by the outputs"};
+      }
       return {
           .value = 0.0, .reason = "losses absorb all power of the inputs", .is_self_locking = true};
     }
@@ -141,6 +144,14 @@ class LossyCase {
                             .loads = flow.loads,
                             .largest = flow.largest,
                             .slips = &slips});
+  }
+
+  // Whether the case says what all outputs take, so that losses do not decide it.
+  bool gives_outputs() const {
+    return std::ranges::all_of(which_.outputs, [this](int output) {
+      const int action = mechanism_.topology.actuators[static_cast<std::size_t>(output)].action;
+      return std::ranges::find(which_.actions, action, &Primary::index) != which_.actions.end();
+    });
   }
 
   // Loads and frictions may leave the coordinates that the actions need.

@@ -46,6 +46,9 @@ void add_tooth_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFin
 /// have a motion alone.
 void add_freewheel_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found);
 
+/// Warns of clutches and brakes that supply power.
+void add_clutch_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found);
+
 /// Warns of segments that would be in compression, with the pretension that keeps them in tension,
 /// and of cables that friction does not hold.
 void add_cable_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found);

@@ -268,6 +268,7 @@ CaseFindings find_case_findings(const JudgedFile& file,
     add_tooth_findings(file, one, found);
   }
   add_freewheel_findings(file, one, found);
+  add_clutch_findings(file, one, found);
   add_power_findings(file, one, found);
   if (const ShiftState* state = find_state(file, one)) {
     add_limit_findings(file, one, *state, found);

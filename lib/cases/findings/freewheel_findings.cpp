@@ -1,10 +1,11 @@
-// Findings about freewheels.
+// Findings about clutches, brakes and freewheels.
 #include <cmath>
 #include <string>
 
 #include <fmt/format.h>
 
 #include "cases/findings/action_findings.hpp"
+#include "core/tolerance.hpp"
 #include "statics/one_sided_action.hpp"
 
 namespace kinestat {
@@ -38,6 +39,44 @@ void add_freewheel_findings(const JudgedFile& file, const CaseAnalysis& one, Cas
                           coupling.name));
     added.element = asked;  // other freewheels, and the other fault, are told beside it
     added.size = std::abs(wrong.value);
+  }
+}
+
+void add_clutch_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
+  if (!one.power || !one.motion || !one.action) {
+    return;
+  }
+  const Topology& topology = file.mechanism.topology;
+  const FileUnits& units = file.description.units;
+  for (std::size_t i = 0; i < topology.actuators.size(); ++i) {
+    const ActuatorTopology& actuator = topology.actuators[i];
+    const auto freedom = static_cast<std::size_t>(actuator.freedom);
+    const CouplingTopology& coupling = topology.coupling(topology.freedoms[freedom].coupling);
+    const bool is_clutch =
+        coupling.type == CouplingType::clutch || coupling.type == CouplingType::brake;
+    const double power = one.power->actuators[i];
+    if (!is_clutch || power <= kPowerBalance * one.power->largest) {
+      continue;
+    }
+    const double torque = one.action->magnitudes[static_cast<std::size_t>(actuator.action)].value();
+    const std::string asked = fmt::format("'{}' would have to drive", coupling.name);
+    CaseFinding& added = found.warning(
+        "W0612",
+        coupling.where,
+        fmt::format("case '{}': {}: its torque of {:.6g} {} acts along its slip of {:.6g} {}",
+                    one.which.label,
+                    asked,
+                    torque / units.factor(QuantityKind::moment),
+                    units.text(QuantityKind::moment),
+                    one.motion->rates[freedom] / units.factor(QuantityKind::angular_velocity),
+                    units.text(QuantityKind::angular_velocity)),
+        fmt::format("a clutch or brake that slips can only take power: write {}: {:.6g} {}, where "
+                    "the case gives its torque",
+                    coupling.name,
+                    -torque / units.factor(QuantityKind::moment),
+                    units.text(QuantityKind::moment)));
+    added.element = asked;
+    added.size = power;
   }
 }
 

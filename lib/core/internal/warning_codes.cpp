@@ -339,6 +339,13 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "would lock, so that its numbers hold for a clutch in its place, not for this mechanism. "
      "'kinestat shift' decides by itself which of its gears a freewheel allows: there such a state "
      "is neutral or a tie-up."},
+    {"W0612",
+     done,
+     "clutch or brake that drives",
+     "A clutch or brake that slips takes power: its torque acts against its slip. In this case the "
+     "torque acts along the slip, so that the clutch supplies power, which counts as power of the "
+     "inputs. The sign of the torque is that of its first body on the second, and slip that of the "
+     "second relative to the first."},
     {"W0701",
      done,
      "loss of a mesh is not known",

@@ -281,7 +281,7 @@ class CaseBinder {
         result.push_back(*at);
         continue;
       }
-      if (loads_.find(name.text) || name.text.starts_with(kWeightPrefix)) {
+      if (power_loads_.find(name.text)) {
         continue;  // bind_load_ends
       }
       found_.error("E0313",
