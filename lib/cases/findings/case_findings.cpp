@@ -293,6 +293,21 @@ bool is_reported(const CaseFinding& one, const Diagnostics& found) {
   });
 }
 
+// A motion answers where its case moves, and may be drawn where that rests.
+CaseFinding told_of_drawing(CaseFinding one, const Case& which, const Analysis& analysis) {
+  const std::optional<MotionDescription>& motion = analysis.description.motion;
+  const bool is_of_motion = motion && motion->label && motion->label->text == which.label;
+  if (one.code == "E0606" && is_of_motion) {
+    one.severity = Severity::warning;
+    one.code = "W0508";
+    one.message += " in the drawn position";
+    one.hint =
+        "'kinestat motion' has its actions where it moves; to have them here too, draw a "
+        "position in which this coupling moves";
+  }
+  return one;
+}
+
 }  // namespace
 
 void add_slip_findings(const ShiftAnalysis& shift, Diagnostics& found) {
@@ -308,8 +323,9 @@ void add_findings(const Analysis& analysis, Diagnostics& found) {
   for (const CaseAnalysis& one : analysis.cases) {
     const CaseFindings of_case = find_case_findings(judged_file(analysis), one);
     for (const CaseFinding& finding : of_case.items()) {
-      if (!is_reported(finding, found)) {
-        add(finding, found);
+      const CaseFinding told = told_of_drawing(finding, one.which, analysis);
+      if (!is_reported(told, found)) {
+        add(told, found);
       }
     }
   }
