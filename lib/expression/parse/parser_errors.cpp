@@ -117,7 +117,7 @@ int Parser::fail_unit(const Token& number, const Token& word) {
                 fmt::format("write {}*{}", text_of(number), name));
   }
   const std::string hint = unit_hint(name);
-  const bool is_near = hint.starts_with("did");
+  const bool is_near = hint.starts_with("did") || hint.starts_with("1 ");
   return fail(
       word,
       fmt::format("unknown unit '{}'", name),
@@ -185,11 +185,12 @@ std::string Parser::product_hint() const {
     const std::string_view name = text_of(tokens_[at_ + 2]);
     const Unit* const unit = find_unit(name);
     if (unit != nullptr && unit->dimension == dimension_of(QuantityKind::time)) {
-      const std::string turns = name == "min" ? "rpm" : fmt::format("rev/{}", name);
-      return fmt::format("write {0} {1} for a speed of turns, {0}*1/{2} for a product",
-                         text_of(before),
-                         turns,
-                         name);
+      return name == "min" ? fmt::format("write {0} rpm for a speed of turns", text_of(before))
+                           : fmt::format(
+                                 "write {0} rad/{1} for an angular velocity, {0} rev/{1} if "
+                                 "it counts turns",
+                                 text_of(before),
+                                 name);
     }
   }
   return before.kind == TokenKind::symbol

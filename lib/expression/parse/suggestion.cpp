@@ -50,6 +50,10 @@ constexpr auto kForeignUnits = std::to_array<Spelling>({
     {"U", "1 rev, and 1 U/min is 1 rpm"},
     {"tr", "1 rev, and 1 tr/min is 1 rpm"},
     {"PS", "735.49875 W"},
+    {"kp", "1 kgf"},
+    {"Grad", "1 deg"},
+    {"grad", "0.9 deg"},
+    {"gon", "0.9 deg"},
 });
 
 // A unit written out, in the plural, or broken off after three letters or more.

@@ -26,11 +26,6 @@ bool needs_case(MotionReport report) {
          });
 }
 
-std::string with_dots(std::string name) {
-  std::ranges::replace(name, '/', '.');
-  return name;
-}
-
 // Actions are called as in a single position, and what is of the whole needs no element.
 std::string brief_name(const MotionColumn& column) {
   const std::string& quantity = column.quantity;
@@ -41,8 +36,10 @@ std::string brief_name(const MotionColumn& column) {
 
 template <class Candidates>
 auto find_column(const Candidates& all, const std::string& column) {
-  return std::ranges::find_if(
-      all, [&](const auto& one) { return one.dotted == column || one.brief == column; });
+  return std::ranges::find_if(all, [&](const auto& one) {
+    return one.dotted == column || one.brief == column ||
+           std::ranges::count(one.others, column) > 0;
+  });
 }
 
 }  // namespace
@@ -85,14 +82,20 @@ std::vector<MotionColumnSearch::Candidate> MotionColumnSearch::candidates_of(int
   std::vector<Candidate> all;
   for (MotionColumnOffer& one : motion_column_offers(description_, mechanism_, plan, positions_)) {
     std::string name = one.column.name();
+    std::vector<std::string> others;
+    for (const auto& [element, quantity] : names_of(one.column, mechanism_.topology)) {
+      others.push_back(element + "." + quantity);
+    }
     all.push_back({.name = name,
-                   .dotted = with_dots(name),
+                   .dotted = dotted(name),
+                   .others = std::move(others),
                    .brief = brief_name(one.column),
                    .unit = one.column.unit,
                    .needs = std::move(one.needs)});
   }
   all.push_back({.name = std::string(kClosureErrorColumn),
                  .dotted = std::string(kClosureErrorColumn),
+                 .others = {},
                  .brief = {},
                  .unit = {},
                  .needs = {}});
@@ -173,9 +176,11 @@ std::optional<SweepColumn> MotionColumnSearch::find_dead_points(const Name& name
 void MotionColumnSearch::refuse_column(const Name& name, const std::string& column) {
   std::vector<std::string> all;
   std::vector<std::string> longer;
+  const std::string part = column.substr(0, column.find('.')) + ".";
   for (const Candidate& one : candidates_.front()) {
     all.push_back(one.dotted);
-    if (one.dotted.starts_with(column + ".")) {
+    const auto is_of_part = [&part](const std::string& other) { return other.starts_with(part); };
+    if (std::ranges::any_of(one.others, is_of_part)) {
       longer.push_back(one.dotted);
     }
   }

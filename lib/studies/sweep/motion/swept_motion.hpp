@@ -54,9 +54,10 @@ class MotionColumnSearch {
  private:
   // One column that the table of the motion would have, and what asks for it.
   struct Candidate {
-    std::string name;    // "d.wz/position"
-    std::string dotted;  // "d.wz.position"
-    std::string brief;   // "load" of "load/action"; may be empty
+    std::string name;                 // "d.wz/position"
+    std::string dotted;               // "d.wz.position"
+    std::vector<std::string> others;  // "motor.position"
+    std::string brief;                // "load" of "load/action"; may be empty
     std::string unit;
     MotionReport needs;
   };

@@ -20,11 +20,6 @@ namespace kinestat {
 
 namespace {
 
-std::string dotted(std::string name) {
-  std::ranges::replace(name, '/', '.');
-  return name;
-}
-
 bool begins_with_parts(const std::string& name, const std::string& begin) {
   return name.starts_with(begin) && (name.size() == begin.size() || name[begin.size()] == '.');
 }
@@ -106,28 +101,8 @@ class ColumnChoice {
     return topology_.actuators[static_cast<std::size_t>(actuator)].name;
   }
 
-  // How a column may be called, by the part that has it and by the quantity: that of an actuator is
-  // that of its freedom too, and the place of a point its position, or "pen/x".
-  std::vector<std::pair<std::string, std::string>> names_of(const MotionColumn& column) const {
-    const std::string element = dotted(column.element);
-    const std::string quantity = dotted(column.quantity);
-    std::vector<std::pair<std::string, std::string>> names = {{element, quantity}};
-    for (const ActuatorTopology& actuator : topology_.actuators) {
-      if (column.element == topology_.freedom_name(actuator.freedom)) {
-        names.emplace_back(dotted(actuator.name), quantity);
-      }
-    }
-    constexpr std::string_view kPlace = "at.";
-    if (quantity.starts_with(kPlace)) {
-      const std::string axis = quantity.substr(kPlace.size());
-      names.emplace_back(element, axis);
-      names.emplace_back(element, "position." + axis);
-    }
-    return names;
-  }
-
   bool means(const std::string& asked, const MotionColumn& column) const {
-    return std::ranges::any_of(names_of(column), [&](const auto& name) {
+    return std::ranges::any_of(names_of(column, topology_), [&](const auto& name) {
       const auto& [element, quantity] = name;
       if (element.empty()) {
         return begins_with_parts(quantity, asked);
@@ -168,7 +143,7 @@ class ColumnChoice {
       if (!part.empty() && std::ranges::find(elements, part) == elements.end()) {
         elements.push_back(part);
       }
-      for (const auto& [element, quantity] : names_of(one.column)) {
+      for (const auto& [element, quantity] : names_of(one.column, topology_)) {
         if (!element.empty() && begins_with_parts(dotted(name.text), element)) {
           of_element.push_back(one.column.name());
         }

@@ -81,6 +81,30 @@ class OfferList {
 
 }  // namespace
 
+std::string dotted(std::string name) {
+  std::ranges::replace(name, '/', '.');
+  return name;
+}
+
+std::vector<std::pair<std::string, std::string>> names_of(const MotionColumn& column,
+                                                          const Topology& topology) {
+  const std::string element = dotted(column.element);
+  const std::string quantity = dotted(column.quantity);
+  std::vector<std::pair<std::string, std::string>> names = {{element, quantity}};
+  for (const ActuatorTopology& actuator : topology.actuators) {
+    if (column.element == topology.freedom_name(actuator.freedom)) {
+      names.emplace_back(dotted(actuator.name), quantity);
+    }
+  }
+  constexpr std::string_view kPlace = "at.";
+  if (quantity.starts_with(kPlace)) {
+    const std::string axis = quantity.substr(kPlace.size());
+    names.emplace_back(element, axis);
+    names.emplace_back(element, "position." + axis);
+  }
+  return names;
+}
+
 MotionReport report_of_word(const std::string& word) {
   MotionReport report;
   *find_report_word(word, report) = true;

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "description/mechanism_description.hpp"
@@ -15,6 +17,14 @@ struct MotionColumnOffer {
   MotionColumn column;
   MotionReport needs;  ///< a report that has it
 };
+
+/// A name as paths in sweeps have it, with dots in place of slashes.
+std::string dotted(std::string name);
+
+/// What a column is called, each name as element and quantity with dots: by its own, by the
+/// actuator of its freedom, and of a place without "at" or as a position.
+std::vector<std::pair<std::string, std::string>> names_of(const MotionColumn& column,
+                                                          const Topology& topology);
 
 /// A report of what the word stands for, which must be one of `motion_report_words`.
 MotionReport report_of_word(const std::string& word);
