@@ -58,6 +58,12 @@ Paint line_paint(int index) {
   return {.stroke = series_ink(index), .width = 2.0, .dash = std::string(series_dash(index))};
 }
 
+// A line through one point would not be seen.
+bool is_alone(const std::vector<PixelPoint>& points, std::size_t i) {
+  return (i == 0 || !std::isfinite(points[i - 1].x)) &&
+         (i + 1 == points.size() || !std::isfinite(points[i + 1].x));
+}
+
 void draw_series(const Series& series,
                  std::size_t place,
                  int index,
@@ -65,13 +71,13 @@ void draw_series(const Series& series,
                  Svg& svg) {
   const std::array<Attribute, 1> mark = {{{"data-series", fmt::format("{}", place)}}};
   svg.open_group(series.name, mark);
-  if (series.style == SeriesStyle::line) {
+  const bool is_line = series.style == SeriesStyle::line;
+  if (is_line) {
     svg.polyline(points, line_paint(index));
-  } else {
-    for (const PixelPoint& point : points) {
-      if (std::isfinite(point.x)) {
-        draw_marker(index, point, series_ink(index), 8.0, svg);
-      }
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (std::isfinite(points[i].x) && (!is_line || is_alone(points, i))) {
+      draw_marker(index, points[i], series_ink(index), 8.0, svg);
     }
   }
   svg.close_group();

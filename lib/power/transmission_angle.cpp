@@ -26,11 +26,12 @@ BodyId holding_body(const CouplingTopology& output) {
   return output.head.value != 0 ? output.tail : output.head;
 }
 
-std::optional<CouplingId> find_driving_coupling(const Topology& topology,
-                                                const CouplingTopology& output) {
+// Those that may drive the body of the output.
+std::vector<CouplingId> find_driving_couplings(const Topology& topology,
+                                               const CouplingTopology& output) {
   const BodyId driven = driven_body(output);
   const BodyId holding = holding_body(output);
-  std::optional<CouplingId> result;
+  std::vector<CouplingId> result;
   for (int c = 0; c < topology.coupling_count(); ++c) {
     const CouplingTopology& one = topology.coupling({c});
     const bool is_head = one.head == driven;
@@ -39,49 +40,69 @@ std::optional<CouplingId> find_driving_coupling(const Topology& topology,
     if (!is_joined || other == holding || one.action_count == 0) {
       continue;
     }
-    if (result) {
-      return std::nullopt;
-    }
-    result = CouplingId{c};
+    result.push_back(CouplingId{c});
   }
   return result;
 }
 
-// The wrench of the driving coupling while the action `loaded` is 1, input and output bear what
-// follows from it, and the other actuators nothing.
-std::optional<BoundedWrench> find_driving_wrench(const Mechanism& mechanism,
-                                                 const CoordinateBasis& basis,
-                                                 CouplingId driving,
-                                                 int loaded,
-                                                 const std::array<int, 2>& ends) {
+// What a coupling does to the body of the output.
+struct Drive {
+  CouplingId coupling;
+  BoundedWrench wrench;
+};
+
+// What drives while the action `loaded` is 1, input and output bear what follows from it, and the
+// other actuators nothing, those alone excepted that equilibrium gives an action by itself;
+// couplings that bear nothing are left out.
+std::optional<std::vector<Drive>> find_drives(const Mechanism& mechanism,
+                                              const CoordinateBasis& basis,
+                                              std::span<const CouplingId> driving,
+                                              int loaded,
+                                              const std::array<int, 2>& ends) {
   std::vector<Primary> known = {{.index = loaded, .value = 1.0, .given = {}, .where = {}}};
+  StaticSolution solution = solve_action(mechanism, basis, known);
   for (const ActuatorTopology& actuator : mechanism.topology.actuators) {
-    if (std::ranges::find(ends, actuator.action) == ends.end()) {
+    const bool is_open = solution.status == SolveStatus::underdetermined &&
+                         !solution.magnitudes[static_cast<std::size_t>(actuator.action)];
+    if (is_open && std::ranges::find(ends, actuator.action) == ends.end()) {
       known.push_back({.index = actuator.action, .value = 0.0, .given = {}, .where = {}});
+      solution = solve_action(mechanism, basis, known);
     }
   }
-  const StaticSolution solution = solve_action(mechanism, basis, known);
-  return solution.wrenches.empty() ? std::nullopt : bounded_wrench(solution, driving);
+  std::vector<Drive> drives;
+  for (const CouplingId coupling : driving) {
+    const std::optional<BoundedWrench> wrench =
+        solution.wrenches.empty() ? std::nullopt : bounded_wrench(solution, coupling);
+    if (!wrench) {
+      return std::nullopt;
+    }
+    if (!wrench->zeroed().coordinates().isZero(0.0)) {
+      drives.push_back({.coupling = coupling, .wrench = *wrench});
+    }
+  }
+  return drives.empty() ? std::nullopt : std::optional(std::move(drives));
 }
 
 // While the output is loaded; at a dead point of the input, where only that can load the chain,
 // while the input is; and where the chain is stretched so that neither can, as it stresses itself,
 // which is the limit of what is beside that position.
-std::optional<BoundedWrench> find_driving_wrench(const Mechanism& mechanism,
-                                                 CouplingId driving,
-                                                 int input,
-                                                 int output) {
+std::optional<std::vector<Drive>> find_drives(const Mechanism& mechanism,
+                                              std::span<const CouplingId> driving,
+                                              int input,
+                                              int output) {
   const CoordinateBasis basis = action_basis(mechanism.geometry, mechanism.static_order);
-  const CouplingTopology& coupling = mechanism.topology.coupling(driving);
   std::vector<int> loaded = {output, input};
-  for (int i = 0; i < coupling.action_count; ++i) {
-    loaded.push_back(coupling.first_action + i);
+  for (const CouplingId id : driving) {
+    const CouplingTopology& coupling = mechanism.topology.coupling(id);
+    for (int i = 0; i < coupling.action_count; ++i) {
+      loaded.push_back(coupling.first_action + i);
+    }
   }
-  std::optional<BoundedWrench> wrench;
-  for (std::size_t i = 0; i < loaded.size() && !wrench; ++i) {
-    wrench = find_driving_wrench(mechanism, basis, driving, loaded[i], {input, output});
+  std::optional<std::vector<Drive>> drives;
+  for (std::size_t i = 0; i < loaded.size() && !drives; ++i) {
+    drives = find_drives(mechanism, basis, driving, loaded[i], {input, output});
   }
-  return wrench;
+  return drives;
 }
 
 // Of a force and the motion of the body on which it acts, in whatever sense; `near` is the point of
@@ -117,20 +138,23 @@ AngleOrObstacle find_angle(const Mechanism& mechanism, int input, int output) {
   const ActuatorTopology& driven = topology.actuators[static_cast<std::size_t>(output)];
   const auto freedom = static_cast<std::size_t>(driven.freedom);
   const CouplingTopology& coupling = topology.coupling(topology.freedoms[freedom].coupling);
-  const std::optional<CouplingId> driving = find_driving_coupling(topology, coupling);
-  if (!driving) {
+  const std::vector<CouplingId> driving = find_driving_couplings(topology, coupling);
+  if (driving.empty()) {
     return TransmissionObstacle::no_one_coupling;
   }
-  const std::optional<BoundedWrench> wrench =
-      find_driving_wrench(mechanism,
-                          *driving,
-                          topology.actuators[static_cast<std::size_t>(input)].action,
-                          driven.action);
-  if (!wrench) {
+  const std::optional<std::vector<Drive>> drives =
+      find_drives(mechanism,
+                  driving,
+                  topology.actuators[static_cast<std::size_t>(input)].action,
+                  driven.action);
+  if (!drives) {
     return TransmissionObstacle::open_force;
   }
-  const auto at = static_cast<std::size_t>(driving->value);
-  return angle_between(*wrench,
+  if (drives->size() > 1) {
+    return TransmissionObstacle::no_one_coupling;
+  }
+  const auto at = static_cast<std::size_t>(drives->front().coupling.value);
+  return angle_between(drives->front().wrench,
                        mechanism.geometry.motions[freedom],
                        mechanism.geometry.points[at],
                        position_error(mechanism) * mechanism.geometry.length);

@@ -44,7 +44,11 @@ class CaseBinder {
              std::span<const Curve> curves,
              Evaluator& evaluator,
              Diagnostics& found)
-      : topology_(topology), curves_(curves), evaluator_(evaluator), found_(found) {
+      : topology_(topology),
+        curves_(curves),
+        evaluator_(evaluator),
+        found_(found),
+        has_gravity_(description.gravity.has_value()) {
     add_loads(description.loads);
     for (const CaseDescription& one : description.cases) {
       add_loads(one.loads);
@@ -281,7 +285,8 @@ class CaseBinder {
         result.push_back(*at);
         continue;
       }
-      if (power_loads_.find(name.text)) {
+      const bool lacks_gravity = !has_gravity_ && name.text.starts_with(kWeightPrefix);
+      if (power_loads_.find(name.text) || lacks_gravity) {
         continue;  // bind_load_ends
       }
       found_.error("E0313",
@@ -296,6 +301,7 @@ class CaseBinder {
   std::span<const Curve> curves_;
   Evaluator& evaluator_;
   Diagnostics& found_;
+  bool has_gravity_;
   Index freedoms_;
   Index actions_;
   Index actuators_;

@@ -54,6 +54,14 @@ TEST(Chart, DrawsASeriesByItsLook) {
   EXPECT_FALSE(has(picture, "ks-s-blue"));
 }
 
+// A line through one point has no length.
+TEST(Chart, MarksAPointBetweenGaps) {
+  Chart chart = line_chart();
+  chart.series.front().y = {kGap, 3.0, kGap};
+
+  EXPECT_TRUE(has(draw_figure(figure_of(chart)), "<circle"));
+}
+
 TEST(Chart, LeavesGapsWhereThereIsNoValue) {
   Chart chart = line_chart();
   chart.series.front() = {
