@@ -51,6 +51,7 @@ DECISIONS = {
     "lib/studies/motion/joint_follower.cpp": "rank: which joints tell motions apart",
     "lib/studies/simulation/internal/simulator_events.cpp": "search: a rebound by rounding alone is none",
     "lib/studies/simulation/internal/simulator_parting.cpp": "consistency: forces of the wrong sign by rounding alone part nothing",
+    "lib/studies/simulation/internal/extreme_watch.cpp": "search: what exceeds an extreme by less is none",
     "lib/studies/simulation/internal/simulator_friction.cpp": "search: where sliding comes to its end",
     "lib/studies/motion/lanes/lane_dead_point_search.cpp": "search: rates so slow that the whole motion decides",
     "lib/studies/motion/report/motion_text.cpp": "words: a range whose ends are the same number is constant",

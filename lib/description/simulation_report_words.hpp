@@ -6,8 +6,8 @@
 
 namespace kinestat {
 
-inline constexpr std::array<std::string_view, 5> kSimulationReportWords = {
-    "position", "velocity", "acceleration", "action", "energy"};
+inline constexpr std::array<std::string_view, 7> kSimulationReportWords = {
+    "position", "velocity", "acceleration", "action", "reaction", "power", "energy"};
 
 /// Before a slash or a point, in names of columns of the whole.
 inline constexpr std::string_view kEnergyWord = kSimulationReportWords.back();

@@ -149,6 +149,7 @@ CaseDynamics find_dynamics(const Mechanism& mechanism,
     const Twist& rate = motion.twist_rates[b];
     result.bodies.push_back({.body = id,
                              .angular_acceleration = rate.angular,
+                             .angular_bound = motion.bounds[b].angular_rate,
                              .centre = body.centre,
                              .centre_acceleration = centre_acceleration(body, twist, rate),
                              .inertial = acts,

@@ -13,6 +13,7 @@ namespace kinestat {
 struct BodyDynamics {
   BodyId body;
   Vec3 angular_acceleration = Vec3::Zero();  ///< [rad/s²]
+  double angular_bound = 0.0;                ///< of each of its components
   Vec3 centre = Vec3::Zero();                ///< of mass [m]
   Vec3 centre_acceleration = Vec3::Zero();   ///< [m/s²]
   Wrench inertial;                           ///< D'Alembert's force and couple

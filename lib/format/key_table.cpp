@@ -13,6 +13,7 @@
 #include "core/utf8.hpp"
 #include "couplings/coupling_catalogue.hpp"
 #include "couplings/kinds.hpp"
+#include "couplings/mechanics.hpp"
 #include "format/sections/sections.hpp"
 
 namespace kinestat {
@@ -179,6 +180,59 @@ void add_kind(const CouplingKind& kind, KeyTable& table) {
   table.add_lines(kind.meaning, 18);
 }
 
+// Along what the forces and the couples of a kind point as the mechanism moves.
+struct ActionDirections {
+  std::string_view along;
+  std::vector<std::string_view> forces = {};
+  std::vector<std::string_view> couples = {};
+  std::vector<std::string_view> both = {};
+
+  void add(const CouplingKind& kind, bool has_force, bool has_couple) {
+    if (has_force || has_couple) {
+      (has_force && has_couple ? both : has_force ? forces : couples).push_back(kind.word);
+    }
+  }
+
+  std::string text() const {
+    std::string text;
+    const auto add_list = [&](std::string_view head, const std::vector<std::string_view>& kinds) {
+      if (!kinds.empty()) {
+        text += fmt::format("{}{} {}", text.empty() ? "" : "; ", head, fmt::join(kinds, ", "));
+      }
+    };
+    add_list("forces of", forces);
+    add_list("couples of", couples);
+    add_list("all of", both);
+    return text;
+  }
+};
+
+constexpr std::string_view kAcrossBothAxes = "across both axes";
+constexpr std::string_view kAlongCable = "along the cable";
+
+std::string_view along_text(Follows body) {
+  switch (body) {
+    case Follows::world:
+      return "along the world axes";
+    case Follows::tail:
+      return "as the first body turns";
+    case Follows::head:
+      return "as the second body turns";
+    case Follows::carrier:
+      return "as the carrier turns";
+    case Follows::contact:
+      break;
+  }
+  return "along the normal";
+}
+
+std::string_view along_text(const CarriedParts& carried, bool is_couple) {
+  return carried.are_found_anew ? kAlongCable
+         : is_couple && carried.couple_is_across_turns
+             ? kAcrossBothAxes
+             : along_text((is_couple ? carried.couples : carried.forces).direction);
+}
+
 const FormShape& shape_of_section(std::string_view section) {
   const FormShape& file = file_sections().shape();
   const auto at = std::ranges::find(file.keys, section, &FormKey::key);
@@ -301,6 +355,48 @@ std::string coupling_table() {
     add_kind(*kind, table);
   }
   return table.text();
+}
+
+std::string action_directions() {
+  std::vector<ActionDirections> all = {{.along = along_text(Follows::world)},
+                                       {.along = along_text(Follows::tail)},
+                                       {.along = along_text(Follows::head)},
+                                       {.along = along_text(Follows::carrier)},
+                                       {.along = along_text(Follows::contact)},
+                                       {.along = kAlongCable},
+                                       {.along = kAcrossBothAxes}};
+  for (const CouplingKind* kind : coupling_kinds()) {
+    const auto bears = [&](bool is_couple) {
+      const Space space = kind->is_in_space ? Space::spatial : Space::planar;
+      const CouplingScrews screws =
+          coupling_screws(kind->type, space, usual_geometry(*kind, space));
+      return takes(*kind, CouplingKey::constraints) || (kind->engages && is_couple) ||
+             std::ranges::find(screws.constraints, is_couple, &NamedWrench::is_couple) !=
+                 screws.constraints.end();
+    };
+    const CarriedParts& carried = kind->mechanics->carried;
+    const std::string_view of_forces = along_text(carried, false);
+    const std::string_view of_couples = along_text(carried, true);
+    for (ActionDirections& one : all) {
+      one.add(
+          *kind, one.along == of_forces && bears(false), one.along == of_couples && bears(true));
+    }
+  }
+  std::string text;
+  for (const ActionDirections& one : all) {
+    text += page_lines(fmt::format("  {:<25}", one.along), one.text(), 27);
+  }
+  return text;
+}
+
+std::string sliding_kinds() {
+  std::vector<std::string_view> words;
+  for (const CouplingKind* kind : coupling_kinds()) {
+    if (kind->friction == FrictionKind::sliding) {
+      words.push_back(kind->word);
+    }
+  }
+  return page_lines("", fmt::format("{}", fmt::join(words, ", ")), 0);
 }
 
 std::string coupling_page(const CouplingKind& kind, std::string_view example) {

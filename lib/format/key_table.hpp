@@ -18,6 +18,12 @@ std::string key_table(std::string_view section);
 /// meaning under it.
 std::string coupling_table();
 
+/// Along what the actions of the types point as the mechanism moves.
+std::string action_directions();
+
+/// The types whose friction is that of surfaces that slide.
+std::string sliding_kinds();
+
 /// What one of them frees and bears, what else it is called, the example, and its keys.
 std::string coupling_page(const CouplingKind& kind, std::string_view example);
 

@@ -83,10 +83,11 @@ const std::vector<FormShape>& text_shapes() {
       {.kind = FormKind::name,
        .definition = "quantity",
        .meaning = "A quantity in a row of a sweep; for a whole motion, a column with dots and a "
-                  "statistic.",
-       .pattern = "^[A-Za-z_][A-Za-z0-9_-]*(\\.[A-Za-z0-9_-]+)*$",
-       .pattern_text = "Write ratio, an actuator, a freedom or an action such as d.wz or c.Rx, or "
-                       "a figure of a motion such as d.vx.position.range."},
+                  "statistic; or the place of a number in the report of a case.",
+       .pattern = "^[A-Za-z_][A-Za-z0-9_-]*([./][A-Za-z0-9_-]+)*$",
+       .pattern_text = "Write ratio, an actuator, a freedom or an action such as d.wz or c.Rx, "
+                       "a figure of a motion such as d.vx.position.range, or a number of a case "
+                       "such as power/input."},
       {.kind = FormKind::name,
        .definition = "parameter_name",
        .meaning = "A name of your choice: letters, digits and '_', beginning with a letter or '_'; "

@@ -65,6 +65,7 @@ simulation: {action: {push: 3, swing: 0.5}, stops: {push: {to: 0.05}}, time: 2 s
             at = found.at(row["time"])
             self.near(at["a.Rx/action"], row["bearing"][0], 1e-8 * 70)
             self.near(at["a.Ry/action"], row["bearing"][1], 1e-8 * 70)
+            self.near(at["a/force"], math.hypot(*row["bearing"][:2]), 1e-8 * 70)
         # Tension m g cos + m l w^2 along the rod.
         for i, angle in enumerate(found.columns["a.wz/position"]):
             pull = (-math.sin(angle) * found.columns["a.Rx/action"][i] +
@@ -72,7 +73,7 @@ simulation: {action: {push: 3, swing: 0.5}, stops: {push: {to: 0.05}}, time: 2 s
             speed = found.columns["a.wz/velocity"][i]
             self.near(pull, 2 * G * math.cos(angle) + 2 * 0.5 * speed ** 2, 1e-7)
         for name in found.columns:
-            self.assertTrue(name == "time" or name.startswith(("a.", "energy/")), name)
+            self.assertTrue(name == "time" or name.startswith(("a.", "a/force", "energy/")), name)
 
     def test_report_of_the_command_line_comes_before_that_of_the_file(self) -> None:
         found = Simulation(simulations.PENDULUM, "--report", "velocity", "--report", "a.Rx")

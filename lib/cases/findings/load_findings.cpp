@@ -74,7 +74,9 @@ void add_point_masses(const JudgedFile& file, const CaseAnalysis& one, CaseFindi
   for (const BodyDynamics& body : one.dynamics->bodies) {
     const BodyMass& mass = file.mechanism.masses[static_cast<std::size_t>(body.body.value)];
     const Vec3 turns = bounded_body(*one.motion, body.body).angular.zeroed();
-    const bool turns_at_all = !turns.isZero(0.0) || !body.angular_acceleration.isZero(0.0);
+    const BoundedVector speeds_up = {.value = body.angular_acceleration,
+                                     .bound = Vec3::Constant(body.angular_bound)};
+    const bool turns_at_all = !turns.isZero(0.0) || !speeds_up.zeroed().isZero(0.0);
     if (turns_at_all && !mass.has_inertia) {
       names.push_back(fmt::format("'{}'", file.mechanism.topology.body(body.body).name));
     }

@@ -21,7 +21,7 @@ const Record<CaseView>& primary_record() {
                    [](const CaseView& v, const EachName& each) {
                      for (const Primary& primary : v.one.which.motions) {
                        if (!primary.is_assumed) {
-                         each(v.analysis.mechanism.topology.freedom_name(primary.index));
+                         each(v.mechanism.topology.freedom_name(primary.index));
                        }
                      }
                    });
@@ -29,7 +29,7 @@ const Record<CaseView>& primary_record() {
                    "Names of the known actions, coupling.action or an actuator.",
                    [](const CaseView& v, const EachName& each) {
                      for (const Primary& primary : v.one.which.actions) {
-                       each(v.analysis.mechanism.topology.action_name(primary.index));
+                       each(v.mechanism.topology.action_name(primary.index));
                      }
                    });
       });
@@ -56,8 +56,7 @@ const Record<Ratios>& ratio_evidence_record() {
 
 auto read_ratio(RatioInUnits RatiosInUnits::*which) {
   return [which](const CaseView& v) {
-    const RatiosInUnits ratios =
-        ratios_in_units(v.one, v.analysis.mechanism, v.analysis.description.units);
+    const RatiosInUnits ratios = ratios_in_units(v.one, v.mechanism, v.units);
     return std::pair((ratios.*which).value, (ratios.*which).unit);
   };
 }
@@ -141,9 +140,9 @@ void write_affine(std::string_view name,
 }
 
 void write_all_affine(const CaseView& v, Archive& to) {
-  const Topology& topology = v.analysis.mechanism.topology;
-  const std::vector<FreeParameterLabel>& parameters = affine_dependence(v.analysis).parameters;
-  const AffineCase& affine = affine_case(v.analysis, v.one);
+  const Topology& topology = v.mechanism.topology;
+  const std::vector<FreeParameterLabel>& parameters = affine_dependence(*v.analysis).parameters;
+  const AffineCase& affine = affine_case(*v.analysis, v.one);
   to.begin_map();
   for (const AffineMagnitude& rate : affine.rates) {
     const QuantityKind kind = kind_of(topology.freedoms[static_cast<std::size_t>(rate.index)]);
@@ -163,16 +162,16 @@ Shape affine_shape() {
 }
 
 KinematicView motion_of(const CaseView& v) {
-  return {.mechanism = v.analysis.mechanism, .motion = *v.one.motion};
+  return {.mechanism = v.mechanism, .motion = *v.one.motion};
 }
 
 StaticView actions_of(const CaseView& v) {
-  return {.mechanism = v.analysis.mechanism,
+  return {.mechanism = v.mechanism,
           .which = v.one.which,
           .action = *v.one.action,
           .contacts = v.one.contacts,
           .converters = v.one.converters,
-          .units = v.analysis.description.units};
+          .units = v.units};
 }
 
 // Tables have each ratio in the pass of its magnitudes.
@@ -210,7 +209,7 @@ void add_passes(Record<CaseView>& keys) {
   keys.part("power",
             power_record(),
             [](const CaseView& v) {
-              return PowerView{.mechanism = v.analysis.mechanism,
+              return PowerView{.mechanism = v.mechanism,
                                .which = v.one.which,
                                .action = *v.one.action,
                                .flow = *v.one.power,
@@ -224,8 +223,8 @@ void add_passes(Record<CaseView>& keys) {
            "Springs by name; no key without any.",
            [](const CaseView& v, const Each<SpringView>& each) {
              for (std::size_t i = 0; i < v.one.springs.size(); ++i) {
-               each(v.analysis.mechanism.springs[i].name,
-                    {.mechanism = v.analysis.mechanism, .index = i, .state = v.one.springs[i]});
+               each(v.mechanism.springs[i].name,
+                    {.mechanism = v.mechanism, .index = i, .state = v.one.springs[i]});
              }
            })
       .only_if([](const CaseView& v) { return !v.one.springs.empty(); })
@@ -233,7 +232,7 @@ void add_passes(Record<CaseView>& keys) {
   keys.part("dynamics",
             dynamics_record(),
             [](const CaseView& v) {
-              return DynamicsView{.mechanism = v.analysis.mechanism, .dynamics = *v.one.dynamics};
+              return DynamicsView{.mechanism = v.mechanism, .dynamics = *v.one.dynamics};
             })
       .only_if([](const CaseView& v) { return v.one.dynamics.has_value(); })
       .in_tables_is(TableRole::table);
@@ -255,7 +254,9 @@ const Record<CaseView>& case_record() {
             "in them.",
             write_all_affine)
         .not_in_tables()
-        .only_if([](const CaseView& v) { return has_free_parameters(v.analysis.description); });
+        .only_if([](const CaseView& v) {
+          return v.analysis != nullptr && has_free_parameters(v.analysis->description);
+        });
   });
   return record;
 }

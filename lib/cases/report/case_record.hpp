@@ -7,8 +7,10 @@
 namespace kinestat {
 
 struct CaseView {
-  const Analysis& analysis;
+  const Mechanism& mechanism;
+  const FileUnits& units;
   const CaseAnalysis& one;
+  const Analysis* analysis = nullptr;  ///< of which it is a case, for what depends on all
 };
 
 const Record<CaseView>& case_record();

@@ -181,7 +181,9 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "they may be anything between the two, and a row exactly there has none. The message names "
      "the rows before and after, or the end of the range if it lies there; take more steps to "
      "narrow the interval. The same holds for what rests while a drive does, in the dwells of a "
-     "profile and where it begins and ends, and where the mechanism of a motion is drawn at rest."},
+     "profile and where it begins and ends, and where the mechanism of a motion is drawn at rest. "
+     "Means and RMS of actions leave friction out there; those of friction itself are over the "
+     "time in which it has a direction."},
     {"W0509",
      done,
      "dead points may be missing",

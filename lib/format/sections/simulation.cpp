@@ -112,11 +112,11 @@ const Mapping<SimulationDescription>& simulation_section() {
               "the mechanism's size, speeds relative to the fastest.")
             .may(&SimulationDescription::tolerance, integration_tolerance(), "1e-9")
             .usual("1e-9");
-        m.key(
-             "report",
-             "What each row reports: position, velocity, acceleration, action, energy, or names of "
-             "freedoms, actuators, actions, couplings and columns. Without it: everything except "
-             "the actions of couplings.")
+        m.key("report",
+              "What each row reports: position, velocity, acceleration, action, reaction, power, "
+              "energy, "
+              "or names of freedoms, actuators, actions, couplings, loads and columns. Without it: "
+              "everything except the actions and reactions of couplings, and powers.")
             .may(&SimulationDescription::report, one_or_more(column_name()), "[a, action]");
       });
   return mapping;

@@ -130,7 +130,8 @@ void declare_report(Mapping<SweepDescription>& m) {
   m.key("report",
         "The quantities in each row: ratio, torque_ratio, step, efficiency, recirculation, "
         "limit_use, equivalent_inertia, an actuator, lossy.ACTUATOR (its action with mesh losses), "
-        "or COUPLING.FREEDOM and COUPLING.ACTION; for a whole motion COLUMN.least, .greatest, "
+        "or COUPLING.FREEDOM and COUPLING.ACTION; a number of the report of a case by its place, "
+        "power/input; for a whole motion COLUMN.least, .greatest, "
         ".range, .mean, .rms or .peak, and dead_points.")
       .may(&SweepDescription::report, one_or_more(quantity()), "[ratio, efficiency, h.Rc]")
       .offer("ratio", "input speed over output speed")

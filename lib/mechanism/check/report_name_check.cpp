@@ -165,6 +165,10 @@ std::vector<std::string> elements_of_motion(const MechanismDescription& descript
   return all;
 }
 
+bool is_report_path(std::string_view name) {
+  return name.find('/') != std::string_view::npos && !motion_figure_of(name);
+}
+
 std::span<const std::string> sweep_report_words() {
   static const std::vector<std::string> kWords = {"ratio",
                                                   "torque_ratio",
@@ -184,7 +188,8 @@ void check_report_names(const std::vector<Name>& names,
   for (const Name& name : names) {
     if (names_lossy_actuator(name, section, context) ||
         names_motion_figure(name, section, context) ||
-        names_motion_column(name, section, context)) {
+        names_motion_column(name, section, context) ||
+        (section == "sweep" && is_report_path(name.text))) {
       continue;
     }
     if (section == kMotionSection && name.text.starts_with(kSpringPrefix) &&

@@ -17,6 +17,9 @@ inline constexpr std::string_view kEquivalentInertiaWord = "equivalent_inertia";
 /// The words that a sweep may report, besides names of actuators and quantities of couplings.
 std::span<const std::string> sweep_report_words();
 
+/// Whether it is the place of a number in the report of a case: "power/input".
+bool is_report_path(std::string_view name);
+
 /// What has columns in a motion under its own name: of these bodies and of the loads, springs and
 /// traced points of a description with a motion, and the whole.
 std::vector<std::string> elements_of_motion(const MechanismDescription& description,

@@ -34,7 +34,13 @@ void check_report(const Name& name, const SectionContext& context) {
   const Name owner{.text = name.text.substr(0, name.text.find_first_of("./")), .where = name.where};
   const bool is_spring =
       name.text.starts_with(kSpringPrefix) && !context.description.springs.empty();
-  if (owner.text != kEnergyWord && !is_spring && !context.names.couplings.contains(owner.text)) {
+  const std::vector<LoadDescription>& loads = context.description.loads;
+  const bool is_load = name.text.starts_with(kWeightPrefix) ||
+                       std::ranges::any_of(loads, [&](const LoadDescription& one) {
+                         return one.name.text == owner.text;
+                       });
+  if (owner.text != kEnergyWord && !is_spring && !is_load &&
+      !context.names.couplings.contains(owner.text)) {
     context.names.check_actuator(owner, "'report' of 'simulation' names", context.found);
   }
 }

@@ -129,7 +129,11 @@ void add_analysis(Record<ReportView>& keys) {
            "Cases by label; a pass that a case does not request has no key.",
            [](const ReportView& v, const Each<CaseView>& each) {
              for (const CaseAnalysis& one : v.analysis->cases) {
-               each(one.which.label, {.analysis = *v.analysis, .one = one});
+               each(one.which.label,
+                    {.mechanism = v.analysis->mechanism,
+                     .units = v.analysis->description.units,
+                     .one = one,
+                     .analysis = v.analysis});
              }
            })
       .in_tables_is(TableRole::cases)

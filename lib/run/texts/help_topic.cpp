@@ -63,6 +63,12 @@ std::string table_of(std::string_view line, const EmbeddedText& page) {
   if (line == "{{types}}") {
     return coupling_table();
   }
+  if (line == "{{action directions}}") {
+    return action_directions();
+  }
+  if (line == "{{sliding types}}") {
+    return sliding_kinds();
+  }
   if (line == "{{report}}") {
     return report_keys();
   }

@@ -57,6 +57,7 @@ struct ReducedState {
   std::vector<std::optional<double>> friction;   ///< of each friction that slides, tail on head,
                                                  ///< dry and viscous
   std::vector<std::optional<double>> borne;      ///< of all actions, where asked for
+  std::vector<double> load_powers;               ///< of loads, then those that follow curves [W]
   std::vector<SpringState> springs;              ///< of all springs
   std::optional<double> kinetic;                 ///< [J]; none in a singular position
   double potential = 0.0;                        ///< of weights and springs, as drawn zero [J]

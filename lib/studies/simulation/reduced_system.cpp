@@ -204,15 +204,18 @@ bool ReducedSystem::add_forces(double time, const Configuration& configuration) 
   }
   springs_ = std::get<std::vector<SpringState>>(springs);
   spring_forces_ = known.springs;
+  load_powers_.clear();
   for (const Load& load : which_.loads) {
     const std::size_t b = at(load.acts.body.value);
     const Wrench wrench = moved_wrench(load, state_.poses[b]);
     add_wrench(load.acts.body, wrench);
-    powers_.supplied += is_weight(load) ? 0.0 : power(wrench, state_.twists[b]);
+    load_powers_.push_back(power(wrench, state_.twists[b]));
+    powers_.supplied += is_weight(load) ? 0.0 : load_powers_.back();
   }
   for (const Load& load : known.loads) {
     add_wrench(load.acts.body, load.acts.wrench);
-    powers_.supplied += power(load.acts.wrench, state_.twists[at(load.acts.body.value)]);
+    load_powers_.push_back(power(load.acts.wrench, state_.twists[at(load.acts.body.value)]));
+    powers_.supplied += load_powers_.back();
   }
   actions_ = known.actions;
   for (std::size_t a = 0; a < actions_.size(); ++a) {
@@ -382,6 +385,7 @@ ReducedState ReducedSystem::tell(const Configuration& configuration,
   result.actions = actions_;
   result.friction = friction_;
   result.springs = springs_;
+  result.load_powers = load_powers_;
   for (std::size_t i = 0; i < mechanism_.frictions.size(); ++i) {
     const CouplingFriction& friction = mechanism_.frictions[i];
     const int freedom = mechanism_.topology.coupling(friction.coupling).first_freedom;

@@ -135,6 +135,7 @@ class ReducedSystem {
   std::vector<SpringState> springs_;
   std::vector<double> spring_forces_;
   std::vector<double> actions_;
+  std::vector<double> load_powers_;
   MatX inertia_;
   VecX bias_;
   VecX forces_;

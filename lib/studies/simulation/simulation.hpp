@@ -30,6 +30,10 @@ struct SimulationRow {
   std::vector<double> actions = {};               ///< that the case knows, in its order [N·m or N]
   std::vector<double> held = {};                  ///< of the plan's held freedoms: what that takes
   std::vector<std::optional<double>> borne = {};  ///< of all actions; none unless the plan asks
+  std::vector<std::optional<double>> reactions = {};  ///< resultant forces of `coupling_reactions`
+                                                      ///< [N], likewise
+  std::vector<std::optional<double>> load_powers = {};  ///< of the loads of the case, then of those
+                                                        ///< that follow curves [W]
   std::vector<std::optional<double>> friction = {};  ///< of each friction of the mechanism, of tail
                                                      ///< on head about or along its freedom
   std::vector<SpringState> springs = {};  ///< of each spring; none in a singular position
@@ -78,6 +82,18 @@ struct PullingTeeth {
   double force = 0.0;  ///< the largest of a row [N], against its line of action
 };
 
+/// Where a column is least or greatest.
+struct SimulationExtreme {
+  double value = 0.0;  ///< [SI]
+  double time = 0.0;   ///< [s]
+};
+
+/// Empty of a column without values.
+struct SimulationExtremes {
+  std::optional<SimulationExtreme> least = {};
+  std::optional<SimulationExtreme> greatest = {};
+};
+
 struct SimulationSolution {
   SimulationEnd end = SimulationEnd::complete;
   SimulationObstacle obstacle;
@@ -85,7 +101,9 @@ struct SimulationSolution {
   std::vector<int> coordinates;  ///< freedoms that it begins with
   std::vector<SimulationRow> rows;
   std::vector<SimulationEvent> events;
-  std::vector<CouplingId> unchecked;     ///< cables and contacts whose force nothing determines
+  std::vector<SimulationExtremes> extremes;  ///< of each of `wanted_readings`, also between rows
+  bool looks_between_rows = true;     ///< false: it turned so often that some were left out there
+  std::vector<CouplingId> unchecked;  ///< cables and contacts whose force nothing determines
   std::vector<IgnoredReaction> ignored;  ///< of couplings that rub or stick: the largest of a row
   std::vector<PullingTeeth> pulling;     ///< on a flank that is not known
   int evaluations = 0;                   ///< of the accelerations

@@ -15,6 +15,8 @@ constexpr std::array<bool SimulationReport::*, kSimulationReportWords.size()> kM
     &SimulationReport::velocity,
     &SimulationReport::acceleration,
     &SimulationReport::action,
+    &SimulationReport::reaction,
+    &SimulationReport::power,
     &SimulationReport::energy};
 
 std::string dotted(std::string name) {
@@ -46,17 +48,10 @@ bool names_column(const std::string& name,
          (!also.empty() && begins_with_parts(also + "." + end, asked));
 }
 
-bool wants(const SimulationReport& report,
-           const std::string& element,
-           const std::string& also,
-           std::string_view quantity) {
-  bool of_word = false;
-  for (std::size_t i = 0; i < kMembers.size(); ++i) {
-    of_word = of_word || (report.*kMembers[i] && quantity.starts_with(kSimulationReportWords[i]));
-  }
-  return of_word || std::ranges::any_of(report.names, [&](const std::string& name) {
-           return names_column(name, element, also, quantity);
-         });
+bool asks(const SimulationReport& report, std::string_view word) {
+  const auto at = std::ranges::find(kSimulationReportWords, word);
+  return at != kSimulationReportWords.end() &&
+         report.*kMembers[static_cast<std::size_t>(at - kSimulationReportWords.begin())];
 }
 
 }  // namespace kinestat

@@ -48,32 +48,29 @@ struct SimulationStop {
 
 /// What the rows tell. Names are those of columns or what they begin with, with points for slashes.
 struct SimulationReport {
-  bool is_default = true;  ///< the file does not say it: all but the actions of couplings
+  bool is_default = true;  ///< the file does not say it: all that is usual
   bool position = false;
   bool velocity = false;
   bool acceleration = false;
   bool action = false;
+  bool reaction = false;  ///< resultant forces of couplings, their friction and what it loses
+  bool power = false;     ///< of actuators, loads and springs
   bool energy = false;
   std::vector<std::string> names = {};
 };
 
 inline constexpr std::string_view kActionColumn = "action";
-inline constexpr std::string_view kFrictionColumn = "friction";
-inline constexpr std::array<std::string_view, 5> kEnergyColumns = {
-    "energy/kinetic", "energy/potential", "energy/supplied", "energy/lost", "energy/error"};
+inline constexpr std::string_view kPowerColumn = "power";
 
 /// Words of a report that stand for a quantity of all, and which of the report they set; null for
 /// any other.
 bool* find_report_word(std::string_view word, SimulationReport& report);
 
-/// Whether a report tells the quantity of an element, `also` being what else that is called, or
-/// empty.
-bool wants(const SimulationReport& report,
-           const std::string& element,
-           const std::string& also,
-           std::string_view quantity);
+/// Whether a report has the word.
+bool asks(const SimulationReport& report, std::string_view word);
 
-/// Whether a name of a report means it.
+/// Whether a name of a report means the quantity of an element, `also` being what else that is
+/// called, or empty.
 bool names_column(const std::string& name,
                   const std::string& element,
                   const std::string& also,
@@ -88,7 +85,8 @@ struct SimulationPlan {
   int steps = 0;           ///< of the rows, equal in time
   double tolerance = 0.0;  ///< of a step of the integration
   SimulationReport report = {};
-  bool asks_actions = false;  ///< of couplings, in some column
+  bool asks_actions = false;    ///< of couplings, for some column
+  bool asks_reactions = false;  ///< their resultants, likewise
   SourceRange where;
 };
 

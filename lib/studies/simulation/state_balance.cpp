@@ -45,7 +45,11 @@ FrictionLaw law_of_teeth(const Rubbing& one, const Twist& hinge, double sense, d
 StateBalance::StateBalance(const Mechanism& mechanism,
                            const MotionNetwork& network,
                            std::span<const DrawnCoupling> drawn)
-    : mechanism_(mechanism), network_(network), drawn_(drawn), moved_(mechanism) {
+    : mechanism_(mechanism),
+      network_(network),
+      drawn_(drawn),
+      moved_(mechanism),
+      reactions_(coupling_reactions(mechanism)) {
   for (Rubbing one : find_rubbing(mechanism)) {
     one.friction.viscous = 0.0;
     sliding_.push_back(one);
@@ -146,6 +150,41 @@ bool StateBalance::turn_flanks_under(std::span<const std::optional<double>> magn
 
 std::vector<int> StateBalance::pulling(std::span<const std::optional<double>> magnitudes) const {
   return pulling_teeth(moved_, coast_, tooth_forces(magnitudes));
+}
+
+std::vector<std::optional<double>> StateBalance::reactions(
+    std::span<const std::optional<double>> magnitudes,
+    std::span<const std::optional<double>> friction,
+    std::span<const BodyPose> poses) const {
+  const Topology& topology = mechanism_.topology;
+  const auto force_of = [&](CouplingId id) -> std::optional<Vec3> {
+    const CouplingTopology& coupling = topology.coupling(id);
+    Vec3 force = Vec3::Zero();
+    for (int a = coupling.first_action; a < coupling.first_action + coupling.action_count; ++a) {
+      if (topology.actions[at(a)].actuator >= 0) {
+        continue;
+      }
+      if (!magnitudes[at(a)]) {
+        return std::nullopt;
+      }
+      force += *magnitudes[at(a)] * moved_.geometry.actions[at(a)].force;
+    }
+    for (std::size_t i = 0; i < mechanism_.frictions.size(); ++i) {
+      const int freedom = coupling.first_freedom;
+      if (mechanism_.frictions[i].coupling == id && !topology.freedoms[at(freedom)].is_rotation) {
+        if (!friction[i]) {
+          return std::nullopt;
+        }
+        force += *friction[i] * moved_.geometry.motions[at(freedom)].linear;
+      }
+    }
+    return force;
+  };
+  std::vector<std::optional<double>> forces;
+  for (const CouplingReaction& one : reactions_) {
+    forces.push_back(resultant_force(one, topology, poses, force_of));
+  }
+  return forces;
 }
 
 // Forces, and couples over the size of the mechanism.

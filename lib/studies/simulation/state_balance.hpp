@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "mechanism/couplings/coupling_reactions.hpp"
 #include "mechanism/gears/coast_flanks.hpp"
 #include "statics/friction_solve.hpp"
 #include "statics/static_solution.hpp"
@@ -47,6 +48,12 @@ class StateBalance {
   /// some press on another one than before, so that friction of bearings differs.
   bool turn_flanks(std::span<const BodyWrench> loads);
 
+  /// The resultants of `coupling_reactions` under these magnitudes of all actions and of each
+  /// friction, of tail on head, where `poses` are those of the last place [N].
+  std::vector<std::optional<double>> reactions(std::span<const std::optional<double>> magnitudes,
+                                               std::span<const std::optional<double>> friction,
+                                               std::span<const BodyPose> poses) const;
+
   /// The actions of teeth that pull on each other under these magnitudes of all actions, which were
   /// solved last.
   std::vector<int> pulling(std::span<const std::optional<double>> magnitudes) const;
@@ -66,6 +73,7 @@ class StateBalance {
   std::vector<Rubbing> sliding_;  // without what is viscous
   std::vector<Rubbing> resting_;
   std::vector<Primary> idle_;  // the actions of actuators, which are loads here
+  std::vector<CouplingReaction> reactions_;
   double largest_load_ = 0.0;  // of those that were solved last [N]
   std::vector<int> coast_;     // flanks on which teeth press, as they did last
 };

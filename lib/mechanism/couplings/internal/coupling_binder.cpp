@@ -59,6 +59,12 @@ constexpr auto kDirections = std::to_array<DirectionKey>({
      "add slot: x or a vector"},
 });
 
+std::string hint_across(const DirectionKey& first, const DirectionKey& second) {
+  return second.hint_across.empty()
+             ? fmt::format("write a {} perpendicular to the {}", second.word, first.word)
+             : std::string(second.hint_across);
+}
+
 template <class Scalar>
 Scalar radians_of_a_turn() {
   return Scalar(2.0 * std::numbers::pi);
@@ -142,7 +148,7 @@ class GeometryBinder {
                                                   second.word,
                                                   directions_.title(),
                                                   first.word),
-                                      second.hint_across);
+                                      hint_across(first, second));
     }
   }
 

@@ -35,34 +35,6 @@ std::string with_slashes_as_dots(std::string name) {
 
 }  // namespace
 
-std::vector<double> column_values(const MotionTable& motion, std::size_t column) {
-  std::vector<double> values;
-  for (const MotionRow& row : motion.rows) {
-    values.push_back(row.values[column].value_or(std::numeric_limits<double>::quiet_NaN()));
-  }
-  return values;
-}
-
-bool has_changes(const std::vector<double>& values) {
-  const Ends ends = ends_of_values(values);
-  return ends.high - ends.low > kSameValue * std::max(std::abs(ends.low), std::abs(ends.high));
-}
-
-bool runs_straight(const std::vector<double>& values, const std::vector<double>& over) {
-  if (values.empty() || over.front() == over.back()) {
-    return false;
-  }
-  const Ends ends = ends_of_values(values);
-  const double least = kSameValue * std::max(std::abs(ends.low), std::abs(ends.high));
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const double share = (over[i] - over.front()) / (over.back() - over.front());
-    if (!(std::abs(values[i] - std::lerp(values.front(), values.back(), share)) <= least)) {
-      return false;
-    }
-  }
-  return true;
-}
-
 std::string quantity_words(std::string quantity) {
   struct Key {
     std::string_view head;
@@ -88,11 +60,8 @@ std::string quantity_words(std::string quantity) {
 }
 
 std::size_t usual_abscissa(const MotionTable& motion) {
-  const auto time = find_abscissa(motion, kTimeColumn);
-  return time && !motion.columns[*time].is_named &&
-                 !runs_straight(column_values(motion, 0), column_values(motion, *time))
-             ? *time
-             : 0;
+  const auto time = time_column(motion);
+  return time && !motion.columns[*time].is_named && is_told_by_time(motion) ? *time : 0;
 }
 
 std::optional<std::size_t> find_abscissa(const MotionTable& motion, std::string_view name) {
@@ -148,14 +117,7 @@ std::optional<double> MotionAbscissa::place_of(const ColumnExtreme& extreme) con
 }
 
 std::optional<double> MotionAbscissa::between_rows(double row) const {
-  if (row < 0.0 || values_.empty()) {
-    return std::nullopt;
-  }
-  const auto i = std::min(static_cast<std::size_t>(row), values_.size() - 1);
-  const std::size_t next = std::min(i + 1, values_.size() - 1);
-  const double share = row - static_cast<double>(i);
-  const double value = share == 0.0 ? values_[i] : std::lerp(values_[i], values_[next], share);
-  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+  return value_at_row(motion_, column_, row);
 }
 
 }  // namespace kinestat

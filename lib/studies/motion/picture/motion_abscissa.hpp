@@ -8,18 +8,9 @@
 #include <vector>
 
 #include "draw/chart.hpp"
-#include "studies/motion/report/motion_table.hpp"
+#include "studies/motion/report/motion_time.hpp"
 
 namespace kinestat {
-
-/// The values of a column in each row; not a number where it has none.
-std::vector<double> column_values(const MotionTable& motion, std::size_t column);
-
-/// Whether there are different values, and not by rounding alone.
-bool has_changes(const std::vector<double>& values);
-
-/// Whether the values lie on one straight line over others, of which there are as many.
-bool runs_straight(const std::vector<double>& values, const std::vector<double>& over);
 
 /// "transmission_angle", "linear/x", "lossy_power" in words.
 std::string quantity_words(std::string quantity);

@@ -1,6 +1,7 @@
 #include "studies/motion/report/motion_record.hpp"
 
 #include "studies/motion/report/motion_dynamics_record.hpp"
+#include "studies/motion/report/motion_time.hpp"
 
 namespace kinestat {
 
@@ -83,6 +84,7 @@ Shape rows_shape() {
 }
 
 struct FiguresView {
+  const MotionTable& motion;
   const MotionColumn& column;
   const ColumnFigures& figures;
 };
@@ -101,6 +103,12 @@ const Record<FiguresView>& figures_record() {
         return v.figures.*extreme ? std::optional((v.figures.*extreme)->drive) : std::nullopt;
       };
     };
+    const auto time = [](Extreme extreme) {
+      return [extreme](const View& v) {
+        return v.figures.*extreme ? time_at_row(v.motion, (v.figures.*extreme)->row) : std::nullopt;
+      };
+    };
+    const auto has_time = [](const View& v) { return time_column(v.motion).has_value(); };
     keys.text("unit",
               "That of the file; empty for a bare number.",
               [](const View& v) { return v.column.unit; })
@@ -114,6 +122,12 @@ const Record<FiguresView>& figures_record() {
                 "Where that is: position of the first drive.",
                 place(&ColumnFigures::least))
         .not_compared();
+    keys.number("least_time",
+                QuantityKind::time,
+                "When that is; no key of a motion without time.",
+                time(&ColumnFigures::least))
+        .not_compared()
+        .only_if(has_time);
     keys.number("greatest",
                 ByContext::column,
                 "The greatest value, likewise.",
@@ -123,11 +137,18 @@ const Record<FiguresView>& figures_record() {
                 "Where that is: position of the first drive.",
                 place(&ColumnFigures::greatest))
         .not_compared();
+    keys.number("greatest_time",
+                QuantityKind::time,
+                "When that is; no key of a motion without time.",
+                time(&ColumnFigures::greatest))
+        .not_compared()
+        .only_if(has_time);
     keys.number(
         "mean",
         ByContext::column,
         "The mean over the range of the drives, or over time for a motion in time, by the "
-        "trapezoidal rule; null where a step has no value or the motion does not reach its end.",
+        "trapezoidal rule, without the rests in which friction leaves it open; null where another "
+        "step has no value or the motion does not reach its end.",
         [](const View& v) { return v.figures.mean; });
     keys.number("rms",
                 ByContext::column,
@@ -142,13 +163,18 @@ const Record<FiguresView>& figures_record() {
 void emit_figures(const MotionTable& v, const Each<FiguresView>& each) {
   for (std::size_t c = v.drives.size(); c < v.figures.size(); ++c) {
     if (v.columns[c].quantity != kClosureErrorColumn && v.columns[c].quantity != kTimeColumn) {
-      each(v.columns[c].name(), {.column = v.columns[c], .figures = v.figures[c]});
+      each(v.columns[c].name(), {.motion = v, .column = v.columns[c], .figures = v.figures[c]});
     }
   }
 }
 
-const Record<MotionEvent>& event_record() {
-  using View = MotionEvent;
+struct EventView {
+  const MotionTable& motion;
+  const MotionEvent& event;
+};
+
+const Record<EventView>& event_record() {
+  using View = EventView;
   static const Record<View> record("One event.", [](Record<View>& keys) {
     keys.word("kind",
               {std::string(kDeadPointEvent),
@@ -158,28 +184,33 @@ const Record<MotionEvent>& event_record() {
               "dead_point: a freedom comes to rest and reverses; singular: the drives do not "
               "determine the motion there; limit: a drive can go no further; lift_off: a cable "
               "leaves its pulley, and the motion ends.",
-              [](const View& v) { return v.kind; });
+              [](const View& v) { return v.event.kind; });
     keys.text("element", "The freedom or the drive concerned; may be empty.", [](const View& v) {
-      return v.element;
+      return v.event.element;
     });
     keys.count("step",
                "The last step before; -1 on the way from the drawn position to the first.",
-               [](const View& v) { return v.step; })
+               [](const View& v) { return v.event.step; })
         .at_least(-1);
     keys.custom("drive",
                 list_shape(number_shape(ByContext::drive, true)),
                 "Position of each drive.",
                 [](const View& v, Archive& to) {
                   to.begin_list();
-                  for (const double position : v.drive) {
+                  for (const double position : v.event.drive) {
                     to.number(position, {});
                   }
                   to.end_list();
                 });
+    keys.number("time",
+                QuantityKind::time,
+                "When; null on the way from the drawn position, no key of a motion without time.",
+                [](const View& v) { return time_at_row(v.motion, v.event.row); })
+        .only_if([](const View& v) { return time_column(v.motion).has_value(); });
     keys.number("uncertainty",
                 ByContext::drive,
                 "Of the position of the first drive: half of the bracket that holds it.",
-                [](const View& v) { return v.uncertainty; })
+                [](const View& v) { return v.event.uncertainty; })
         .at_least(0)
         .not_compared();
   });
@@ -288,9 +319,9 @@ void add_rows(Record<MotionTable>& keys) {
   keys.list("events",
             event_record(),
             "Events during the motion, in order.",
-            [](const MotionTable& v, const Each<MotionEvent>& each) {
+            [](const MotionTable& v, const Each<EventView>& each) {
               for (const MotionEvent& event : v.events) {
-                each(event);
+                each({.motion = v, .event = event});
               }
             });
 }

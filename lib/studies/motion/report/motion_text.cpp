@@ -12,6 +12,7 @@
 #include "report/column_table.hpp"
 #include "report/number_format.hpp"
 #include "studies/motion/report/motion_dynamics_text.hpp"
+#include "studies/motion/report/motion_time.hpp"
 
 namespace kinestat {
 
@@ -58,7 +59,9 @@ class MotionWriter {
 
   // Of every quantity but the positions of the drives, which the file gives, and what is always 0.
   TextBlocks extremes() const {
-    const std::string at = "at " + motion_.drives.front().name;
+    const bool by_time = is_told_by_time(motion_);
+    const std::string at =
+        by_time ? with_unit("at", motion_.time_unit) : "at " + motion_.drives.front().name;
     const std::string infinite = "infinite";
     std::vector<TextColumn> table = {{std::string(extremes_title()), {}},
                                      {"least", {}},
@@ -76,15 +79,17 @@ class MotionWriter {
       if (is_time || !has_values(c) || (is_constant && least->value == 0.0)) {
         continue;
       }
-      const auto drive_at = [&](const std::optional<ColumnExtreme>& one) {
-        return one && !is_constant ? std::optional(one->drive) : std::nullopt;
+      const auto place_of = [&](const std::optional<ColumnExtreme>& one) {
+        return !one || is_constant ? std::nullopt
+               : by_time           ? time_at_row(motion_, one->row)
+                                   : std::optional(one->drive);
       };
       const std::array cells = {
           with_unit(motion_.columns[c].name(), motion_.columns[c].unit),
           least ? format_short(least->value) : "-" + infinite,
-          shown(drive_at(least)),
+          shown(place_of(least)),
           greatest ? format_short(greatest->value) : infinite,
-          shown(drive_at(greatest)),
+          shown(place_of(greatest)),
           is_bounded ? format_short(is_constant ? 0.0 : greatest->value - least->value) : infinite,
           shown(mean),
           shown(rms)};
@@ -201,9 +206,14 @@ class MotionWriter {
     return fmt::format(" +- {:.0e}{}{}", event.uncertainty, unit.empty() ? "" : " ", unit);
   }
 
-  static std::string when_text(const MotionEvent& event) {
-    return event.step < 0 ? ", on the way to where the motion begins"
-                          : fmt::format(", after step {}", event.step);
+  std::string when_text(const MotionEvent& event) const {
+    if (event.step < 0) {
+      return ", on the way to where the motion begins";
+    }
+    const auto time = is_told_by_time(motion_) ? time_at_row(motion_, event.row) : std::nullopt;
+    return fmt::format("{}, after step {}",
+                       time ? ", at " + amount(*time, motion_.time_unit) : std::string(),
+                       event.step);
   }
 
   std::string events_text() const {

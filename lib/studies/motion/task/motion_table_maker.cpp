@@ -308,11 +308,19 @@ class TableMaker {
     return values;
   }
 
-  // What acts there without friction, if only its direction is open.
+  // What acts there without friction, if only its direction is open; not that friction itself.
   std::vector<std::optional<double>> values_at_rest(const MotionPosition& position,
                                                     double share) const {
-    return position.without_friction ? values_at(position.or_without_friction(), share, is_any)
-                                     : std::vector<std::optional<double>>();
+    if (!position.without_friction) {
+      return {};
+    }
+    auto values = values_at(position.or_without_friction(), share, is_any);
+    for (std::size_t r = 0; r < readings_.size(); ++r) {
+      if (readings_[r].is_of_friction) {
+        values[table_.drives.size() + r] = read(r, position);
+      }
+    }
+    return values;
   }
 
   // Extremes of positions lie where a freedom turns back.
@@ -417,10 +425,15 @@ class TableMaker {
         },
         configurations);
     table_.corners = std::move(corners.steps);
-    const BetweenSteps between = [&](std::size_t column, double share) {
+    const BetweenSteps between = [&](std::size_t column, double share) -> std::optional<double> {
       const std::optional<Configuration> there = configurations.at(share);
-      return there ? read(column - first, positions.at(*there, share).or_without_friction())
-                   : std::nullopt;
+      if (!there) {
+        return std::nullopt;
+      }
+      const MotionPosition position = positions.at(*there, share);
+      return read(
+          column - first,
+          readings_[column - first].is_of_friction ? position : position.or_without_friction());
     };
     add_figures(solution_.shares,
                 steps,

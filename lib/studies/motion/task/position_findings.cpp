@@ -11,6 +11,7 @@
 #include "cases/case_efficiency.hpp"
 #include "core/tolerance.hpp"
 #include "report/number_format.hpp"
+#include "studies/motion/report/motion_time.hpp"
 
 namespace kinestat {
 
@@ -131,6 +132,12 @@ void add_efficiency_findings(const Mechanism& mechanism,
 }
 
 std::string row_place(const MotionTable& table, const MotionRow& row) {
+  if (is_told_by_time(table)) {
+    return fmt::format("{} = {} {}",
+                       kTimeColumn,
+                       format_short(row.values[*time_column(table)].value_or(0.0)),
+                       table.time_unit);
+  }
   std::string text;
   for (std::size_t d = 0; d < table.drives.size(); ++d) {
     const DriveTravel& drive = table.drives[d];

@@ -52,7 +52,7 @@ void add_efficiency_findings(const Mechanism& mechanism,
                              const CaseAnalysis& one,
                              CaseFindings& found);
 
-/// "m = 5 deg, n = 20 mm": the positions of the drives.
+/// "m = 5 deg, n = 20 mm": the positions of the drives; or the time, where these do not say when.
 std::string row_place(const MotionTable& table, const MotionRow& row);
 
 }  // namespace kinestat

@@ -6,6 +6,7 @@
 #include <memory>
 #include <utility>
 
+#include "core/extreme_tolerance.hpp"
 #include "core/index.hpp"
 #include "core/simulation_tolerance.hpp"
 #include "core/tolerance.hpp"
@@ -31,26 +32,13 @@ constexpr std::size_t kMostEvents = 100'000;
 // No more points of curves are sought.
 constexpr std::size_t kMostTurns = 100'000;
 
-// Those that are more than rounding; a state near a singular one has no accelerations.
-std::vector<std::optional<double>> reported(std::vector<std::optional<double>> values,
-                                            const std::vector<double>& bounds,
-                                            std::size_t count) {
-  values.resize(count);
-  for (std::size_t f = 0; f < count; ++f) {
-    if (values[f] && !is_reported(*values[f], bounds[f])) {
-      values[f].reset();
-    }
-  }
-  return values;
-}
-
 }  // namespace
 
 Simulator::Simulator(const Mechanism& mechanism,
                      const MotionNetwork& network,
                      std::span<const DrawnCoupling> drawn,
                      const SimulationPlan& plan)
-    : StateInTime(mechanism, network, drawn, plan) {
+    : StateInTime(mechanism, network, drawn, plan), watch_(mechanism, plan) {
   find_turns();
   signs_.resize(plan.goals.size(), 0.0);
   for (std::size_t i = 0; i < mechanism.springs.size(); ++i) {
@@ -173,6 +161,7 @@ bool Simulator::advance() {
   if (!add_rows(end)) {
     return false;
   }
+  look_between_rows(first ? std::lerp(end, integration_->time_before(), kBeforeEvent) : end);
   state_.resize(integration_->state().size());
   end < integration_->time() ? integration_->state_at(end, state_)
                              : void(std::ranges::copy(integration_->state(), state_.begin()));
@@ -228,92 +217,54 @@ bool Simulator::add_rows(double until) {
     const double time =
         next_row_ == plan_.steps ? plan_.duration : plan_.duration * next_row_ / plan_.steps;
     std::vector<double> y(state_.size());
-    if (time <= integration_->time_before()) {
-      std::ranges::copy(integration_->state_before(), y.begin());
-    } else if (time >= integration_->time()) {
-      std::ranges::copy(integration_->state(), y.begin());
-    } else {
-      integration_->state_at(time, y);
-    }
+    state_in_step(time, y);
     if (!add_row(time, y)) {
       return false;
     }
+    watch_.take(result_.rows.back(), result_.rows.front());
     ++next_row_;
   }
   return true;
 }
 
 bool Simulator::add_row(double time, std::span<const double> y) {
-  Configuration configuration;
-  std::vector<double> accelerations(free_count());
-  if (!place(time, y, configuration)) {
+  std::optional<SimulationRow> row = row_at(time, y);
+  if (!row) {
     return false;
   }
-  if (!accelerate(time, configuration, y, accelerations)) {
-    return add_singular_row(time, y, std::move(configuration));
+  if (!row->lacks_accelerations) {
+    note_borne(row->borne);
+    result_.closure_error =
+        std::max(result_.closure_error, closure_error(system_->network(), row->configuration));
   }
-  const std::size_t free = free_count();
-  const bool has_actions = plan_.asks_actions || has_dry();
-  ReducedState now = system_->tell(configuration, speeds_of(y), accelerations, has_actions);
-  add_contact_rates(system_->network(), drawn_, mechanism_, now.state);
-  note_borne(now.borne);
-  if (!plan_.asks_actions) {
-    now.borne.clear();
+  if (!plan_.asks_actions && !row->lacks_accelerations) {
+    row->borne.clear();
   }
-  // What sticks alone has all that holds it.
-  for (std::size_t g = 0; g < groups_.size(); ++g) {
-    if (groups_[g].frictions.size() == 1) {
-      now.friction[groups_[g].frictions.front()] = now.held[now.held.size() - groups_.size() + g];
-    }
-  }
-  const StateBounds& bounds = now.state.bounds;
-  const std::size_t count = topology_.freedoms.size();
-  now.held.resize(plan_.held.size());
-  result_.closure_error =
-      std::max(result_.closure_error, closure_error(system_->network(), configuration));
-  result_.rows.push_back(
-      {.time = time,
-       .configuration = std::move(configuration),
-       .positions = std::move(now.positions),
-       .rates = reported(std::move(now.state.rates), bounds.rates, count),
-       .rate_rates = reported(std::move(now.state.rate_rates), bounds.rate_rates, count),
-       .actions = std::move(now.actions),
-       .held = std::move(now.held),
-       .borne = std::move(now.borne),
-       .friction = std::move(now.friction),
-       .springs = std::move(now.springs),
-       .kinetic = now.kinetic,
-       .potential = now.potential,
-       .supplied = y[2 * free],
-       .lost = y[2 * free + 1]});
+  result_.rows.push_back(*std::move(row));
   return true;
 }
 
-bool Simulator::add_singular_row(double time,
-                                 std::span<const double> y,
-                                 Configuration configuration) {
-  std::optional<ReducedState> now = system_->tell_singular(configuration, speeds_of(y));
-  if (!now) {
-    obstacle_ = system_->obstacle();
-    return false;
+// Smooth within the step, which ends where curves have points and something happens.
+void Simulator::look_between_rows(double end) {
+  const SimulationObstacle before = obstacle_;
+  watch_.look({.begin = integration_->time_before(), .end = end, .regime = starts_},
+              result_.rows.front(),
+              [&](double time) {
+                std::vector<double> y(state_.size());
+                state_in_step(time, y);
+                return row_at(time, y);
+              });
+  obstacle_ = before;
+}
+
+void Simulator::state_in_step(double time, std::vector<double>& y) const {
+  if (time <= integration_->time_before()) {
+    std::ranges::copy(integration_->state_before(), y.begin());
+  } else if (time >= integration_->time()) {
+    std::ranges::copy(integration_->state(), y.begin());
+  } else {
+    integration_->state_at(time, y);
   }
-  add_contact_rates(system_->network(), drawn_, mechanism_, now->state);
-  const std::size_t count = topology_.freedoms.size();
-  const std::size_t free = free_count();
-  using Unknown = std::vector<std::optional<double>>;
-  result_.rows.push_back({.time = time,
-                          .configuration = std::move(configuration),
-                          .positions = std::move(now->positions),
-                          .rates = reported(now->state.rates, now->state.bounds.rates, count),
-                          .rate_rates = Unknown(count),
-                          .borne = Unknown(topology_.actions.size()),
-                          .friction = Unknown(frictions_.size()),
-                          .kinetic = now->kinetic,
-                          .potential = now->potential,
-                          .supplied = y[2 * free],
-                          .lost = y[2 * free + 1],
-                          .lacks_accelerations = true});
-  return true;
 }
 
 // Reactions that press where something slides or sticks, for which the file gives no dimension, and
@@ -357,6 +308,7 @@ void forget_actions(SimulationRow& row) {
   };
   forget(row.rate_rates);
   forget(row.borne);
+  forget(row.reactions);
   forget(row.friction);
   row.actions.clear();
   row.held.clear();
@@ -387,7 +339,15 @@ SimulationSolution Simulator::finish() {
     if (is_added && result_.end == SimulationEnd::stuck && has_dry()) {
       forget_actions(result_.rows.back());  // those of the last way that was tried
     }
+    if (is_added) {
+      watch_.take(result_.rows.back(), result_.rows.front());
+    }
   }
+  for (const SimulationEvent& event : result_.events) {
+    watch_.take(event);
+  }
+  result_.extremes = watch_.extremes();
+  result_.looks_between_rows = watch_.sees_all();
   for (const SimulationRow& row : result_.rows) {
     const SimulationRow& first = result_.rows.front();
     const std::optional<double> balance = row.balance();

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "studies/simulation/internal/extreme_watch.hpp"
 #include "studies/simulation/internal/happening.hpp"
 #include "studies/simulation/internal/state_in_time.hpp"
 #include "studies/simulation/simulation.hpp"
@@ -28,8 +29,8 @@ class Simulator : private StateInTime {
   // What is shorter is no step.
   double least_step() const;
 
-  // False where something happens again and again at one time, or the steps are too many; `told`
-  // events were there before the step that began then.
+  // False where things happen again and again at one time, or steps are too many; `told`: events
+  // before the step that began then.
   bool makes_progress(double before, std::size_t told);
   void find_turns();
   double next_turn() const;  // no step goes over it
@@ -102,13 +103,11 @@ class Simulator : private StateInTime {
   void end_by(const Happening& what);
 
   std::optional<Happening> find_first();  // in the last step
-  // The first time in it at which a curve over a position or a speed is at a point, or a spring
-  // that acts one way begins or ceases to act.
+  // The first time in it at which a curve is at a point, or a one-sided spring turns.
   std::optional<double> find_turn();
   using SpringValue = double (ReducedSystem::*)(std::size_t) const;
   std::optional<double> spring_turn(std::size_t spring, SpringValue of, double from, double to);
 
-  // Between a place where it has not happened and one where it has.
   double root(const Happening& what, double low, double high);
 
   void note_signs();
@@ -119,8 +118,7 @@ class Simulator : private StateInTime {
   // before and rests again behind, if it does.
   bool strike(std::size_t index);
 
-  // What is pressed against its stop, and would leave it by less than the tolerance, rests there;
-  // what leaves it takes its first steps within the flight.
+  // What would leave its stop by less than the tolerance rests there; else it flies.
   bool settle(const std::vector<bool>& touched);
 
   bool choose_rests(const std::vector<bool>& candidates, const VecX& rates);
@@ -129,10 +127,12 @@ class Simulator : private StateInTime {
   bool begin_contacts();
   bool add_rows(double until);
   bool add_row(double time, std::span<const double> y);
-  bool add_singular_row(double time, std::span<const double> y, Configuration configuration);
+  void look_between_rows(double end);
+  void state_in_step(double time, std::vector<double>& y) const;
   void note_borne(const std::vector<std::optional<double>>& borne);
   SimulationSolution stuck();
   SimulationSolution finish();
+  ExtremeWatch watch_;
   std::vector<double> signs_;                 // of each goal
   std::vector<StuckGroup> stuck_before_;      // the impact that let them go
   std::vector<double> turns_;                 // of curves over time

@@ -10,8 +10,26 @@
 #include "core/simulation_tolerance.hpp"
 #include "mechanism/couplings/one_sided_actions.hpp"
 #include "studies/motion/configuration.hpp"
+#include "studies/motion/contact_rates.hpp"
 
 namespace kinestat {
+
+namespace {
+
+// Those that are more than rounding; a state near a singular one has no accelerations.
+std::vector<std::optional<double>> reported(std::vector<std::optional<double>> values,
+                                            const std::vector<double>& bounds,
+                                            std::size_t count) {
+  values.resize(count);
+  for (std::size_t f = 0; f < count; ++f) {
+    if (values[f] && !is_reported(*values[f], bounds[f])) {
+      values[f].reset();
+    }
+  }
+  return values;
+}
+
+}  // namespace
 
 StateInTime::StateInTime(const Mechanism& mechanism,
                          const MotionNetwork& network,
@@ -129,6 +147,7 @@ void StateInTime::begin_at(double time, const VecX& rates) {
 
 void StateInTime::restart() {
   begins_anew_ = true;
+  ++starts_;
   integration_ = std::make_unique<InitialValueProblem>(
       [this](double time, std::span<const double> y, std::span<double> f) {
         return slope(time, y, f);
@@ -198,6 +217,77 @@ bool StateInTime::slope(double time, std::span<const double> y, std::span<double
   f[2 * free] = system_->powers().supplied;
   f[2 * free + 1] = system_->powers().lost;
   return true;
+}
+
+std::optional<SimulationRow> StateInTime::row_at(double time, std::span<const double> y) {
+  Configuration configuration;
+  std::vector<double> accelerations(free_count());
+  if (!place(time, y, configuration)) {
+    return std::nullopt;
+  }
+  if (!accelerate(time, configuration, y, accelerations)) {
+    return singular_row_at(time, y, std::move(configuration));
+  }
+  const std::size_t free = free_count();
+  const bool has_actions = plan_.asks_actions || has_dry();
+  ReducedState now = system_->tell(configuration, speeds_of(y), accelerations, has_actions);
+  add_contact_rates(system_->network(), drawn_, mechanism_, now.state);
+  // What sticks alone has all that holds it.
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    if (groups_[g].frictions.size() == 1) {
+      now.friction[groups_[g].frictions.front()] = now.held[now.held.size() - groups_.size() + g];
+    }
+  }
+  std::vector<std::optional<double>> reactions;
+  if (plan_.asks_reactions) {
+    reactions = balance_.reactions(now.borne, now.friction, now.state.poses);
+  }
+  const StateBounds& bounds = now.state.bounds;
+  const std::size_t count = topology_.freedoms.size();
+  now.held.resize(plan_.held.size());
+  return SimulationRow{
+      .time = time,
+      .configuration = std::move(configuration),
+      .positions = std::move(now.positions),
+      .rates = reported(std::move(now.state.rates), bounds.rates, count),
+      .rate_rates = reported(std::move(now.state.rate_rates), bounds.rate_rates, count),
+      .actions = std::move(now.actions),
+      .held = std::move(now.held),
+      .borne = std::move(now.borne),
+      .reactions = std::move(reactions),
+      .load_powers = {now.load_powers.begin(), now.load_powers.end()},
+      .friction = std::move(now.friction),
+      .springs = std::move(now.springs),
+      .kinetic = now.kinetic,
+      .potential = now.potential,
+      .supplied = y[2 * free],
+      .lost = y[2 * free + 1]};
+}
+
+std::optional<SimulationRow> StateInTime::singular_row_at(double time,
+                                                          std::span<const double> y,
+                                                          Configuration configuration) {
+  std::optional<ReducedState> now = system_->tell_singular(configuration, speeds_of(y));
+  if (!now) {
+    obstacle_ = system_->obstacle();
+    return std::nullopt;
+  }
+  add_contact_rates(system_->network(), drawn_, mechanism_, now->state);
+  const std::size_t count = topology_.freedoms.size();
+  const std::size_t free = free_count();
+  using Unknown = std::vector<std::optional<double>>;
+  return SimulationRow{.time = time,
+                       .configuration = std::move(configuration),
+                       .positions = std::move(now->positions),
+                       .rates = reported(now->state.rates, now->state.bounds.rates, count),
+                       .rate_rates = Unknown(count),
+                       .borne = Unknown(topology_.actions.size()),
+                       .friction = Unknown(frictions_.size()),
+                       .kinetic = now->kinetic,
+                       .potential = now->potential,
+                       .supplied = y[2 * free],
+                       .lost = y[2 * free + 1],
+                       .lacks_accelerations = true};
 }
 
 void StateInTime::allow(std::span<const double> y,

@@ -64,6 +64,13 @@ class StateInTime {
                   std::span<double> accelerations);
   bool slope(double time, std::span<const double> y, std::span<double> f);
 
+  // All that is told of a state in the step, with what is borne where friction needs it. Empty
+  // where there is none: `obstacle_`.
+  std::optional<SimulationRow> row_at(double time, std::span<const double> y);
+  std::optional<SimulationRow> singular_row_at(double time,
+                                               std::span<const double> y,
+                                               Configuration configuration);
+
   // Places by the size, speeds by the fastest so far; work follows from these.
   void allow(std::span<const double> y,
              std::span<const double> f,
@@ -116,6 +123,7 @@ class StateInTime {
   double fastest_ = 0.0;  // [rad/s or sizes/s]
   std::optional<double> step_;
   bool begins_anew_ = true;  // another state, or something else acts
+  int starts_ = 0;           // of the integration
   int evaluations_ = 0;
   SimulationObstacle obstacle_;
 };

@@ -4,10 +4,9 @@
 #include <array>
 
 #include "core/diagnostic.hpp"
-#include "core/index.hpp"
 #include "mechanism/label_kind.hpp"
-#include "mechanism/springs/spring_quantities.hpp"
 #include "report/report_keys.hpp"
+#include "studies/simulation/simulation_readings.hpp"
 
 namespace kinestat {
 
@@ -34,161 +33,31 @@ struct ShownItem {
   const FileUnits& units() const { return of.description.units; }
 };
 
-std::optional<double> held_action(const SimulationReportView& v,
-                                  const SimulationRow& row,
-                                  const ActuatorTopology& actuator) {
-  if (row.lacks_accelerations) {
-    return std::nullopt;
+std::vector<SimulationColumn> make_columns(const SimulationReportView& v) {
+  std::vector<SimulationColumn> columns;
+  if (v.solution.rows.empty()) {
+    return columns;
   }
-  const Case& which = v.mechanism.cases.front();
-  for (std::size_t a = 0; a < which.actions.size(); ++a) {
-    if (which.actions[a].index == actuator.action) {
-      return row.actions[a];
-    }
-  }
-  for (std::size_t k = 0; k < v.plan.held.size(); ++k) {
-    if (v.plan.held[k].of.freedom == actuator.freedom) {
-      return row.held[k];
-    }
-  }
-  return std::nullopt;
-}
-
-class ColumnMaker {
- public:
-  explicit ColumnMaker(const SimulationReportView& view)
-      : v_(view), topology_(view.mechanism.topology) {}
-
-  std::vector<SimulationColumn> run() {
-    if (v_.solution.rows.empty()) {
-      return {};
-    }
-    add("", "time", QuantityKind::time, [](const SimulationRow& row) { return row.time; });
-    for (int f = 0; f < topology_.freedom_count(); ++f) {
-      add_freedom(f);
-    }
-    add_actions();
-    add_springs();
-    using enum QuantityKind;
-    add("", "energy/kinetic", energy, [](const SimulationRow& row) { return row.kinetic; });
-    add("", "energy/potential", energy, [](const SimulationRow& row) { return row.potential; });
-    add("", "energy/supplied", energy, [](const SimulationRow& row) { return row.supplied; });
-    add("", "energy/lost", energy, [](const SimulationRow& row) { return row.lost; });
-    const double first = v_.solution.rows.front().balance().value_or(0.0);
-    add("", "energy/error", energy, [first](const SimulationRow& row) {
-      const std::optional<double> balance = row.balance();
-      return balance ? std::optional(*balance - first) : std::nullopt;
-    });
-    return std::move(columns_);
-  }
-
- private:
-  void add_actions() {
-    for (int a = 0; a < topology_.action_count(); ++a) {
-      const ActionLabel& label = topology_.actions[at(a)];
-      const std::string name = topology_.action_name(a);
-      if (label.actuator < 0 && !v_.plan.asks_actions) {
-        continue;
-      }
-      add(name, kActionColumn, action_kind(label.is_couple), [&, a](const SimulationRow& row) {
-        return label.actuator < 0 ? row.borne[at(a)]
-                                  : held_action(v_, row, topology_.actuators[at(label.actuator)]);
-      });
-    }
-    for (std::size_t i = 0; i < v_.mechanism.frictions.size(); ++i) {
-      const CouplingFriction& friction = v_.mechanism.frictions[i];
-      const Rubbing rubbing = {.coupling = friction.coupling, .slides = {}, .friction = friction};
-      if (rubbing.is_dry() || friction.viscous != 0.0) {
-        const CouplingTopology& coupling = topology_.coupling(friction.coupling);
-        add(coupling.name,
-            kFrictionColumn,
-            action_kind(topology_.freedoms[at(coupling.first_freedom)].is_rotation),
-            [i](const SimulationRow& row) { return row.friction[i]; });
-      }
-    }
-  }
-
-  void add_springs() {
-    for (std::size_t i = 0; i < v_.mechanism.springs.size(); ++i) {
-      const Spring& spring = v_.mechanism.springs[i];
-      const SpringQuantities& quantities = quantities_of(spring, topology_);
-      const auto add_of = [&](const char* quantity,
-                              QuantityKind kind,
-                              double SpringState::*member) {
-        add(std::string(kSpringPrefix) + spring.name,
-            quantity,
-            kind,
-            [=](const SimulationRow& row) {
-              return i < row.springs.size() ? std::optional(row.springs[i].*member) : std::nullopt;
-            });
-      };
-      add_of(quantities.position, quantities.position_kind, &SpringState::position);
-      add_of(quantities.action, quantities.action_kind, &SpringState::force);
-    }
-  }
-
-  // What else the freedom of an actuator may be called.
-  std::string actuator_of(const std::string& element) const {
-    for (const ActuatorTopology& actuator : topology_.actuators) {
-      if (topology_.freedom_name(actuator.freedom) == element) {
-        return actuator.name;
-      }
-    }
-    return "";
-  }
-
-  // Time is in every table; of actions without being asked for those of actuators alone.
-  bool is_wanted(const std::string& element, std::string_view quantity) const {
-    const SimulationReport& report = v_.plan.report;
-    return quantity == "time" || report.is_default ||
-           wants(report, element, actuator_of(element), quantity) ||
-           (report.action && (quantity == kFrictionColumn || element.starts_with(kSpringPrefix)));
-  }
-
-  template <class Read>
-  void add(const std::string& element,
-           std::string_view quantity,
-           QuantityKind kind,
-           Read read,
-           bool is_coordinate = false) {
-    if (!is_wanted(element, quantity)) {
-      return;
-    }
+  const std::vector<SimulationReading> readings = wanted_readings(v.mechanism, v.plan);
+  for (std::size_t c = 0; c < readings.size(); ++c) {
+    const SimulationReading& reading = readings[c];
     SimulationColumn column{
-        .element = element, .quantity = std::string(quantity), .kind = kind, .values = {}};
-    for (const SimulationRow& row : v_.solution.rows) {
-      column.values.emplace_back(read(row));
+        .element = reading.element, .quantity = reading.quantity, .kind = reading.kind};
+    for (const SimulationRow& row : v.solution.rows) {
+      column.values.emplace_back(reading.value(row, v.solution.rows.front()));
     }
-    column.is_coordinate = is_coordinate;
-    columns_.push_back(std::move(column));
+    const auto has_value = [](const std::optional<double>& one) { return one.has_value(); };
+    if (reading.freedom >= 0 && std::ranges::none_of(column.values, has_value)) {
+      continue;
+    }
+    column.is_coordinate = std::ranges::count(v.solution.coordinates, reading.freedom) > 0;
+    if (reading.has_peaks) {
+      column.extremes = v.solution.extremes[c];
+    }
+    columns.push_back(std::move(column));
   }
-
-  void add_freedom(int freedom) {
-    const std::size_t f = at(freedom);
-    const bool turns = topology_.freedoms[f].is_rotation;
-    const std::string name = topology_.freedom_name(freedom);
-    const bool is_coordinate = std::ranges::count(v_.solution.coordinates, freedom) > 0;
-    const auto add_of = [&](std::string_view quantity, QuantityKind kind, auto list) {
-      if (has_any(v_.solution, list, freedom)) {
-        add(
-            name,
-            quantity,
-            kind,
-            [f, list](const SimulationRow& row) { return (row.*list)[f]; },
-            is_coordinate);
-      }
-    };
-    add_of("position", position_kind(turns), &SimulationRow::positions);
-    add_of("velocity", rate_kind(turns), &SimulationRow::rates);
-    add_of("acceleration",
-           turns ? QuantityKind::angular_acceleration : QuantityKind::acceleration,
-           &SimulationRow::rate_rates);
-  }
-
-  const SimulationReportView& v_;
-  const Topology& topology_;
-  std::vector<SimulationColumn> columns_;
-};
+  return columns;
+}
 
 const Record<ShownItem<SimulationColumn>>& column_record() {
   using View = ShownItem<SimulationColumn>;
@@ -229,6 +98,41 @@ void write_rows(const SimulationReportView& v, Archive& to) {
     to.end_list();
   }
   to.end_list();
+}
+
+const Record<ShownItem<SimulationColumn>>& figures_record() {
+  using View = ShownItem<SimulationColumn>;
+  using Extreme = std::optional<SimulationExtreme> SimulationExtremes::*;
+  static const Record<View> record("One column.", [](Record<View>& keys) {
+    keys.text(
+            "unit", "That of the file.", [](const View& v) { return v.units().text(v.item.kind); })
+        .not_compared();
+    const auto add = [&](const char* key, const char* when, Extreme extreme, const char* meaning) {
+      keys.converted(key, ByContext::beside, meaning, [extreme](const View& v) {
+        const auto& one = (*v.item.extremes).*extreme;
+        return std::pair(
+            one ? std::optional(v.units().from_si(v.item.kind, one->value)) : std::nullopt,
+            v.units().text(v.item.kind));
+      });
+      keys.quantity(when,
+                    QuantityKind::time,
+                    "When that is first.",
+                    [extreme](const View& v) {
+                      const auto& one = (*v.item.extremes).*extreme;
+                      return one ? std::optional(one->time) : std::nullopt;
+                    })
+          .not_compared();
+    };
+    add("least",
+        "least_time",
+        &SimulationExtremes::least,
+        "The least value, also between the rows; null where the column has no values.");
+    add("greatest",
+        "greatest_time",
+        &SimulationExtremes::greatest,
+        "The greatest value, likewise.");
+  });
+  return record;
 }
 
 const Record<ShownItem<SimulationEvent>>& event_record() {
@@ -326,6 +230,18 @@ const Record<SimulationReportView>& simulation_record() {
                     "One a step, and one where the simulation ends: one cell a column; null where "
                     "there is no value.",
                     write_rows);
+        keys.map(
+            "figures",
+            figures_record(),
+            "Extremes of each column but the time and the energy that nothing explains, by its "
+            "name as in 'columns'.",
+            [](const View& v, const Each<ShownItem<SimulationColumn>>& each) {
+              for (const SimulationColumn& one : simulation_columns(v)) {
+                if (one.extremes) {
+                  each(one.name(), {.of = v, .item = one});
+                }
+              }
+            });
         keys.list("events",
                   event_record(),
                   "Events during the motion, in order.",
@@ -373,7 +289,7 @@ std::string_view word_of(SimulationEvent::Kind kind) {
 }
 
 std::vector<SimulationColumn> simulation_columns(const SimulationReportView& view) {
-  return ColumnMaker(view).run();
+  return make_columns(view);
 }
 
 const Record<SimulationReportView>& simulation_report_record() {

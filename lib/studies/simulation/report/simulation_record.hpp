@@ -27,8 +27,9 @@ struct SimulationColumn {
   std::string element;  ///< coupling.freedom or actuator; empty of the whole
   std::string quantity;
   QuantityKind kind = QuantityKind::dimensionless;
-  std::vector<std::optional<double>> values;  ///< one a row [SI]
-  bool is_coordinate = false;                 ///< of a freedom that the simulation began with
+  std::vector<std::optional<double>> values = {};   ///< one a row [SI]
+  bool is_coordinate = false;                       ///< of a freedom that the simulation began with
+  std::optional<SimulationExtremes> extremes = {};  ///< of those for which they are sought
 
   std::string name() const { return element.empty() ? quantity : element + "/" + quantity; }
 };

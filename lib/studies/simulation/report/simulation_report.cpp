@@ -124,57 +124,30 @@ class SimulationText {
     return table;
   }
 
-  struct Sample {
-    double value = 0.0;  // [SI]
-    double time = 0.0;   // [s]
-  };
-
-  // What the rows have of a column, and the events between them of the freedom whose it is.
-  std::vector<Sample> samples_of(const SimulationColumn& column) const {
-    std::vector<Sample> samples;
-    const auto add = [&](const std::optional<double>& value, double time) {
-      if (value) {
-        samples.push_back({.value = *value, .time = time});
-      }
-    };
-    for (std::size_t r = 0; r < column.values.size(); ++r) {
-      add(column.values[r], v_.solution.rows[r].time);
-    }
-    for (const SimulationEvent& one : v_.solution.events) {
-      if (one.element == column.element && column.quantity == "position") {
-        add(one.position, one.time);
-      } else if (one.element == column.element && column.quantity == "velocity") {
-        add(one.speed, one.time);
-        add(one.speed_after, one.time);
-      }
-    }
-    return samples;
-  }
-
-  // But for time and energies, and what is always 0.
+  // But for energies, and what is always 0.
   Table extremes() const {
     const std::string at = fmt::format("at [{}]", units_.text(QuantityKind::time));
-    Table table({"Extremes of rows and events", "least", at, "greatest", at});
+    Table table({v_.solution.looks_between_rows ? "Extremes" : "Extremes of rows and events",
+                 "least",
+                 at,
+                 "greatest",
+                 at});
     for (const SimulationColumn& column : columns_) {
-      if (column.quantity == "time" || column.quantity.starts_with(kEnergyWord)) {
+      if (!column.extremes || !column.extremes->least || column.quantity.starts_with(kEnergyWord)) {
         continue;
       }
-      const std::vector<Sample> samples = samples_of(column);
-      if (samples.empty()) {
-        continue;
-      }
-      const auto least = std::ranges::min_element(samples, {}, &Sample::value);
-      const auto greatest = std::ranges::max_element(samples, {}, &Sample::value);
-      const bool is_constant = least->value == greatest->value;
-      const auto time_of = [&](const Sample& one) {
+      const SimulationExtreme& least = *column.extremes->least;
+      const SimulationExtreme& greatest = *column.extremes->greatest;
+      const bool is_constant = least.value == greatest.value;
+      const auto time_of = [&](const SimulationExtreme& one) {
         return is_constant ? std::string("-") : number(QuantityKind::time, one.time);
       };
-      if (!is_constant || least->value != 0.0) {
+      if (!is_constant || least.value != 0.0) {
         table.add({fmt::format("{} [{}]", column.name(), units_.text(column.kind)),
-                   number(column.kind, least->value),
-                   time_of(*least),
-                   number(column.kind, greatest->value),
-                   time_of(*greatest)});
+                   number(column.kind, least.value),
+                   time_of(least),
+                   number(column.kind, greatest.value),
+                   time_of(greatest)});
       }
     }
     return table;
@@ -254,6 +227,19 @@ std::string simulation_csv(const SimulationReportView& v) {
            column.values[r],
            status,
            std::to_string(r));
+    }
+  }
+  for (const SimulationColumn& column : columns) {
+    const auto figure = [&](const char* which, const std::optional<SimulationExtreme>& extreme) {
+      if (extreme) {
+        const std::string quantity = fmt::format("figure/{}/{}", column.quantity, which);
+        line(column.element, quantity, column.kind, extreme->value, status, "");
+        line(column.element, quantity + "_time", QuantityKind::time, extreme->time, status, "");
+      }
+    };
+    if (column.extremes) {
+      figure("least", column.extremes->least);
+      figure("greatest", column.extremes->greatest);
     }
   }
   for (std::size_t e = 0; e < v.solution.events.size(); ++e) {

@@ -14,8 +14,8 @@
 #include "description/simulation_report_words.hpp"
 #include "mechanism/bind/evaluator.hpp"
 #include "mechanism/label_kind.hpp"
-#include "mechanism/springs/spring_quantities.hpp"
 #include "studies/simulation/rubbing.hpp"
+#include "studies/simulation/simulation_readings.hpp"
 #include "studies/simulation/task/simulation_limits.hpp"
 
 namespace kinestat {
@@ -197,64 +197,31 @@ class SimulationReader {
   void read_report() {
     SimulationReport& report = plan_.report;
     report.is_default = section_.report.empty();
+    const std::vector<SimulationReading> readings = simulation_readings(mechanism_, plan_);
     for (const Name& name : section_.report) {
       if (bool* const word = find_report_word(name.text, report)) {
         *word = true;
         continue;
       }
       report.names.push_back(name.text);
-      if (!names_any(name.text)) {
+      const auto is_named = [&](const SimulationReading& one) {
+        return names_column(name.text, one.element, one.actuator, one.quantity);
+      };
+      if (std::ranges::none_of(readings, is_named)) {
         found_.error("E0313",
                      name.where,
                      fmt::format("the simulation has no column '{}'", name.text),
                      fmt::format("write {}, or the name of a freedom, an actuator, an action, a "
-                                 "coupling or a spring, spring.NAME",
+                                 "coupling, a load or a spring, spring.NAME",
                                  fmt::join(kSimulationReportWords, ", ")));
       }
     }
-    for (int a = 0; a < topology_.action_count(); ++a) {
-      const bool is_borne = topology_.actions[at(a)].actuator < 0;
-      plan_.asks_actions = plan_.asks_actions ||
-                           (is_borne && wants(report, topology_.action_name(a), "", kActionColumn));
-    }
-  }
-
-  bool names_any(const std::string& name) const {
-    constexpr std::array<std::string_view, 3> kOfFreedoms = {
-        "position", "velocity", "acceleration"};
-    for (int f = 0; f < topology_.freedom_count(); ++f) {
-      for (const std::string_view quantity : kOfFreedoms) {
-        if (names_column(name, topology_.freedom_name(f), actuator_of(f), quantity)) {
-          return true;
-        }
+    for (const SimulationReading& one : readings) {
+      if (is_wanted(one, report)) {
+        plan_.asks_actions = plan_.asks_actions || one.needs_actions;
+        plan_.asks_reactions = plan_.asks_reactions || one.is_reaction;
       }
     }
-    for (int a = 0; a < topology_.action_count(); ++a) {
-      if (names_column(name, topology_.action_name(a), "", kActionColumn)) {
-        return true;
-      }
-    }
-    const auto names_spring = [&](const Spring& spring) {
-      const SpringQuantities& quantities = quantities_of(spring, topology_);
-      const std::string element = std::string(kSpringPrefix) + spring.name;
-      return names_column(name, element, "", quantities.position) ||
-             names_column(name, element, "", quantities.action);
-    };
-    return std::ranges::any_of(mechanism_.springs, names_spring) ||
-           std::ranges::any_of(
-               mechanism_.frictions,
-               [&](const CouplingFriction& one) {
-                 return names_column(
-                     name, topology_.coupling(one.coupling).name, "", kFrictionColumn);
-               }) ||
-           std::ranges::any_of(kEnergyColumns, [&](std::string_view quantity) {
-             return names_column(name, "", "", quantity);
-           });
-  }
-
-  std::string actuator_of(int freedom) const {
-    const auto at = std::ranges::find(topology_.actuators, freedom, &ActuatorTopology::freedom);
-    return at == topology_.actuators.end() ? "" : at->name;
   }
 
   double start_of(int freedom) const {

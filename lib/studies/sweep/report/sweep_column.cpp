@@ -9,6 +9,7 @@
 #include "cases/case_efficiency.hpp"
 #include "cases/gear_answer.hpp"
 #include "cases/input_inertia.hpp"
+#include "cases/report/case_record.hpp"
 #include "cases/report/ratio_in_units.hpp"
 #include "core/contract.hpp"
 #include "core/index.hpp"
@@ -20,6 +21,7 @@
 #include "mechanism/motion_figure.hpp"
 #include "power/ratio.hpp"
 #include "report/in_units.hpp"
+#include "report/number_at_path.hpp"
 #include "statics/coupling_wrenches.hpp"
 #include "studies/shift/gear_limits.hpp"
 
@@ -119,8 +121,25 @@ class ColumnSearch {
         return result;
       }
     }
+    if (is_report_path(name.text)) {
+      return reported_at(name);
+    }
     KINESTAT_EXPECTS(motion_figure_of(name.text));  // the check of the section lets no other pass
     return of_motion_(name);
+  }
+
+  std::optional<SweepColumn> reported_at(const Name& name) {
+    if (auto unit = unit_at_path(case_record(), name.text, units_)) {
+      return SweepColumn{
+          .kind = reported, .index = -1, .name = name.text, .unit = *std::move(unit)};
+    }
+    const std::vector<std::string> paths = number_paths(case_record());
+    found_.error(
+        "E0313",
+        name.where,
+        fmt::format("the report of a case has no single number '{}'", printable(name.text)),
+        guess_before(name.text, paths, "it has " + plain_list(paths, paths.size())));
+    return std::nullopt;
   }
 
   // Between the gears of a shift table.
@@ -333,7 +352,8 @@ bool needs_statics(SweepColumnKind kind) {
 }
 
 bool needs_power(SweepColumnKind kind) {
-  return kind == efficiency || kind == recirculation || kind == limit_use || kind == lossy_action;
+  return kind == efficiency || kind == recirculation || kind == limit_use || kind == lossy_action ||
+         kind == reported;
 }
 
 bool asks(std::span<const SweepColumn> columns, SweepColumnKind kind) {
@@ -396,6 +416,11 @@ std::optional<double> value_of(const SweepColumn& column,
       return one.power_graph ? one.power_graph->recirculation : std::nullopt;
     case equivalent_inertia:
       return equivalent_inertia_value(one, mechanism, units);
+    case reported:
+      return number_at_path(case_record(),
+                            CaseView{.mechanism = mechanism, .units = units, .one = one},
+                            column.name,
+                            units);
     case rate:
       return one.motion && i < one.motion->rates.size() && one.motion->knows_rate(column.index)
                  ? std::optional(in.rate(bounded_rate(*one.motion, column.index).zeroed(),

@@ -23,6 +23,7 @@ enum class SweepColumnKind {
   rate,
   action,
   lossy_action,  ///< as meshes with their losses by the carrier model leave it
+  reported,      ///< the number of the report of a case at the place that is its name
   motion         ///< a figure of the whole motion
 };
 

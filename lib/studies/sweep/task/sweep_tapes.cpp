@@ -154,8 +154,9 @@ std::optional<std::vector<CaseTape>> note_cases(const SweepTask& task,
 
 std::optional<SweepTapes> record_tapes(const SweepTask& task) {
   // What a case that the file does not write itself knows is not looked into.
-  // Nor is how places of masses move.
-  if (task.motion || asks(task.columns, SweepColumnKind::equivalent_inertia)) {
+  // Nor is how places of masses move, and a report is of a case that is solved as a whole.
+  if (task.motion || asks(task.columns, SweepColumnKind::equivalent_inertia) ||
+      asks(task.columns, SweepColumnKind::reported)) {
     return std::nullopt;
   }
   const std::size_t written = task.description.cases.size();

@@ -25,8 +25,9 @@ struct MotionReading {
   QuantityKind kind = QuantityKind::dimensionless;
   std::function<std::optional<double>(const MotionPosition&)> value;
   std::optional<ValueFolds> folds = {};
-  bool is_idle = false;     ///< without values, as nothing determines it
-  bool is_size = false;     ///< without its sign
+  bool is_idle = false;         ///< without values, as nothing determines it
+  bool is_size = false;         ///< without its sign
+  bool is_of_friction = false;  ///< open where friction has no direction, whatever acts without it
   bool is_bounded = false;  ///< nothing makes it grow without bound, but it may end between steps
   std::function<std::optional<QuotientParts>(const MotionPosition&)> parts = {};  ///< of a quotient
   std::function<std::optional<double>(const MotionPosition&)> alone =

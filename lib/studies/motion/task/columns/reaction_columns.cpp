@@ -4,11 +4,11 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "couplings/kinds.hpp"
-#include "mechanism/gears/central_hinge.hpp"
-#include "mechanism/gears/planet_load.hpp"
+#include "mechanism/couplings/coupling_reactions.hpp"
 #include "studies/motion/task/friction_turns.hpp"
 
 namespace kinestat {
@@ -41,12 +41,6 @@ std::optional<Vec3> force_of(const Topology& topology, const MotionPosition& at,
   return force;
 }
 
-// The hinge in a position: its axis is fixed in the tail of its coupling.
-CentralHinge moved_hinge(CentralHinge hinge, BodyId tail, const MotionPosition& at) {
-  hinge.axis = at.state.poses[static_cast<std::size_t>(tail.value)].rotation * hinge.axis;
-  return hinge;
-}
-
 // Whatever its friction, it takes no power there.
 bool rests(const Topology& topology, const MotionPosition& at, CouplingId id) {
   if (!at.solved || !at.solved->motion || at.solved->motion->rates.empty()) {
@@ -63,11 +57,12 @@ class ReactionReadings {
       : units_(units), mechanism_(mechanism), topology_(mechanism.topology) {}
 
   std::vector<MotionReading> run() {
-    const std::vector<std::optional<CentralHinge>> central = find_central_hinges(mechanism_);
+    const std::vector<CouplingReaction> reactions = coupling_reactions(mechanism_);
     for (int e = 0; e < topology_.coupling_count(); ++e) {
       const CouplingId id{e};
-      if (bears_force(topology_.coupling(id))) {
-        add_force(id, central[static_cast<std::size_t>(e)]);
+      const auto bearing = std::ranges::find(reactions, id, &CouplingReaction::coupling);
+      if (bearing != reactions.end()) {
+        add_force(*bearing);
       }
       const auto has_friction = [&](const auto& one) { return one.coupling == id; };
       if (std::ranges::any_of(mechanism_.frictions, has_friction)) {
@@ -78,44 +73,28 @@ class ReactionReadings {
   }
 
  private:
-  bool bears_force(const CouplingTopology& coupling) const {
-    for (int a = coupling.first_action; a < coupling.first_action + coupling.action_count; ++a) {
-      const ActionLabel& action = topology_.actions[static_cast<std::size_t>(a)];
-      if (!action.is_couple && action.actuator < 0) {
-        return true;
-      }
-    }
-    return false;
-  }
-
   void add(CouplingId id,
-           const char* quantity,
+           std::string_view quantity,
            QuantityKind kind,
            std::function<std::optional<double>(const MotionPosition&)> value) {
     readings_.push_back({.column = {.element = topology_.coupling(id).name,
-                                    .quantity = quantity,
+                                    .quantity = std::string(quantity),
                                     .unit = units_.text(kind)},
                          .kind = kind,
                          .value = std::move(value),
                          .is_size = true});
   }
 
-  void add_force(CouplingId id, const std::optional<CentralHinge>& hinge) {
-    const BodyId tail = topology_.coupling(id).tail;
-    const double share = most_loaded_share(mechanism_, topology_.coupling(id));
-    add(id,
-        "force",
+  void add_force(const CouplingReaction& reaction) {
+    add(reaction.coupling,
+        kReactionForce,
         QuantityKind::force,
-        [&topology = topology_, id, hinge, tail, share](
-            const MotionPosition& at) -> std::optional<double> {
-          if (actions_at(at) == nullptr) {
-            return std::nullopt;
-          }
-          const std::optional<CentralHinge> moved =
-              hinge ? std::optional(moved_hinge(*hinge, tail, at)) : std::nullopt;
-          const std::optional<Vec3> bears = borne_force(
-              moved, id, [&](CouplingId other) { return force_of(topology, at, other); });
-          return bears ? std::optional(bears->norm() * share) : std::nullopt;
+        [&topology = topology_, reaction](const MotionPosition& at) {
+          return actions_at(at) == nullptr
+                     ? std::nullopt
+                     : resultant_force(reaction, topology, at.state.poses, [&](CouplingId other) {
+                         return force_of(topology, at, other);
+                       });
         });
   }
 
@@ -135,7 +114,7 @@ class ReactionReadings {
 
   void add_friction(CouplingId id) {
     add(id,
-        "friction",
+        kReactionFriction,
         is_couple(kind_of(topology_.coupling(id).type).friction) ? QuantityKind::moment
                                                                  : QuantityKind::force,
         [id](const MotionPosition& at) -> std::optional<double> {
@@ -144,10 +123,11 @@ class ReactionReadings {
             return std::nullopt;
           }
           const auto found = find_friction(at, id);
-          return found ? action->friction[*found].magnitude : 0.0;  // without friction at rest
+          return found ? action->friction[*found].magnitude : 0.0;
         });
+    readings_.back().is_of_friction = true;
     add(id,
-        "loss",
+        kReactionLoss,
         QuantityKind::power,
         [id, &topology = topology_](const MotionPosition& at) -> std::optional<double> {
           if (rests(topology, at, id)) {

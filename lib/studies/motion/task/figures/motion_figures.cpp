@@ -90,6 +90,9 @@ class FigureMaker {
     bool is_corner = false;
     bool is_approach = false;
 
+    // Friction has no direction there.
+    bool rests() const { return !at_rest->empty(); }
+
     std::optional<double> value_at_rest(std::size_t column) const {
       return at_rest->empty() ? std::nullopt : (*at_rest)[column];
     }
@@ -100,11 +103,20 @@ class FigureMaker {
     double row = 0.0;
   };
 
+  // Whether rows lack it where friction has no direction, even without friction.
+  bool is_open_at_rest(std::size_t column) const {
+    return std::ranges::any_of(samples_, [column](const Sample& one) {
+      return !one.is_corner && one.rests() && !(*one.values)[column] && !one.value_at_rest(column);
+    });
+  }
+
   // Those of the column: of the steps, and of the corners at which it has a value.
   std::vector<Sample> samples_of(std::size_t column) const {
     std::vector<Sample> found;
+    const bool is_open = is_open_at_rest(column);
     for (const Sample& one : samples_) {
-      if (!one.is_corner || (*one.values)[column] || one.value_at_rest(column)) {
+      if (!one.is_corner || (*one.values)[column] || one.value_at_rest(column) ||
+          (is_open && one.rests())) {
         found.push_back(one);
       }
     }
@@ -266,6 +278,7 @@ class FigureMaker {
     }
     double sum = 0.0;
     double size = 0.0;
+    double left_out = 0.0;  // rests in which it is open
     const auto add = [&](double from, double to, double width) {
       sum += width * measure(from, to);
       size += width * measure(std::abs(from), std::abs(to));
@@ -284,6 +297,10 @@ class FigureMaker {
       }
       if (!low && !high) {
         const auto inside = values_inside(column, samples[i], samples[i + 1]);
+        if (!inside && samples[i].rests() && samples[i + 1].rests()) {
+          left_out += width;
+          continue;
+        }
         if (!inside) {
           return std::nullopt;
         }
@@ -300,8 +317,10 @@ class FigureMaker {
       }
       add(*value, *value, width);
     }
-    return zero_within_bound(sum, kCancellation * size) /
-           static_cast<double>(table_.rows.size() - 1);
+    const double whole = static_cast<double>(table_.rows.size() - 1);
+    return whole - left_out > kSameStep * whole
+               ? std::optional(zero_within_bound(sum, kCancellation * size) / (whole - left_out))
+               : std::nullopt;
   }
 
   // By what to integrate between two samples that have no value, as friction has no direction

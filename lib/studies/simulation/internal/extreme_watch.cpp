@@ -1,0 +1,150 @@
+#include "studies/simulation/internal/extreme_watch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/extreme_tolerance.hpp"
+#include "core/tolerance.hpp"
+#include "studies/motion/peak_search.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// Between two looks nothing turns farther [rad], as long as there are not too many.
+constexpr double kFarthestTurn = 0.25;
+constexpr int kMostLooks = 20'000;
+
+// Values of a step beside those of its parts.
+constexpr int kMostClimbs = 40;
+
+bool is_more_by_far(double value, double than) {
+  return value - than > kSameValue * std::max(std::abs(value), std::abs(than));
+}
+
+}  // namespace
+
+ExtremeWatch::ExtremeWatch(const Mechanism& mechanism, const SimulationPlan& plan)
+    : mechanism_(mechanism),
+      readings_(wanted_readings(mechanism, plan)),
+      extremes_(readings_.size()) {}
+
+void ExtremeWatch::note(std::size_t column, double value, double time) {
+  SimulationExtremes& of = extremes_[column];
+  if (!of.least || is_more_by_far(of.least->value, value)) {
+    of.least = SimulationExtreme{.value = value, .time = time};
+  }
+  if (!of.greatest || is_more_by_far(value, of.greatest->value)) {
+    of.greatest = SimulationExtreme{.value = value, .time = time};
+  }
+  double& largest = largest_[readings_[column].kind];
+  largest = std::max(largest, std::abs(value));
+}
+
+ExtremeWatch::Sample ExtremeWatch::sample_of(const SimulationRow& row, const SimulationRow& first) {
+  Sample sample{.time = row.time, .values = Values(readings_.size())};
+  for (std::size_t c = 0; c < readings_.size(); ++c) {
+    sample.values[c] = readings_[c].value(row, first);
+    if (sample.values[c]) {
+      note(c, *sample.values[c], row.time);
+    }
+  }
+  for (std::size_t f = 0; f < row.rates.size(); ++f) {
+    if (mechanism_.topology.freedoms[f].is_rotation) {
+      sample.turns = std::max(sample.turns, std::abs(row.rates[f].value_or(0.0)));
+    }
+  }
+  return sample;
+}
+
+ExtremeWatch::Sample ExtremeWatch::sample_at(double time) {
+  const std::optional<SimulationRow> row = (*row_at_)(time);
+  return row ? sample_of(*row, *first_) : Sample{.time = time, .values = Values(readings_.size())};
+}
+
+void ExtremeWatch::take(const SimulationRow& row, const SimulationRow& first) {
+  sample_of(row, first);
+}
+
+void ExtremeWatch::take(const SimulationEvent& event) {
+  for (std::size_t c = 0; c < readings_.size(); ++c) {
+    const SimulationReading& reading = readings_[c];
+    if (reading.freedom < 0 ||
+        (reading.element != event.element && reading.actuator != event.element)) {
+      continue;
+    }
+    const auto add = [&](const std::optional<double>& value) {
+      if (value) {
+        note(c, *value, event.time);
+      }
+    };
+    if (reading.quantity == "position") {
+      add(event.position);
+    } else if (reading.quantity == "velocity") {
+      add(event.speed);
+      add(event.speed_after);
+    }
+  }
+}
+
+int ExtremeWatch::parts_of(const Sample& begin, const Sample& end) {
+  const double turn = std::max(begin.turns, end.turns) * (end.time - begin.time);
+  const double most = std::max(0, kMostLooks - looks_);
+  const double parts = std::max(2.0, std::ceil(turn / kFarthestTurn));
+  sees_all_ = sees_all_ && parts - 2.0 <= most;
+  const int some = static_cast<int>(std::min(parts, 2.0 + most));
+  looks_ += some - 2;
+  return some;
+}
+
+void ExtremeWatch::climb(const std::vector<Sample>& samples, std::size_t column, double sign) {
+  const SimulationExtremes& of = extremes_[column];
+  const std::optional<SimulationExtreme>& known = sign > 0.0 ? of.greatest : of.least;
+  if (!known) {
+    return;
+  }
+  const double least_gain = kLeastPeak * largest_[readings_[column].kind];
+  PeakSearch search(sign * known->value + least_gain, std::nullopt);
+  const auto peak = [&](const Sample& one) {
+    return PeakSample{.share = one.time, .value = sign * *one.values[column]};
+  };
+  for (std::size_t i = 1; i + 1 < samples.size(); ++i) {
+    if (samples[i - 1].values[column] && samples[i].values[column] &&
+        samples[i + 1].values[column]) {
+      search.add({peak(samples[i - 1]), peak(samples[i]), peak(samples[i + 1])});
+    }
+  }
+  for (auto time = search.next(); time && climbs_ < kMostClimbs; time = search.next()) {
+    ++climbs_;
+    const Sample there = sample_at(*time);
+    search.take(there.values[column] ? std::optional(sign * *there.values[column]) : std::nullopt);
+  }
+}
+
+void ExtremeWatch::look(const Step& step, const SimulationRow& first, const RowAt& row_at) {
+  if (!(step.end > step.begin)) {
+    return;
+  }
+  row_at_ = &row_at;
+  first_ = &first;
+  const bool goes_on = last_ && last_->time == step.begin && regime_ == step.regime;
+  std::vector<Sample> samples;
+  samples.push_back(goes_on ? *std::move(last_) : sample_at(step.begin));
+  Sample end = sample_at(step.end);
+  const int parts = parts_of(samples.front(), end);
+  for (int k = 1; k < parts; ++k) {
+    samples.push_back(sample_at(std::lerp(step.begin, step.end, static_cast<double>(k) / parts)));
+  }
+  samples.push_back(std::move(end));
+  climbs_ = 0;
+  for (std::size_t c = 0; c < readings_.size(); ++c) {
+    if (readings_[c].has_peaks) {
+      climb(samples, c, 1.0);
+      climb(samples, c, -1.0);
+    }
+  }
+  last_ = std::move(samples.back());
+  regime_ = step.regime;
+}
+
+}  // namespace kinestat
