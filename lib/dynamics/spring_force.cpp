@@ -131,6 +131,9 @@ double stored_energy(const Spring& spring, double position) {
     return of_stiffness;
   }
   const GasSpring& gas = *spring.gas;
+  if (spring.acts == SpringSense::pull) {
+    return of_stiffness;  // gas pushes alone
+  }
   if (gas.hold == 0.0) {
     return of_stiffness + gas.force * (gas.length - position);
   }

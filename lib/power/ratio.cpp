@@ -105,11 +105,13 @@ MissingEnds missing_ratio_ends(const Mechanism& mechanism, const Case& which) {
       return {
           .what = fmt::format(
               "has the load '{}' for its {}, which has no speed of its own", printable(name), end),
-          .hint = fmt::format("declare an actuator on the coupling that '{0}' moves, and let "
-                              "the case give its action, 0 beside the load, and name it: "
-                              "action: {{ACTUATOR: 0}}, {1}: [ACTUATOR, {0}]",
-                              printable(name),
-                              end)};
+          .hint = fmt::format(
+              "declare an actuator on the coupling that '{0}' moves, and let "
+              "the case give its action, 0 beside the load, and name it: "
+              "action: {{ACTUATOR: 0}}, {1}: [ACTUATOR, {0}]; that has a ratio, and the "
+              "mechanical advantage is the action of the output over the load",
+              printable(name),
+              end)};
     }
   }
   const bool has_output = !which.outputs.empty();

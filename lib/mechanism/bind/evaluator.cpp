@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "core/text.hpp"
 #include "core/tolerance.hpp"
 #include "core/utf8.hpp"
 #include "expression/evaluate.hpp"
@@ -69,6 +70,18 @@ std::vector<int> free_parameters(const MechanismDescription& description) {
   return free;
 }
 
+// What may stand for a number in some places.
+std::vector<std::string> words_beside_numbers(const MechanismDescription& description) {
+  std::vector<std::string> words;
+  for (const CurveDescription& curve : description.curves) {
+    words.push_back(curve.name.text);
+  }
+  if (description.motion) {
+    words.emplace_back(kLimitWord);
+  }
+  return words;
+}
+
 }  // namespace
 
 Evaluator make_evaluator(const MechanismDescription& description, Diagnostics& found) {
@@ -116,7 +129,11 @@ void EvaluatorOf<Scalar>::complain(const Value& value, const ExpressionError& er
                  fmt::format("'{}' is a curve, and this number does not move", name),
                  "curves belong in 'force' and 'couple' of loads and in 'action' of cases");
   } else {
-    found_.error(error.code, place_in(value, error), error.message, error.hint);
+    const bool may_guess = error.code == "E0311" && error.hint.empty();
+    found_.error(error.code,
+                 place_in(value, error),
+                 error.message,
+                 may_guess ? did_you_mean(name, words_beside_numbers(description_)) : error.hint);
   }
 }
 

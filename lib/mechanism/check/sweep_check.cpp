@@ -248,13 +248,19 @@ class SweepCheck {
       held.push_back(one.text);
     }
     const std::string guess = did_you_mean(name, held);
+    const auto by_place = std::ranges::find_if(
+        held, [&name](const std::string& one) { return one.starts_with(name + "/"); });
     context_.found.error(
         "E0313",
         where,
         fmt::format(
             "'keep' of 'sweep' names '{}', which is neither a parameter nor in its 'report'", name),
-        guess.empty() ? fmt::format("add '{}' to 'report', which has {}", name, plain_list(held))
-                      : guess);
+        by_place != held.end()
+            ? fmt::format("a number by its place, such as {}, cannot stand in a formula, where '/' "
+                          "divides",
+                          *by_place)
+        : guess.empty() ? fmt::format("add '{}' to 'report', which has {}", name, plain_list(held))
+                        : guess);
   }
 
   // As far as the values under `parameters` show; that they give no result says nothing, for the

@@ -411,20 +411,25 @@ std::vector<int> find_freewheels(const ShiftPlan& plan, std::span<const int> eng
   return {};
 }
 
-// What the others make where engaged freewheels overrun.
+// What the others make where engaged freewheels overrun: a gear, if any of these let one be; or
+// else what is left where an input that they would hold moves on.
 std::optional<ShiftState> solve_overrunning(const ShiftNetwork& network,
                                             const ShiftPlan& plan,
                                             std::span<const int> engaged,
                                             ShiftCause cause) {
   std::optional<ShiftState> state;
-  const std::vector<int> open = find_freewheels(
-      plan, engaged, [&](const std::vector<int>& others, const std::vector<int>& freewheels) {
-        if (cause == ShiftCause::input_held && !overruns(network, plan, others, freewheels)) {
-          return false;
-        }
-        state = StateSolver(network, plan, others).run();
-        return cause == ShiftCause::input_held || state->kind == ShiftClass::gear;
-      });
+  const auto is_gear = [&](const std::vector<int>& others, const std::vector<int>&) {
+    state = StateSolver(network, plan, others).run();
+    return state->kind == ShiftClass::gear;
+  };
+  const auto lets_go = [&](const std::vector<int>& others, const std::vector<int>& freewheels) {
+    state = StateSolver(network, plan, others).run();
+    return overruns(network, plan, others, freewheels);
+  };
+  std::vector<int> open = find_freewheels(plan, engaged, is_gear);
+  if (open.empty() && cause == ShiftCause::input_held) {
+    open = find_freewheels(plan, engaged, lets_go);
+  }
   if (open.empty()) {
     return std::nullopt;
   }
@@ -442,7 +447,8 @@ ShiftState solve_shift_state(const ShiftNetwork& network,
                              const ShiftPlan& plan,
                              std::span<const int> engaged) {
   ShiftState state = StateSolver(network, plan, engaged).run();
-  if (state.cause == ShiftCause::input_held || state.cause == ShiftCause::freewheel_overruns) {
+  if (state.cause == ShiftCause::input_held || state.cause == ShiftCause::outputs_held ||
+      state.cause == ShiftCause::freewheel_overruns) {
     return solve_overrunning(network, plan, engaged, state.cause).value_or(std::move(state));
   }
   return state;

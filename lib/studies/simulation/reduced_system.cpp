@@ -281,9 +281,13 @@ double ReducedSystem::uncut_tension(std::size_t spring) const {
 }
 
 double ReducedSystem::uncut_tension_at_rest(std::size_t spring) const {
+  return uncut_elastic_tension(spring) - spring_forces_[spring];
+}
+
+double ReducedSystem::uncut_elastic_tension(std::size_t spring) const {
   Spring both = mechanism_.springs[spring];
   both.acts = SpringSense::both;
-  return elastic_tension(both, springs_[spring].position) - spring_forces_[spring];
+  return elastic_tension(both, springs_[spring].position);
 }
 
 std::optional<BodyId> ReducedSystem::wrong_rotor() const {

@@ -52,9 +52,10 @@ class ReducedSystem {
 
   std::span<const double> held_actions() const { return held_; }
 
-  /// What a spring would pull if it acted both ways [N], and the same without its damping.
+  /// What a spring would pull if it acted both ways [N]; without its damping; and without `force`.
   double uncut_tension(std::size_t spring) const;
   double uncut_tension_at_rest(std::size_t spring) const;
+  double uncut_elastic_tension(std::size_t spring) const;
 
   /// What the rates of a freedom are for unit speeds of all coordinates there.
   VecX direction_of(int freedom) const;

@@ -61,7 +61,7 @@ std::string quantity_words(std::string quantity) {
 
 std::size_t usual_abscissa(const MotionTable& motion) {
   const auto time = time_column(motion);
-  return time && !motion.columns[*time].is_named && is_told_by_time(motion) ? *time : 0;
+  return time && !motion.columns[*time].is_named && is_drawn_over_time(motion) ? *time : 0;
 }
 
 std::optional<std::size_t> find_abscissa(const MotionTable& motion, std::string_view name) {

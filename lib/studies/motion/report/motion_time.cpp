@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "core/tolerance.hpp"
@@ -86,6 +87,15 @@ std::optional<double> time_at_row(const MotionTable& motion, double row) {
 }
 
 bool is_told_by_time(const MotionTable& motion) {
+  const std::vector<double> places = column_values(motion, 0);
+  const bool goes_forth =
+      std::ranges::adjacent_find(places, std::ranges::greater_equal{}) == places.end();
+  const bool goes_back =
+      std::ranges::adjacent_find(places, std::ranges::less_equal{}) == places.end();
+  return time_column(motion) && !goes_forth && !goes_back;
+}
+
+bool is_drawn_over_time(const MotionTable& motion) {
   const auto time = time_column(motion);
   return time && !runs_straight(column_values(motion, 0), column_values(motion, *time));
 }

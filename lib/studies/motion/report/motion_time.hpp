@@ -28,8 +28,11 @@ std::optional<std::size_t> time_column(const MotionTable& motion);
 /// time.
 std::optional<double> time_at_row(const MotionTable& motion, double row);
 
-/// Whether a motion in time has a first drive that does not run steadily, as where it dwells or
-/// comes back: then its position does not say when something happens.
+/// Whether a motion in time has a first drive that dwells or comes back, so that its position does
+/// not say when something happens.
 bool is_told_by_time(const MotionTable& motion);
+
+/// Whether a motion in time is best drawn over it: where its first drive does not run steadily.
+bool is_drawn_over_time(const MotionTable& motion);
 
 }  // namespace kinestat

@@ -71,13 +71,18 @@ std::optional<double> Simulator::find_turn() {
     first = high;
   }
   for (const std::size_t spring : one_sided_springs_) {
-    const std::optional<double> one =
-        spring_turn(spring, &ReducedSystem::uncut_tension, from, first.value_or(to));
-    first = one ? one : first;
-    if (mechanism_.springs[spring].damping != 0.0) {
-      const std::optional<double> other =
-          spring_turn(spring, &ReducedSystem::uncut_tension_at_rest, from, first.value_or(to));
-      first = other ? other : first;
+    const auto look_at = [&](double (ReducedSystem::*of)(std::size_t) const) {
+      const std::optional<double> turn = spring_turn(spring, of, from, first.value_or(to));
+      first = turn ? turn : first;
+    };
+    const Spring& one = mechanism_.springs[spring];
+    look_at(&ReducedSystem::uncut_tension);
+    if (one.damping != 0.0) {
+      look_at(&ReducedSystem::uncut_tension_at_rest);
+    }
+    // There the power that is stored begins, and that of the force goes on.
+    if (one.force.value != 0.0 || one.force.law != nullptr) {
+      look_at(&ReducedSystem::uncut_elastic_tension);
     }
   }
   return first;

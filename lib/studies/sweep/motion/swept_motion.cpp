@@ -103,7 +103,8 @@ std::vector<MotionColumnSearch::Candidate> MotionColumnSearch::candidates_of(int
 }
 
 std::optional<SweepColumn> MotionColumnSearch::find(const Name& name) {
-  const MotionFigureName asked = *motion_figure_of(name.text);
+  MotionFigureName asked = *motion_figure_of(name.text);
+  asked.column = dotted(asked.column);
   if (asked.figure == MotionFigure::dead_points) {
     return find_dead_points(name, asked);
   }
