@@ -39,6 +39,9 @@ double step_in_degrees(double least) {
 // Ends that are ticks may lie beside them by rounding: a share of a step that nobody sees.
 constexpr double kRounding = 0.001;
 
+// Below there is no room for ticks between the numbers that there are.
+constexpr double kLeastSize = std::numeric_limits<double>::min() * 1e16;
+
 // Values that agree in so many digits are drawn as one.
 constexpr int kTellsApart = 6;
 
@@ -103,7 +106,7 @@ double AxisRange::share(double value) const {
 }
 
 double shown_span(double span, double size) {
-  if (size == 0.0) {
+  if (size < kLeastSize) {
     return 2.0;
   }
   return span <= size * std::pow(10.0, -kTellsApart) ? size : span;

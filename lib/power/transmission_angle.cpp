@@ -148,7 +148,8 @@ AngleOrObstacle find_angle(const Mechanism& mechanism, int input, int output) {
                   topology.actuators[static_cast<std::size_t>(input)].action,
                   driven.action);
   if (!drives) {
-    return TransmissionObstacle::open_force;
+    return driving.size() > 1 ? TransmissionObstacle::no_one_coupling
+                              : TransmissionObstacle::open_force;
   }
   if (drives->size() > 1) {
     return TransmissionObstacle::no_one_coupling;

@@ -108,13 +108,16 @@ class SpeedFindings {
         {"accelerations", [](const MotionRow& row) { return row.drops_accelerations; }}};
     for (const auto& [name, holds] : kinds) {
       if (const MotionRow* first = first_of(holds)) {
-        found_.warning("W0507",
-                       motion_.plan.where,
-                       fmt::format("some {} are omitted at {}: a singular position is so near that "
-                                   "they would be rounding",
-                                   name,
-                                   places_text(*first, holds)),
-                       "the values shown are correct; choose other steps or another drive");
+        found_.warning(
+            "W0507",
+            motion_.plan.where,
+            fmt::format("some {} are omitted at {}: rounding leaves them open so near to "
+                        "a singular position, or where they follow from what hardly "
+                        "moves",
+                        name,
+                        places_text(*first, holds)),
+            "the values shown are correct; choose other steps, or drive the part that "
+            "runs fast, such as the spindle of a screw");
       }
     }
   }

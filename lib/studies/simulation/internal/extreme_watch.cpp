@@ -15,7 +15,7 @@ namespace {
 constexpr double kFarthestTurn = 0.25;
 constexpr int kMostLooks = 20'000;
 
-// Values of a step beside those of its parts.
+// Values of a column in a step beside those of its parts.
 constexpr int kMostClimbs = 40;
 
 bool is_more_by_far(double value, double than) {
@@ -114,8 +114,12 @@ void ExtremeWatch::climb(const std::vector<Sample>& samples, std::size_t column,
       search.add({peak(samples[i - 1]), peak(samples[i]), peak(samples[i + 1])});
     }
   }
-  for (auto time = search.next(); time && climbs_ < kMostClimbs; time = search.next()) {
-    ++climbs_;
+  int climbs = 0;
+  for (auto time = search.next(); time; time = search.next()) {
+    if (climbs++ == kMostClimbs) {
+      sees_all_ = false;
+      return;
+    }
     const Sample there = sample_at(*time);
     search.take(there.values[column] ? std::optional(sign * *there.values[column]) : std::nullopt);
   }
@@ -136,7 +140,6 @@ void ExtremeWatch::look(const Step& step, const SimulationRow& first, const RowA
     samples.push_back(sample_at(std::lerp(step.begin, step.end, static_cast<double>(k) / parts)));
   }
   samples.push_back(std::move(end));
-  climbs_ = 0;
   for (std::size_t c = 0; c < readings_.size(); ++c) {
     if (readings_[c].has_peaks) {
       climb(samples, c, 1.0);

@@ -62,7 +62,6 @@ class ExtremeWatch {
   std::optional<Sample> last_;
   int regime_ = -1;  // of the last
   int looks_ = 0;    // that long steps took
-  int climbs_ = 0;   // in the step
   bool sees_all_ = true;
   const RowAt* row_at_ = nullptr;  // of the step
   const SimulationRow* first_ = nullptr;

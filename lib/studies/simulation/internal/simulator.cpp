@@ -332,7 +332,10 @@ SimulationSolution Simulator::finish() {
     const double spacing = plan_.duration / plan_.steps;
     const bool is_same =
         !result_.rows.empty() && time_ - result_.rows.back().time <= kSameRow * spacing;
-    const bool is_added = add_row(time_, state_);
+    if (is_same && result_.rows.size() == 1) {
+      result_.time = result_.rows.back().time;  // it has not begun
+    }
+    const bool is_added = result_.time == time_ && add_row(time_, state_);
     if (is_added && is_same) {
       result_.rows.erase(result_.rows.end() - 2);
     }
