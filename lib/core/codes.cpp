@@ -285,9 +285,9 @@ constexpr auto kErrorCodes = std::to_array<Code>({
      "spring force is undefined in this position",
      "In this position the force of a spring is undefined: its two points coincide, so that it has "
      "no direction, and its force there is not zero; a gas spring is longer than extended or "
-     "shorter than compressed; or it acts on "
-     "a freedom that has no position, such as those of balls and contacts. The actions of the case "
-     "are unknown there. The message names the spring."},
+     "shorter than compressed; it acts on a freedom that has no position, such as those of balls "
+     "and contacts; or it damps, and the case does not determine the speed of its ends. The "
+     "actions of the case are unknown there. The message names the spring."},
     {"E0325",
      wrong_input,
      "points do not make a curve",

@@ -302,8 +302,8 @@ CaseFinding told_of_drawing(CaseFinding one, const Case& which, const Analysis& 
     one.code = "W0508";
     one.message += " in the drawn position";
     one.hint =
-        "'kinestat motion' has its actions where it moves; to have them here too, draw a "
-        "position in which this coupling moves";
+        "the motion has actions wherever this coupling moves; to have them here too, draw a "
+        "position in which it does";
   }
   return one;
 }

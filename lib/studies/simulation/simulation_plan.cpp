@@ -4,6 +4,7 @@
 #include <array>
 
 #include "description/simulation_report_words.hpp"
+#include "mechanism/column_path.hpp"
 
 namespace kinestat {
 
@@ -18,15 +19,6 @@ constexpr std::array<bool SimulationReport::*, kSimulationReportWords.size()> kM
     &SimulationReport::reaction,
     &SimulationReport::power,
     &SimulationReport::energy};
-
-std::string dotted(std::string name) {
-  std::ranges::replace(name, '/', '.');
-  return name;
-}
-
-bool begins_with_parts(const std::string& name, const std::string& begin) {
-  return name.starts_with(begin) && (name.size() == begin.size() || name[begin.size()] == '.');
-}
 
 }  // namespace
 

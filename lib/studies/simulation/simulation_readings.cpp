@@ -108,7 +108,7 @@ class ReadingMaker {
          .quantity = std::string(kActionColumn),
          .kind = action_kind(label.is_couple),
          .words = {kActionColumn}},
-        [this_ = copies(), action, is_borne, actuator = label.actuator](const SimulationRow& row) {
+        [this_ = sources(), action, is_borne, actuator = label.actuator](const SimulationRow& row) {
           return is_borne ? value_at(row.borne, at(action))
                           : actuator_action(this_.mechanism,
                                             this_.plan,
@@ -200,7 +200,7 @@ class ReadingMaker {
   // In the order of a motion: actuators, loads, springs.
   void add_powers() {
     for (const ActuatorTopology& actuator : topology_.actuators) {
-      add_power(actuator.name, [this_ = copies(), &actuator](const SimulationRow& row) {
+      add_power(actuator.name, [this_ = sources(), &actuator](const SimulationRow& row) {
         return product(actuator_action(this_.mechanism, this_.plan, row, actuator),
                        row.rates[at(actuator.freedom)]);
       });
@@ -257,7 +257,7 @@ class ReadingMaker {
     const SimulationPlan& plan;
   };
 
-  Sources copies() const { return {.mechanism = mechanism_, .plan = plan_}; }
+  Sources sources() const { return {.mechanism = mechanism_, .plan = plan_}; }
 
   const Mechanism& mechanism_;
   const Topology& topology_;

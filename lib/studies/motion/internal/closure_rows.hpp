@@ -48,6 +48,7 @@ struct FramedRow {
 struct TurnAxis {
   bool is_one = true;             ///< all that turn have one direction
   std::optional<Vec3> axis = {};  ///< it; empty if none turns
+  bool stays = true;              ///< in the world: nothing below the first turns about another
 
   /// Whether it is no axis of the world.
   bool is_oblique() const { return axis && axis->cwiseAbs().maxCoeff() < 1.0; }

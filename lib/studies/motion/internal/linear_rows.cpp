@@ -20,15 +20,24 @@ template <class Frames>
 TurnAxis ClosureSystem<Frames>::axis_between(int tail_frame, int head_frame) const {
   Row path;
   add_path(tail_frame, head_frame, path);
+  Row below;
+  add_path(0, tail_frame, below);
   TurnAxis result;
+  const auto turns_in = [](const ClosureJoint& joint, const Row& row) {
+    return joint.kind != ElementaryKind::slide && std::ranges::count(row.rates, joint.rate) > 0;
+  };
   for (const ClosureJoint& joint : joints_) {
-    if (joint.kind == ElementaryKind::slide || std::ranges::count(path.rates, joint.rate) == 0) {
-      continue;
+    if (turns_in(joint, path)) {
+      result.axis = result.axis.value_or(joint.direction);
+      if (joint.kind == ElementaryKind::ball || !is_along(joint.direction, *result.axis)) {
+        return {.is_one = false};
+      }
     }
-    result.axis = result.axis.value_or(joint.direction);
-    if (joint.kind == ElementaryKind::ball || !is_along(joint.direction, *result.axis)) {
-      return {.is_one = false};
-    }
+  }
+  for (const ClosureJoint& joint : joints_) {
+    const bool is_other = joint.kind == ElementaryKind::ball || !result.axis ||
+                          !is_along(joint.direction, *result.axis);
+    result.stays = result.stays && !(is_other && turns_in(joint, below));
   }
   return result;
 }
@@ -42,7 +51,10 @@ std::array<bool, 3> ClosureSystem<Frames>::find_linear(const ClosureCondition& c
   const std::optional<Vec3>& axis = turns.axis;
   const auto keeps = [&axis](const Vec3& direction) { return !axis || is_along(direction, *axis); };
   switch (condition.kind) {
-    case ClosureKind::meet:
+    case ClosureKind::meet:  // along axes of the world
+      if (!turns.stays) {
+        return {};
+      }
       return {keeps(Vec3::UnitX()), keeps(Vec3::UnitY()), keeps(Vec3::UnitZ())};
     case ClosureKind::along:
     case ClosureKind::screw:

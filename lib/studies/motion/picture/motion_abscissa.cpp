@@ -3,37 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "core/tolerance.hpp"
 #include "draw/axes.hpp"
+#include "mechanism/column_path.hpp"
 
 namespace kinestat {
-
-namespace {
-
-struct Ends {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
-};
-
-Ends ends_of_values(const std::vector<double>& values) {
-  Ends ends;
-  for (const double value : values) {
-    if (std::isfinite(value)) {
-      ends.low = std::min(ends.low, value);
-      ends.high = std::max(ends.high, value);
-    }
-  }
-  return ends;
-}
-
-std::string with_slashes_as_dots(std::string name) {
-  std::ranges::replace(name, '/', '.');
-  return name;
-}
-
-}  // namespace
 
 std::string quantity_words(std::string quantity) {
   struct Key {
@@ -65,11 +40,11 @@ std::size_t usual_abscissa(const MotionTable& motion) {
 }
 
 std::optional<std::size_t> find_abscissa(const MotionTable& motion, std::string_view name) {
-  const std::string asked = with_slashes_as_dots(std::string(name));
+  const std::string asked = dotted(std::string(name));
   for (std::size_t c = 0; c < motion.columns.size(); ++c) {
     const MotionColumn& column = motion.columns[c];
     const bool is_drive_of_name = column.quantity == kDriveColumn && column.element == name;
-    if (is_drive_of_name || with_slashes_as_dots(column.name()) == asked) {
+    if (is_drive_of_name || dotted(column.name()) == asked) {
       return c;
     }
   }
@@ -85,7 +60,7 @@ ChartAxis MotionAbscissa::axis() const {
   const std::string words = quantity_words(column.quantity);
   ChartAxis axis = {.label = column.element.empty() ? words : words + " of " + column.element,
                     .unit = column.unit};
-  const Ends ends = ends_of_values(values_);
+  const FiniteRange ends = range_of(values_);
   if (ends.low < ends.high) {
     axis.low = ends.low;
     axis.high = ends.high;

@@ -9,15 +9,8 @@
 
 namespace kinestat {
 
-namespace {
-
-struct ValueRange {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
-};
-
-ValueRange range_of(const std::vector<double>& values) {
-  ValueRange range;
+FiniteRange range_of(const std::vector<double>& values) {
+  FiniteRange range;
   for (const double value : values) {
     if (std::isfinite(value)) {
       range.low = std::min(range.low, value);
@@ -26,8 +19,6 @@ ValueRange range_of(const std::vector<double>& values) {
   }
   return range;
 }
-
-}  // namespace
 
 std::vector<double> column_values(const MotionTable& motion, std::size_t column) {
   std::vector<double> values;
@@ -38,7 +29,7 @@ std::vector<double> column_values(const MotionTable& motion, std::size_t column)
 }
 
 bool has_changes(const std::vector<double>& values) {
-  const ValueRange ends = range_of(values);
+  const FiniteRange ends = range_of(values);
   return ends.high - ends.low > kSameValue * std::max(std::abs(ends.low), std::abs(ends.high));
 }
 
@@ -46,7 +37,7 @@ bool runs_straight(const std::vector<double>& values, const std::vector<double>&
   if (values.empty() || over.front() == over.back()) {
     return false;
   }
-  const ValueRange ends = range_of(values);
+  const FiniteRange ends = range_of(values);
   const double least = kSameValue * std::max(std::abs(ends.low), std::abs(ends.high));
   for (std::size_t i = 0; i < values.size(); ++i) {
     const double share = (over[i] - over.front()) / (over.back() - over.front());

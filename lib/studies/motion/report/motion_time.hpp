@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -11,6 +12,14 @@ namespace kinestat {
 
 /// The values of a column in each row; not a number where it has none.
 std::vector<double> column_values(const MotionTable& motion, std::size_t column);
+
+/// From the least finite value to the greatest; the other way round without any.
+struct FiniteRange {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+};
+
+FiniteRange range_of(const std::vector<double>& values);
 
 /// Whether there are different values, and not by rounding alone.
 bool has_changes(const std::vector<double>& values);

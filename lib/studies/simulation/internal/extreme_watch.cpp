@@ -89,7 +89,7 @@ void ExtremeWatch::take(const SimulationEvent& event) {
 
 int ExtremeWatch::parts_of(const Sample& begin, const Sample& end) {
   const double turn = std::max(begin.turns, end.turns) * (end.time - begin.time);
-  const double most = std::max(0, kMostLooks - looks_);
+  const double most = sees_all_ ? std::max(0, kMostLooks - looks_) : 0;
   const double parts = std::max(2.0, std::ceil(turn / kFarthestTurn));
   sees_all_ = sees_all_ && parts - 2.0 <= most;
   const int some = static_cast<int>(std::min(parts, 2.0 + most));

@@ -65,9 +65,11 @@ const Record<ShownItem<SimulationColumn>>& column_record() {
     keys.text("name", "Element and quantity, as in a.wz/position.", [](const View& v) {
       return v.item.name();
     });
-    keys.text("element",
-              "coupling.freedom or actuator; empty for what concerns the whole.",
-              [](const View& v) { return v.item.element; });
+    keys.text(
+        "element",
+        "coupling.freedom, coupling.action, actuator, coupling, load or spring; empty for what "
+        "concerns the whole.",
+        [](const View& v) { return v.item.element; });
     keys.text("quantity", "position, velocity, energy/kinetic and so on.", [](const View& v) {
       return v.item.quantity;
     });

@@ -24,7 +24,7 @@ struct SimulationReportView {
 
 /// What is told of each row. The name is "a.wz/position": element, then quantity.
 struct SimulationColumn {
-  std::string element;  ///< coupling.freedom or actuator; empty of the whole
+  std::string element;  ///< as of SimulationReading
   std::string quantity;
   QuantityKind kind = QuantityKind::dimensionless;
   std::vector<std::optional<double>> values = {};   ///< one a row [SI]

@@ -8,6 +8,7 @@
 #include "core/text.hpp"
 #include "core/utf8.hpp"
 #include "mechanism/check/report_name_check.hpp"
+#include "mechanism/column_path.hpp"
 #include "studies/motion/configuration.hpp"
 #include "studies/motion/task/columns/motion_column_offers.hpp"
 #include "studies/motion/task/motion_events.hpp"
@@ -159,7 +160,13 @@ std::optional<SweepColumn> MotionColumnSearch::find_dead_points(const Name& name
   for (const int freedom : watched_) {
     names.push_back(mechanism_.topology.freedom_name(freedom));
   }
-  if (!asked.column.empty() && std::ranges::find(names, asked.column) == names.end()) {
+  std::string column = asked.column;
+  for (const ActuatorTopology& actuator : mechanism_.topology.actuators) {
+    if (actuator.name == asked.column) {
+      column = mechanism_.topology.freedom_name(actuator.freedom);
+    }
+  }
+  if (!column.empty() && std::ranges::find(names, column) == names.end()) {
     found_.error(
         "E0313",
         name.where,
@@ -170,7 +177,7 @@ std::optional<SweepColumn> MotionColumnSearch::find_dead_points(const Name& name
     return std::nullopt;
   }
   asked_.scope.dead_points = true;
-  return add(name, {.column = asked.column, .figure = asked.figure}, "");
+  return add(name, {.column = std::move(column), .figure = asked.figure}, "");
 }
 
 // Of a freedom alone, whose name would be a rate, those that it has.

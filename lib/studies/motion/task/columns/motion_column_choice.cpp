@@ -11,6 +11,7 @@
 
 #include "core/text.hpp"
 #include "core/utf8.hpp"
+#include "mechanism/column_path.hpp"
 #include "mechanism/motion_column_names.hpp"
 #include "studies/motion/configuration.hpp"
 #include "studies/motion/task/columns/motion_column_offers.hpp"
@@ -19,10 +20,6 @@
 namespace kinestat {
 
 namespace {
-
-bool begins_with_parts(const std::string& name, const std::string& begin) {
-  return name.starts_with(begin) && (name.size() == begin.size() || name[begin.size()] == '.');
-}
 
 // "at/x" and "at/y" of one element.
 bool is_of_one_vector(const MotionColumn& a, const MotionColumn& b) {

@@ -5,6 +5,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "mechanism/column_path.hpp"
 #include "studies/motion/task/motion_findings.hpp"
 
 namespace kinestat {
@@ -80,11 +81,6 @@ class OfferList {
 };
 
 }  // namespace
-
-std::string dotted(std::string name) {
-  std::ranges::replace(name, '/', '.');
-  return name;
-}
 
 std::vector<std::pair<std::string, std::string>> names_of(const MotionColumn& column,
                                                           const Topology& topology) {

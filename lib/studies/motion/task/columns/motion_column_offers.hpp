@@ -18,10 +18,7 @@ struct MotionColumnOffer {
   MotionReport needs;  ///< a report that has it
 };
 
-/// A name as paths in sweeps have it, with dots in place of slashes.
-std::string dotted(std::string name);
-
-/// What a column is called, each name as element and quantity with dots: by its own, by the
+/// What a column is called, each name as dotted element and quantity: by its own, by the
 /// actuator of its freedom, and of a place without "at" or as a position.
 std::vector<std::pair<std::string, std::string>> names_of(const MotionColumn& column,
                                                           const Topology& topology);

@@ -123,7 +123,7 @@ class CornerFinder {
     }
   }
 
-  // Of a spring that acts one way alone.
+  // Of a spring that acts one way alone; a damper begins and ends with a jump.
   void add_contacts(std::size_t spring) {
     const auto acts_in = [&](const std::vector<SpringState>& springs) -> std::optional<bool> {
       return spring < springs.size() ? std::optional(springs[spring].force != 0.0) : std::nullopt;
@@ -141,7 +141,8 @@ class CornerFinder {
                                                                                           : -1.0;
       };
       const auto begin = static_cast<double>(row);
-      steps_.push_back(root_between(acts_as_here, begin, begin + 1.0));
+      const double step = root_between(acts_as_here, begin, begin + 1.0);
+      (mechanism_.springs[spring].damping == 0.0 ? steps_ : jumps_).push_back(step);
     }
   }
 
@@ -214,6 +215,7 @@ class CornerFinder {
   // Each once, in order; what falls on a row but for rounding is at the row.
   std::vector<double> special_steps() {
     std::vector<double> all(special_.poles.begin(), special_.poles.end());
+    all.insert(all.end(), jumps_.begin(), jumps_.end());
     bool jumps = false;
     for (std::size_t f = 0; f < mechanism_.frictions.size(); ++f) {
       if (!vanishes_at_rest(mechanism_.frictions[f])) {
@@ -310,6 +312,7 @@ class CornerFinder {
   MotionPositions reading_;
   FollowedConfigurations& configurations_;
   std::vector<double> steps_;
+  std::vector<double> jumps_;  // of springs
 };
 
 }  // namespace
