@@ -5,7 +5,8 @@
 #include <fmt/format.h>
 
 #include "cases/findings/action_findings.hpp"
-#include "core/tolerance.hpp"
+#include "kinematics/bounded_motion.hpp"
+#include "statics/coupling_wrenches.hpp"
 #include "statics/one_sided_action.hpp"
 
 namespace kinestat {
@@ -54,11 +55,14 @@ void add_clutch_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFi
     const CouplingTopology& coupling = topology.coupling(topology.freedoms[freedom].coupling);
     const bool is_clutch =
         coupling.type == CouplingType::clutch || coupling.type == CouplingType::brake;
-    const double power = one.power->actuators[i];
-    if (!is_clutch || power <= kPowerBalance * one.power->largest) {
+    if (!is_clutch) {
       continue;
     }
-    const double torque = one.action->magnitudes[static_cast<std::size_t>(actuator.action)].value();
+    const double torque = bounded_action(*one.action, actuator.action).zeroed();
+    const double slip = bounded_rate(*one.motion, actuator.freedom).zeroed();
+    if (torque * slip <= 0.0) {
+      continue;
+    }
     const std::string asked = fmt::format("'{}' would have to drive", coupling.name);
     CaseFinding& added = found.warning(
         "W0612",
@@ -68,7 +72,7 @@ void add_clutch_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFi
                     asked,
                     torque / units.factor(QuantityKind::moment),
                     units.text(QuantityKind::moment),
-                    one.motion->rates[freedom] / units.factor(QuantityKind::angular_velocity),
+                    slip / units.factor(QuantityKind::angular_velocity),
                     units.text(QuantityKind::angular_velocity)),
         fmt::format("a clutch or brake that slips can only take power: write {}: {:.6g} {}, where "
                     "the case gives its torque",
@@ -76,7 +80,7 @@ void add_clutch_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFi
                     -torque / units.factor(QuantityKind::moment),
                     units.text(QuantityKind::moment)));
     added.element = asked;
-    added.size = power;
+    added.size = torque * slip;
   }
 }
 

@@ -447,8 +447,10 @@ ShiftState solve_shift_state(const ShiftNetwork& network,
                              const ShiftPlan& plan,
                              std::span<const int> engaged) {
   ShiftState state = StateSolver(network, plan, engaged).run();
-  if (state.cause == ShiftCause::input_held || state.cause == ShiftCause::outputs_held ||
-      state.cause == ShiftCause::freewheel_overruns) {
+  const bool may_overrun =
+      state.cause == ShiftCause::input_held || state.cause == ShiftCause::outputs_held ||
+      state.cause == ShiftCause::freewheel_overruns || state.cause == ShiftCause::freewheel_locks;
+  if (may_overrun) {
     return solve_overrunning(network, plan, engaged, state.cause).value_or(std::move(state));
   }
   return state;
