@@ -184,18 +184,25 @@ std::optional<SweepColumn> MotionColumnSearch::find_dead_points(const Name& name
 void MotionColumnSearch::refuse_column(const Name& name, const std::string& column) {
   std::vector<std::string> all;
   std::vector<std::string> longer;
+  std::vector<std::string> of_part;
   const std::string part = column.substr(0, column.find('.')) + ".";
+  const auto has = [](const Candidate& one, const std::string& begin) {
+    return std::ranges::any_of(
+        one.others, [&begin](const std::string& other) { return other.starts_with(begin); });
+  };
   for (const Candidate& one : candidates_.front()) {
     all.push_back(one.dotted);
-    const auto is_of_part = [&part](const std::string& other) { return other.starts_with(part); };
-    if (std::ranges::any_of(one.others, is_of_part)) {
+    if (has(one, column + ".")) {
       longer.push_back(one.dotted);
+    } else if (has(one, part)) {
+      of_part.push_back(one.dotted);
     }
   }
+  const std::vector<std::string>& near = of_part.empty() ? all : of_part;
   found_.error("E0313",
                name.where,
                fmt::format("the motion has no column '{}'", column),
-               longer.empty() ? guess_before(column, all, "it has " + plain_list(all))
+               longer.empty() ? guess_before(column, near, "it has " + plain_list(near))
                               : "it has " + plain_list(longer));
 }
 
