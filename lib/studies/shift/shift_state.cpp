@@ -384,14 +384,21 @@ bool overruns(const ShiftNetwork& network,
   });
 }
 
-// The engaged freewheels, each subset of them once and small ones first, until `is_it` answers yes.
+// Subsets of the engaged freewheels, each once and small ones first, until `is_it` answers yes. No
+// more can stay behind, and hold, than there are freedoms.
 template <typename IsIt>
-std::vector<int> find_freewheels(const ShiftPlan& plan, std::span<const int> engaged, IsIt is_it) {
+std::vector<int> find_freewheels(const ShiftPlan& plan,
+                                 std::span<const int> engaged,
+                                 int net_freedom,
+                                 IsIt is_it) {
   std::vector<int> freewheels;
   std::ranges::copy_if(engaged, std::back_inserter(freewheels), [&plan](int element) {
     return plan.elements[at(element)].one_way != 0;
   });
-  for (std::size_t size = 1; size <= freewheels.size(); ++size) {
+  const std::size_t held = std::min(freewheels.size(), at(net_freedom));
+  for (std::size_t size = std::max<std::size_t>(1, freewheels.size() - held);
+       size <= freewheels.size();
+       ++size) {
     std::vector<bool> is_chosen(freewheels.size());
     std::fill_n(is_chosen.begin(), size, true);
     do {
@@ -426,9 +433,9 @@ std::optional<ShiftState> solve_overrunning(const ShiftNetwork& network,
     state = StateSolver(network, plan, others).run();
     return overruns(network, plan, others, freewheels);
   };
-  std::vector<int> open = find_freewheels(plan, engaged, is_gear);
+  std::vector<int> open = find_freewheels(plan, engaged, network.net_freedom(), is_gear);
   if (open.empty() && cause == ShiftCause::input_held) {
-    open = find_freewheels(plan, engaged, lets_go);
+    open = find_freewheels(plan, engaged, network.net_freedom(), lets_go);
   }
   if (open.empty()) {
     return std::nullopt;

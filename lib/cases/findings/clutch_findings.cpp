@@ -1,0 +1,53 @@
+// Findings about clutches and brakes.
+#include <string>
+
+#include <fmt/format.h>
+
+#include "cases/findings/action_findings.hpp"
+#include "kinematics/bounded_motion.hpp"
+#include "statics/coupling_wrenches.hpp"
+
+namespace kinestat {
+
+void add_clutch_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
+  if (!one.power || !one.motion || !one.action) {
+    return;
+  }
+  const Topology& topology = file.mechanism.topology;
+  const FileUnits& units = file.description.units;
+  for (std::size_t i = 0; i < topology.actuators.size(); ++i) {
+    const ActuatorTopology& actuator = topology.actuators[i];
+    const auto freedom = static_cast<std::size_t>(actuator.freedom);
+    const CouplingTopology& coupling = topology.coupling(topology.freedoms[freedom].coupling);
+    const bool is_clutch =
+        coupling.type == CouplingType::clutch || coupling.type == CouplingType::brake;
+    if (!is_clutch) {
+      continue;
+    }
+    const double torque = bounded_action(*one.action, actuator.action).zeroed();
+    const double slip = bounded_rate(*one.motion, actuator.freedom).zeroed();
+    if (torque * slip <= 0.0) {
+      continue;
+    }
+    const std::string asked = fmt::format("'{}' would have to drive", coupling.name);
+    CaseFinding& added = found.warning(
+        "W0612",
+        coupling.where,
+        fmt::format("case '{}': {}: its torque of {:.6g} {} acts along its slip of {:.6g} {}",
+                    one.which.label,
+                    asked,
+                    torque / units.factor(QuantityKind::moment),
+                    units.text(QuantityKind::moment),
+                    slip / units.factor(QuantityKind::angular_velocity),
+                    units.text(QuantityKind::angular_velocity)),
+        fmt::format("a clutch or brake that slips can only take power: write {}: {:.6g} {}, where "
+                    "the case gives its torque",
+                    coupling.name,
+                    -torque / units.factor(QuantityKind::moment),
+                    units.text(QuantityKind::moment)));
+    added.element = asked;
+    added.size = torque * slip;
+  }
+}
+
+}  // namespace kinestat
