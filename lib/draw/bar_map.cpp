@@ -16,24 +16,31 @@ namespace {
 
 constexpr double kRowHeight = 19.0;
 constexpr double kBarHeight = 11.0;
-constexpr double kBarWidth = 88.0;    // of the whole scale in a cell
 constexpr double kValueWidth = 68.0;  // of the number beside it
-constexpr double kCellGap = 26.0;
-constexpr double kCellWidth = kBarWidth + kValueWidth + kCellGap;
 constexpr double kMostNameWidth = 190.0;
 constexpr double kValueSize = 11.0;
-constexpr std::size_t kColumnsAside = 5;  // more stand below
 
 constexpr double kNameGap = 12.0;
+
+// How the cells of a case are laid out.
+struct CellForm {
+  double bar = 88.0;      // of the whole scale
+  double gap = 26.0;      // to the next case
+  std::size_t aside = 5;  // more stand below
+
+  double width() const { return bar + kValueWidth + gap; }
+};
+
+// Of a part.
+constexpr CellForm kClose = {.bar = 56.0, .gap = 14.0};
+constexpr double kTelephone = 366.0;  // what a page has there for a picture [px]
 
 // From the value at the left end of the bars to that at the right.
 struct Scale {
   double low = 0.0;
   double high = 0.0;
 
-  double place(double value) const {
-    return high > low ? (value - low) / (high - low) * kBarWidth : 0.0;
-  }
+  double share(double value) const { return high > low ? (value - low) / (high - low) : 0.0; }
 };
 
 Scale scale_of(const BarBlock& block) {
@@ -85,18 +92,29 @@ std::vector<std::size_t> shown_rows(const BarBlock& block) {
   return rows;
 }
 
+// The room that names take.
+double name_width(const BarMap& map) {
+  double width = 40.0;
+  for (const BarBlock& block : map.blocks) {
+    for (const BarRow& row : block.rows) {
+      width = std::max(width, text_width(row.name, kTextSize));
+    }
+  }
+  return std::min(width, kMostNameWidth);
+}
+
+// Of some of the cases: a range of columns.
+struct Columns {
+  std::size_t first = 0;
+  std::size_t end = 0;
+};
+
 class BarMapDrawing {
  public:
-  explicit BarMapDrawing(const BarMap& map) : map_(map) {
-    for (const BarBlock& block : map.blocks) {
-      for (const BarRow& row : block.rows) {
-        name_width_ = std::max(name_width_, text_width(row.name, kTextSize));
-      }
-    }
-    name_width_ = std::min(name_width_, kMostNameWidth);
-  }
+  BarMapDrawing(const BarMap& map, Columns columns, CellForm form)
+      : map_(map), columns_(columns), form_(form), name_width_(name_width(map)) {}
 
-  Picture run() {
+  Picture run(const std::string& title) {
     for (const BarBlock& block : map_.blocks) {
       draw(block);
     }
@@ -104,7 +122,8 @@ class BarMapDrawing {
       y_ += kRowHeight;
       svg_.text({.x = 0.0, .y = y_}, remark, {.ink = Ink::soft, .size = kTextSize});
     }
-    return make_picture(map_.name, map_.title, map_.description, svg_);
+    return make_picture(
+        map_.name, fmt::format("{}: {}", title, map_.mechanism), map_.description, svg_);
   }
 
  private:
@@ -113,8 +132,8 @@ class BarMapDrawing {
     y_ += 22.0;
     const std::vector<std::size_t> rows = shown_rows(block);
     const Scale scale = scale_of(block);
-    for (std::size_t first = 0; first < map_.columns.size(); first += kColumnsAside) {
-      const std::size_t end = std::min(first + kColumnsAside, map_.columns.size());
+    for (std::size_t first = columns_.first; first < columns_.end; first += form_.aside) {
+      const std::size_t end = std::min(first + form_.aside, columns_.end);
       draw_heads(first, end);
       draw_rows({.block = block, .rows = rows, .scale = scale, .first = first, .end = end});
       y_ += 12.0;
@@ -134,7 +153,8 @@ class BarMapDrawing {
 
   // "0 in s1, r1, K3", in as many lines as need be.
   void write_zeros(const BarBlock& block) {
-    const double width = cell_left(std::min(map_.columns.size(), kColumnsAside)) - kCellGap;
+    const double width =
+        cell_left(std::min(columns_.end - columns_.first, form_.aside)) - form_.gap;
     std::string line = "0 in";
     for (const BarRow& row : block.rows) {
       if (!is_zero(row)) {
@@ -152,13 +172,13 @@ class BarMapDrawing {
   }
 
   double cell_left(std::size_t column) const {
-    return name_width_ + kNameGap + kCellWidth * static_cast<double>(column);
+    return name_width_ + kNameGap + form_.width() * static_cast<double>(column);
   }
 
   void draw_heads(std::size_t first, std::size_t end) {
     for (std::size_t c = first; c < end; ++c) {
       const std::string& column = map_.columns[c];
-      const std::string shown = fitting_text(column, kTextSize, kCellWidth - 8.0, Weight::bold);
+      const std::string shown = fitting_text(column, kTextSize, form_.width() - 8.0, Weight::bold);
       const bool is_cut = shown != column;
       if (is_cut) {
         svg_.open_group(column);
@@ -188,7 +208,7 @@ class BarMapDrawing {
     for (std::size_t r = 0; r < part.rows.size(); ++r) {
       const double y = top + kRowHeight * static_cast<double>(r + 1);
       svg_.line({.x = 0.0, .y = y},
-                {.x = cell_left(part.end - part.first) - kCellGap, .y = y},
+                {.x = cell_left(part.end - part.first) - form_.gap, .y = y},
                 {.stroke = Ink::grid, .width = 1.0});
     }
     draw_bars(part);
@@ -213,7 +233,7 @@ class BarMapDrawing {
         }
       }
       svg_.column(
-          cell_left(c - part.first) + kBarWidth + kValueWidth,
+          cell_left(c - part.first) + form_.bar + kValueWidth,
           texts,
           {.ink = is_soft ? Ink::soft : Ink::ink, .size = kValueSize, .anchor = Anchor::end});
     }
@@ -263,9 +283,9 @@ class BarMapDrawing {
     each_bar(-1.0, [this](const PixelBox& bar) { svg_.hatch(bar, Ink::vermilion, 4.0); });
   }
 
-  static PixelBox bar_of(double value, double left, double y, const Scale& scale) {
-    const double zero = left + scale.place(0.0);
-    const double end = left + scale.place(value);
+  PixelBox bar_of(double value, double left, double y, const Scale& scale) const {
+    const double zero = left + form_.bar * scale.share(0.0);
+    const double end = left + form_.bar * scale.share(value);
     const double top = y + (kRowHeight - kBarHeight) / 2;
     return {.left = std::min(zero, end),
             .top = top,
@@ -275,27 +295,53 @@ class BarMapDrawing {
 
   void draw_zero_lines(const Scale& scale, double top, std::size_t count) {
     for (std::size_t c = 0; c < count; ++c) {
-      const double x = cell_left(c) + scale.place(0.0);
+      const double x = cell_left(c) + form_.bar * scale.share(0.0);
       svg_.line({.x = x, .y = top}, {.x = x, .y = y_}, {.stroke = Ink::soft, .width = 1.0});
     }
   }
 
   const BarMap& map_;
+  Columns columns_;
+  CellForm form_;
   Svg svg_;
-  double name_width_ = 40.0;
+  double name_width_ = 0.0;
   double y_ = 0.0;
 };
 
-}  // namespace
-
-Picture draw_bar_map(const BarMap& map) {
+void expect_whole(const BarMap& map) {
   KINESTAT_EXPECTS(!map.blocks.empty() || !map.remarks.empty());
   for (const BarBlock& block : map.blocks) {
     for (const BarRow& row : block.rows) {
       KINESTAT_EXPECTS(row.values.size() == map.columns.size());
     }
   }
-  return BarMapDrawing(map).run();
+}
+
+}  // namespace
+
+Picture draw_bar_map(const BarMap& map) {
+  expect_whole(map);
+  return BarMapDrawing(map, {.first = 0, .end = map.columns.size()}, {}).run(map.title);
+}
+
+std::vector<Picture> draw_bar_map_in_parts(const BarMap& map) {
+  expect_whole(map);
+  const double room = kTelephone - name_width(map) - kNameGap + kClose.gap;
+  const auto aside = static_cast<std::size_t>(std::max(room / kClose.width(), 1.0));
+  const std::size_t count = map.columns.size();
+  if (count <= 1) {
+    return {draw_bar_map(map)};
+  }
+  std::vector<Picture> parts;
+  for (std::size_t first = 0; first < count; first += aside) {
+    const Columns columns = {.first = first, .end = std::min(first + aside, count)};
+    const std::vector<std::string> cases(
+        map.columns.begin() + static_cast<std::ptrdiff_t>(columns.first),
+        map.columns.begin() + static_cast<std::ptrdiff_t>(columns.end));
+    const std::string title = fmt::format("{}, {}", map.title, fmt::join(cases, ", "));
+    parts.push_back(BarMapDrawing(map, columns, kClose).run(aside < count ? title : map.title));
+  }
+  return parts;
 }
 
 }  // namespace kinestat

@@ -23,7 +23,8 @@ struct BarBlock {
 
 struct BarMap {
   std::string name;
-  std::string title;
+  std::string title;      ///< "Forces in the couplings"
+  std::string mechanism;  ///< whose they are: the picture is called "title: mechanism"
   std::string description;
   std::vector<std::string> columns;  ///< the cases
   std::vector<BarBlock> blocks;
@@ -33,6 +34,11 @@ struct BarMap {
 /// More rows of a block are left to tables; those with the largest values stay.
 inline constexpr std::size_t kMostBarRows = 60;
 
+/// The whole.
 Picture draw_bar_map(const BarMap& map);
+
+/// In parts of a few cases, which stand beside each other where there is room, and each of which
+/// fits a telephone. All have one scale.
+std::vector<Picture> draw_bar_map_in_parts(const BarMap& map);
 
 }  // namespace kinestat

@@ -187,7 +187,7 @@ std::string gnuplot_text(const Figure& figure) {
 }
 
 std::string gnuplot_text(const BarMap& map) {
-  std::string text = head_text(map.title, map.description);
+  std::string text = head_text(fmt::format("{}: {}", map.title, map.mechanism), map.description);
   for (std::size_t b = 0; b < map.blocks.size(); ++b) {
     text += block_text(map, b);
   }

@@ -23,7 +23,10 @@ std::string picture_title_of_case(std::string_view what,
                                   const CaseAnalysis& one,
                                   const Analysis& analysis);
 
-/// The same of an analysis that has one case alone; of others without its name.
+/// "Power flow, case M1" of an analysis that has one case alone; of others without its name.
+std::string words_of_cases(std::string_view what, const Analysis& analysis);
+
+/// The same with the name of the mechanism.
 std::string picture_title_of_cases(std::string_view what, const Analysis& analysis);
 
 }  // namespace kinestat

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -78,8 +79,25 @@ class CasePart {
     const std::vector<Picture> pictures = pictures_at(PicturePlace::compared, section_.source());
     if (!pictures.empty()) {
       html_.element(section_.level(1), title, {{"class", "case-title"}});
-      section_.add_pictures(pictures);
+      add_each(pictures);
     }
+  }
+
+  // Parts of one picture, which are called as it is, for themselves.
+  void add_each(const std::vector<Picture>& pictures) {
+    std::vector<Picture> whole;
+    for (auto first = pictures.begin(); first != pictures.end();) {
+      const auto end = std::find_if(
+          first, pictures.end(), [&](const Picture& one) { return one.name != first->name; });
+      if (end - first == 1) {
+        whole.push_back(*first);
+      } else {
+        section_.add_pictures(std::exchange(whole, {}));
+        section_.add_pictures({first, end});
+      }
+      first = end;
+    }
+    section_.add_pictures(whole);
   }
 
   void add_choices(const std::string& what) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -82,7 +83,12 @@ std::vector<Picture> pictures_at(PicturePlace place, const PictureSource& source
     const bool is_here = place == PicturePlace::compared
                              ? compares(at) && kind.scope == PictureScope::file
                              : at == place;
-    if (is_here && has_picture(kind, source)) {
+    if (!is_here || !has_picture(kind, source)) {
+      continue;
+    }
+    if (kind.draw_in_parts != nullptr) {
+      std::ranges::move(kind.draw_in_parts(source), std::back_inserter(pictures));
+    } else {
       pictures.push_back(kind.draw(source));
     }
   }

@@ -14,6 +14,7 @@
 #include "studies/duty/efficiency_map.hpp"
 #include "studies/mobility/report/mobility_report.hpp"
 #include "studies/motion/report/motion_table.hpp"
+#include "studies/simulation/report/simulation_report.hpp"
 #include "studies/sweep/report/sweep_table.hpp"
 #include "studies/synthesis/report/synthesis_report.hpp"
 #include "studies/transmissions/report/transmission_analysis.hpp"
@@ -37,7 +38,7 @@ struct PageMotion {
 /// A simulation, its rows those of a motion in time.
 struct PageSimulation {
   PageMotion rows;
-  TextBlocks blocks;
+  SimulationBlocks blocks;
 };
 
 /// How the values of a case move with the parameters, in tables.

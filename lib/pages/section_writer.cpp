@@ -107,7 +107,12 @@ void SectionWriter::add_pictures(const std::vector<Picture>& pictures) {
   if (pictures.empty()) {
     return;
   }
-  html_.open("div", {{"class", pictures.size() == 1 ? "pictures" : "pictures two"}});
+  const bool are_parts = pictures.size() > 1 && pictures[0].name == pictures[1].name;
+  html_.open("div",
+             {{"class",
+               are_parts              ? "pictures parts"
+               : pictures.size() == 1 ? "pictures"
+                                      : "pictures two"}});
   add_figures(pictures, page_title(page_), id_, figures_, html_);
   html_.close();
 }

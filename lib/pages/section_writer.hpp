@@ -59,6 +59,7 @@ class SectionWriter {
   /// What pictures of the file or, with its index, of a case are made of.
   PictureSource source(std::optional<std::size_t> which = {});
 
+  /// Side by side where there is room: two, or as many parts of one picture as there are.
   void add_pictures(const std::vector<Picture>& pictures);
 
   /// Each a figure of its own, so that they stand beside each other.

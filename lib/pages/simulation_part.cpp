@@ -30,20 +30,8 @@ void add_simulation_part(SectionWriter& section) {
     return;
   }
   section.open_part("simulation", "Simulation");
-  // Its rows, the last table, come below the charts, which show them at a glance.
-  TextBlocks above;
-  std::optional<Table> rows;
-  for (const TextBlock& one : page.simulation->blocks.blocks()) {
-    if (rows && one.table) {
-      above += TextBlocks(*std::move(rows));
-    }
-    if (one.table) {
-      rows = one.table;
-    } else {
-      above += TextBlocks(one.lines);
-    }
-  }
-  add_blocks(above, "Simulation", section.html());
+  const SimulationBlocks& blocks = page.simulation->blocks;
+  add_blocks(blocks.end, "Simulation", section.html());
   if (has_drawn_simulation(page) && !leads_with_simulation(page)) {
     add_simulation_figure(section);
   }
@@ -52,9 +40,8 @@ void add_simulation_part(SectionWriter& section) {
   section.add_charts(simulation_figure(table, ""), "Simulation", ChartRows::of_simulation);
   section.add_charts(energy_figure(table, ""), "Simulation", ChartRows::of_simulation);
   section.html().close();
-  if (rows) {
-    add_table(*rows, "Rows", section.html());
-  }
+  // Below the charts, which show them at a glance.
+  add_blocks(blocks.rows, "Rows", section.html());
   section.html().close();
 }
 

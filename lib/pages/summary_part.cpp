@@ -52,6 +52,12 @@ void add_sentences(const std::vector<std::string>& sentences, Html& html) {
   }
 }
 
+void add_extremes(const TextBlocks& extremes, Html& html) {
+  html.open("div", {{"class", "results"}});
+  add_blocks(extremes, "Extremes", html);
+  html.close();
+}
+
 void add_turning_figure(const Picture& picture, SectionWriter& section) {
   Html& html = section.html();
   const int number = ++section.figures();
@@ -124,9 +130,10 @@ void add_summary_part(SectionWriter& section, const std::optional<Picture>& pict
   html.close();
   html.close();
   if (page.motion) {
-    html.open("div", {{"class", "results"}});
-    add_blocks(motion_extremes(page.motion->table), "Extremes", html);
-    html.close();
+    add_extremes(motion_extremes(page.motion->table), html);
+  }
+  if (page.simulation) {
+    add_extremes(page.simulation->blocks.extremes, html);
   }
   html.close();
 }

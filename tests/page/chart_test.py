@@ -42,6 +42,35 @@ motion:
   report: [position]
 """
 
+# A block of 1 kg on a spring of 100 N/m, pushed off with 1 m/s: x = 0.1 m sin(10/s t).
+OSCILLATOR = """\
+kinestat: 1
+space: planar
+ground: frame
+bodies: {block: {mass: 1, centre_of_mass: [0, 0]}}
+couplings: {run: {type: prismatic, bodies: [frame, block], at: [0, 0], axis: x}}
+springs:
+  hold: {bodies: [frame, block], at: {frame: [-1, 0], block: [0, 0]}, stiffness: 100 N/m, free_length: 1}
+actuators: {drive: {coupling: run}}
+simulation:
+  action: {drive: 0}
+  start: {drive: {speed: 1}}
+  time: 0.5 s
+  steps: 10
+  tolerance: 1e-10
+  report: [position]
+"""
+
+# The marks of a chart: how its frame stands on the picture, what its axes have, points and words.
+MARKS = """
+const plot = box.querySelector('[data-plot]');
+const numbers = (text) => text.split(' ').map(Number);
+return [numbers(plot.dataset.plot), numbers(plot.dataset.x), numbers(plot.dataset.y),
+  [...plot.querySelectorAll('circle')].map((one) =>
+    ['cx', 'cy'].map((name) => Number(one.getAttribute(name)))),
+  [...plot.querySelectorAll('text')].map((one) => one.textContent)];
+"""
+
 # The chart of a quantity with that many series: figure, its values, and where a value stands.
 CHART = """
 const figure = [...document.querySelectorAll('figure[data-chart]')].find((one) =>
@@ -75,6 +104,13 @@ class ChartTest(PageCase):
 
     def step_of_motion(self) -> int:
         return int(self.ask("return document.querySelector('figure.motion input[type=range]').value;"))
+
+    def marks(self, quantity: str) -> tuple[list[tuple[float, float]], list[str]]:
+        """Where they stand by the axes of the chart, and their words."""
+        frame, across, up, marks, words = self.ask(CHART + MARKS, quantity)
+        left, top, right, bottom = frame
+        return [(across[0] + (across[1] - across[0]) * (x - left) / (right - left),
+                 up[0] + (up[1] - up[0]) * (bottom - y) / (bottom - top)) for x, y in marks], words
 
     def test_charts_follow_the_slider(self) -> None:
         self.open(self.page(PRESS), prefers_reduced_motion="reduce")
@@ -195,6 +231,32 @@ class ChartTest(PageCase):
                     self.assertLessEqual(right, 400)
                     self.assertGreater(letters, 11)
 
+    def test_no_bars_are_cut_on_a_telephone(self) -> None:
+        # Of many cases they come in parts, which stand beside each other on a wide screen.
+        for name in ("transmissions/zf_8hp70.yaml", "spatial/ups_platform.yaml",
+                     "transmissions/ravigneaux.yaml"):
+            with self.subTest(name):
+                self.open(self.page(name), width=400)
+                bars = self.ask(
+                    "for (const one of document.querySelectorAll('[hidden]')) one.hidden = false;"
+                    "return [...document.querySelectorAll('figure')]"
+                    "  .filter((one) => ['speeds', 'forces', 'torques'].includes(one.dataset.picture))"
+                    "  .map((one) => [one.querySelector('.picture').scrollWidth,"
+                    "    one.querySelector('.picture').clientWidth,"
+                    "    Math.min(...[...one.querySelectorAll('svg text')]"
+                    "      .map((part) => part.getBoundingClientRect().height))]);")
+                self.assertGreaterEqual(len(bars), 2)
+                for whole, shown, letters in bars:
+                    self.assertLessEqual(whole, shown)
+                    self.assertGreater(letters, 11)
+                self.look(width=1280)
+                parts = self.ask(
+                    "return [...document.querySelectorAll('.parts')].map((one) => [one.children.length,"
+                    "  new Set([...one.children].map((f) => f.getBoundingClientRect().top)).size]);")
+                self.assertTrue(parts)
+                for count, rows in parts:
+                    self.assertLessEqual(rows, (count + 2) // 3)
+
     def test_words_stand_within_their_charts(self) -> None:
         # Two charts of paths have a legend, which a list of values replaces.
         for width in (400, 1280):
@@ -215,23 +277,35 @@ class ChartTest(PageCase):
         # degrees. The ram then is as far from the shaft as their difference or their sum, and the
         # crank points away from it or towards it.
         self.open(self.page(PRESS), prefers_reduced_motion="reduce")
-        frame, across, up, marks, words = self.ask(
-            CHART + "const plot = box.querySelector('[data-plot]');"
-            "const numbers = (text) => text.split(' ').map(Number);"
-            "return [numbers(plot.dataset.plot), numbers(plot.dataset.x), numbers(plot.dataset.y),"
-            "  [...plot.querySelectorAll('circle')].map((one) =>"
-            "    ['cx', 'cy'].map((name) => Number(one.getAttribute(name)))),"
-            "  [...plot.querySelectorAll('text')].map((one) => one.textContent)];",
-            "position of d.vy")
-        left, top, right, bottom = frame
-        found = [(across[0] + (across[1] - across[0]) * (x - left) / (right - left),
-                  up[0] + (up[1] - up[0]) * (bottom - y) / (bottom - top)) for x, y in marks]
+        found, words = self.marks("position of d.vy")
         expected = [math.acos(-OFFSET / (ROD - CRANK)),
                     2 * math.pi - math.acos(OFFSET / (ROD + CRANK))]
         for angle, (x, y), word in zip(expected, found, words, strict=True):
             self.assertAlmostEqual(x, math.degrees(angle), delta=0.1)
             self.assertAlmostEqual(y, ram(angle), delta=0.05)
             self.assertEqual(word.split()[1].replace("−", "-"), f"{ram(angle):.2f}")
+
+    def test_extremes_of_a_simulation_come_first_and_are_marked_where_they_are(self) -> None:
+        # The block turns back at pi/20 and 3 pi/20 s, between rows of 0.05 s.
+        path = self.folder / "oscillator.yaml"
+        path.write_text(OSCILLATOR, encoding="utf-8")
+        page = self.folder / "oscillator.html"
+        answer = write_page(page, path)
+        self.assertEqual(answer.returncode, 0, answer.stderr)
+        self.open(page, prefers_reduced_motion="reduce")
+        least, at_least, greatest, at_greatest = (float(one) for one in self.ask(
+            "const row = [...document.querySelectorAll('.summary tr')]"
+            "  .find((one) => one.cells[0].textContent.startsWith('run.vx/position'));"
+            "return [...row.cells].slice(1).map((one) => one.textContent);"))
+        for value, time_, expected, at in ((greatest, at_greatest, 0.1, math.pi / 20),
+                                           (least, at_least, -0.1, 3 * math.pi / 20)):
+            self.assertAlmostEqual(value, expected, delta=1e-6)
+            self.assertAlmostEqual(time_, at, delta=1e-5)
+        found, words = self.marks("position of run.vx")
+        self.assertEqual(words, ["max 0.1", "min −0.1"])
+        for (x, y), value, at in zip(found, (0.1, -0.1), (math.pi / 20, 3 * math.pi / 20), strict=True):
+            self.assertAlmostEqual(x, at, delta=1e-3)
+            self.assertAlmostEqual(y, value, delta=1e-3)
 
     def test_time_has_no_chart(self) -> None:
         page = self.folder / "in_time.html"

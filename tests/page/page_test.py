@@ -20,6 +20,31 @@ from page_case import LOWER_CASE, ROOT, PageCase, program, run_tests, write_page
 HOSTILE_TITLE = "<script>alert(1)</script></title><img src=x onerror=alert(2)>]]>\"'=1+1"
 
 
+# Of a screen as PNG: the colour that most pixels of each column have, and that of the page.
+PAPER_BETWEEN = """
+const image = new Image();
+image.src = 'data:image/png;base64,' + arguments[0];
+return image.decode().then(() => {
+  const canvas = document.createElement('canvas');
+  [canvas.width, canvas.height] = [image.width, image.height];
+  const paint = canvas.getContext('2d');
+  paint.drawImage(image, 0, 0);
+  const columns = [];
+  for (let x = 0; x < image.width; ++x) {
+    const counts = {};
+    const data = paint.getImageData(x, 0, 1, image.height).data;
+    for (let i = 0; i < data.length; i += 4) {
+      const colour = data.slice(i, i + 3).join(' ');
+      counts[colour] = (counts[colour] ?? 0) + 1;
+    }
+    columns.push(Object.entries(counts).sort((a, b) => b[1] - a[1])[0][0].split(' ').map(Number));
+  }
+  const paper = getComputedStyle(document.body).backgroundColor.match(/\\d+/g).map(Number);
+  return [columns, paper.slice(0, 3)];
+});
+"""
+
+
 class PageTest(PageCase):
     def test_paragraphs_begin_as_sentences(self) -> None:
         for name in ("planar/stick_slip.yaml", "planar/four_stroke_engine.yaml"):
@@ -114,6 +139,33 @@ class PageTest(PageCase):
                     ".map((one) => one.scrollWidth - one.clientWidth);")
                 self.assertTrue(cut)
                 self.assertLessEqual(max(cut), 1)
+
+    def test_shadows_stand_where_a_box_goes_on(self) -> None:
+        # Between the lines of a table: at an end that is reached its paper is that of the page.
+        self.open(self.page("transmissions/zf_8hp70.yaml"), width=400)
+        for scheme in ("light", "dark"):
+            self.look(400, prefers_color_scheme=scheme, prefers_reduced_motion="reduce")
+            for end, is_there in ((0, [False, True]), (1, [True, False])):
+                with self.subTest(scheme=scheme, end=end):
+                    left, top, width, height = self.ask(
+                        "const box = [...document.querySelectorAll('.box')].find((one) =>"
+                        "  one.getClientRects().length && one.scrollWidth > one.clientWidth + 60);"
+                        "box.scrollLeft = arguments[0] * 9999;"
+                        "const p = box.getBoundingClientRect();"
+                        "return [p.left + scrollX, p.top + scrollY, box.clientWidth, box.clientHeight];",
+                        end)
+                    picture = self.browser.tell(
+                        "Page.captureScreenshot", captureBeyondViewport=True,
+                        clip={"x": left, "y": top, "width": width, "height": height, "scale": 1})
+                    # The colour that most of a column of pixels has, as its distance from the paper.
+                    columns, paper = self.ask(PAPER_BETWEEN, picture["data"])
+                    shaded = [[one for one in side if one != paper]
+                              for side in (columns[:12], columns[-12:])]
+                    self.assertEqual([len(one) >= 6 for one in shaded], is_there)
+                    # A shadow is darker than paper; one line at its edge may be lighter.
+                    for side in shaded:
+                        lighter = [one for one in side if sum(one) > sum(paper)]
+                        self.assertLessEqual(len(lighter), 1 if scheme == "dark" else 0)
 
     def test_bars_of_a_case_leave_no_page_empty(self) -> None:
         # Those of velocities stand beside their tables, those of forces and moments beside each

@@ -1,6 +1,7 @@
 #include "cases/picture/case_maps.hpp"
 
 #include <functional>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -74,9 +75,10 @@ class MapBuilder {
     }
   }
 
-  BarMap finish(std::string name, std::string title, std::string description) {
+  BarMap finish(std::string name, std::string_view title, std::string description) {
     map_.name = std::move(name);
-    map_.title = std::move(title);
+    map_.title = words_of_cases(title, analysis_);
+    map_.mechanism = shown_name(analysis_.file, analysis_.description);
     map_.description = std::move(description);
     if (!zeros_.empty()) {
       map_.remarks.push_back(fmt::format("Zero throughout: {}", fmt::join(zeros_, ", ")));
@@ -162,7 +164,7 @@ BarMap speed_map(const Analysis& analysis) {
               moving_bodies(analysis));
   return builder.finish(
       "speeds",
-      picture_title_of_cases("Velocities of the bodies", analysis),
+      "Velocities of the bodies",
       "Bars of the angular velocity of each body and of the velocity of its reference point, "
       "relative to the ground, for each case on one scale.");
 }
@@ -184,7 +186,7 @@ BarMap torque_map(const Analysis& analysis) {
                    }},
               couplings(analysis));
   return builder.finish("torques",
-                        picture_title_of_cases("Moments in the couplings", analysis),
+                        "Moments in the couplings",
                         "Bars of the moment that each coupling bears about its own point, of tail "
                         "on head, for each case on one scale.");
 }
@@ -202,7 +204,7 @@ BarMap force_map(const Analysis& analysis) {
            }},
       couplings(analysis));
   return builder.finish("forces",
-                        picture_title_of_cases("Forces in the couplings", analysis),
+                        "Forces in the couplings",
                         "Bars of the force that each coupling bears, of tail on head, for each "
                         "case on one scale.");
 }

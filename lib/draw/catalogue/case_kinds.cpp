@@ -38,6 +38,11 @@ Picture drawn_bars(const PictureSource& source) {
 }
 
 template <MapOf map_of>
+std::vector<Picture> bars_in_parts(const PictureSource& source) {
+  return draw_bar_map_in_parts(map_of(chosen(source)));
+}
+
+template <MapOf map_of>
 std::string plotted_bars(const PictureSource& source) {
   return gnuplot_text(map_of(chosen(source)));
 }
@@ -132,16 +137,19 @@ constexpr auto kCaseKinds = std::to_array<PictureKind>({
      .sentence = "bars of the velocities of all bodies, case by case",
      .why_not = why_no_speeds,
      .draw = drawn_bars<speed_map>,
+     .draw_in_parts = bars_in_parts<speed_map>,
      .gnuplot = plotted_bars<speed_map>},
     {.name = "forces",
      .sentence = "bars of the forces in all couplings, case by case",
      .why_not = why_no_forces,
      .draw = drawn_bars<force_map>,
+     .draw_in_parts = bars_in_parts<force_map>,
      .gnuplot = plotted_bars<force_map>},
     {.name = "torques",
      .sentence = "bars of the moments in all couplings, case by case",
      .why_not = why_no_torques,
      .draw = drawn_bars<torque_map>,
+     .draw_in_parts = bars_in_parts<torque_map>,
      .gnuplot = plotted_bars<torque_map>},
     {.name = "lever",
      .sentence = "planetary sets as levers, with the speeds of each case",

@@ -82,6 +82,8 @@ struct PictureKind {
   bool takes_abscissa = false;   ///< a column of a motion over which it is drawn
   std::string (*why_not)(const PictureSource&) = nullptr;
   Picture (*draw)(const PictureSource&) = nullptr;
+  /// The same in parts that fit a telephone and stand beside each other on a page.
+  std::vector<Picture> (*draw_in_parts)(const PictureSource&) = nullptr;
   std::string (*gnuplot)(const PictureSource&) = nullptr;
   std::string (*dot)(const PictureSource&) = nullptr;
 };

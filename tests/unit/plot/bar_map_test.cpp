@@ -11,6 +11,7 @@ namespace {
 BarMap map_of(std::vector<BarRow> rows, std::vector<std::string> columns) {
   return {.name = "demo",
           .title = "t",
+          .mechanism = "m",
           .description = "d",
           .columns = std::move(columns),
           .blocks = {{.title = "force [N]", .rows = std::move(rows)}},
@@ -88,6 +89,32 @@ TEST(BarMap, PutsManyCasesBelowEachOther) {
 
   EXPECT_LT(picture.view.width(), 1200.0);
   EXPECT_EQ(count_of(picture, ">R<"), 1U);
+}
+
+// Names of 40 px and 12 beside them leave 314 px of 366: room for two cells of 138, the last
+// without the 14 to the next. The larger value, in another part, fills the scale of 56 px.
+TEST(BarMap, ComesInPartsOfOneScaleThatFitATelephone) {
+  const std::vector<Picture> parts =
+      draw_bar_map_in_parts(map_of({{.name = "a", .values = {8.0, 4.0, 2.0}}}, {"M1", "M2", "M3"}));
+
+  ASSERT_EQ(parts.size(), 2U);
+  EXPECT_EQ(parts[0].title, "t, M1, M2: m");
+  EXPECT_EQ(parts[1].title, "t, M3: m");
+  EXPECT_EQ(count_of(parts[0], "h56v11h-56z"), 1U);
+  EXPECT_EQ(count_of(parts[1], "h14v11h-14z"), 1U);
+  for (const Picture& part : parts) {
+    EXPECT_LT(part.view.width(), 378.0);
+  }
+}
+
+// A single case has room for longer bars.
+TEST(BarMap, IsOnePartOfOneCase) {
+  const std::vector<Picture> parts =
+      draw_bar_map_in_parts(map_of({{.name = "a", .values = {8.0}}}, {"M1"}));
+
+  ASSERT_EQ(parts.size(), 1U);
+  EXPECT_EQ(parts[0].title, "t: m");
+  EXPECT_EQ(count_of(parts[0], "h88v11h-88z"), 1U);
 }
 
 TEST(BarMap, WantsAValueForEachCase) {

@@ -48,6 +48,7 @@ TEST(Gnuplot, TellsTitleAndDescriptionInItsFirstLines) {
 TEST(Gnuplot, LetsNoNameOfARowEndItsString) {
   const BarMap map = {.name = "demo",
                       .title = "t",
+                      .mechanism = "m",
                       .description = "d",
                       .columns = {"M\"1\\"},
                       .blocks = {{.title = "b", .rows = {{.name = "r\nEND", .values = {2.0}}}}},

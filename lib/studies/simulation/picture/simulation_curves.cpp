@@ -36,6 +36,9 @@ Figure simulation_figure(const MotionTable& simulation, const std::string& title
       continue;
     }
     table.columns.erase(table.columns.begin() + static_cast<std::ptrdiff_t>(c));
+    if (c < table.figures.size()) {
+      table.figures.erase(table.figures.begin() + static_cast<std::ptrdiff_t>(c));
+    }
     for (MotionRow& row : table.rows) {
       row.values.erase(row.values.begin() + static_cast<std::ptrdiff_t>(c));
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -27,17 +28,17 @@ class SimulationText {
   explicit SimulationText(const SimulationReportView& view)
       : v_(view), units_(view.description.units), columns_(simulation_columns(view)) {}
 
-  TextBlocks run() const {
-    TextBlocks blocks;
-    blocks += head();
+  SimulationBlocks run() const {
+    SimulationBlocks blocks;
+    blocks.end += head();
     if (!v_.solution.events.empty()) {
-      blocks += TextBlocks(events());
+      blocks.end += TextBlocks(events());
     }
     if (!v_.solution.rows.empty()) {
-      if (const Table table = extremes(); !table.rows().empty()) {
-        blocks += TextBlocks(table);
+      if (Table table = extremes(); !table.rows().empty()) {
+        blocks.extremes = TextBlocks(std::move(table));
       }
-      blocks += TextBlocks(rows());
+      blocks.rows = TextBlocks(rows());
     }
     return blocks;
   }
@@ -262,7 +263,7 @@ std::string simulation_csv(const SimulationReportView& v) {
 
 }  // namespace
 
-TextBlocks simulation_blocks(const SimulationReportView& view) {
+SimulationBlocks simulation_blocks(const SimulationReportView& view) {
   return SimulationText(view).run();
 }
 
@@ -274,7 +275,10 @@ FileReport make_simulation_report(const SimulationReportView& view, const Report
   }
   if (forms.text) {
     report.text += title_text(view.file, view.description) + "\n";
-    report.text += simulation_blocks(view);
+    const SimulationBlocks blocks = simulation_blocks(view);
+    report.text += blocks.end;
+    report.text += blocks.extremes;
+    report.text += blocks.rows;
   }
   return report;
 }

@@ -11,8 +11,14 @@ namespace kinestat {
 inline constexpr std::string_view kSimulationCsvHeader =
     "mechanism,case,pass,element,quantity,value,unit,status,step,drive\n";
 
-/// The tables of the text.
-TextBlocks simulation_blocks(const SimulationReportView& view);
+/// The text in parts, in their order.
+struct SimulationBlocks {
+  TextBlocks end;       ///< how it ended, how well it balances, and what happened on the way
+  TextBlocks extremes;  ///< empty where every column is always 0
+  TextBlocks rows;      ///< a choice of them
+};
+
+SimulationBlocks simulation_blocks(const SimulationReportView& view);
 
 FileReport make_simulation_report(const SimulationReportView& view, const ReportForms& forms);
 

@@ -1,8 +1,37 @@
 #include "studies/simulation/report/simulation_table.hpp"
 
+#include <algorithm>
+#include <iterator>
+#include <optional>
 #include <utility>
 
 namespace kinestat {
+
+namespace {
+
+// Where that is between the rows.
+double row_at(const std::vector<SimulationRow>& rows, double time) {
+  const auto behind = std::ranges::upper_bound(rows, time, {}, &SimulationRow::time);
+  if (behind == rows.begin() || behind == rows.end()) {
+    return behind == rows.begin() ? 0.0 : static_cast<double>(rows.size() - 1);
+  }
+  const double before = std::prev(behind)->time;
+  return static_cast<double>(behind - rows.begin() - 1) + (time - before) / (behind->time - before);
+}
+
+std::optional<ColumnExtreme> placed(const std::optional<SimulationExtreme>& extreme,
+                                    const SimulationColumn& column,
+                                    const SimulationReportView& view) {
+  if (!extreme) {
+    return std::nullopt;
+  }
+  const FileUnits& units = view.description.units;
+  return ColumnExtreme{.value = units.from_si(column.kind, extreme->value),
+                       .drive = units.from_si(QuantityKind::time, extreme->time),
+                       .row = row_at(view.solution.rows, extreme->time)};
+}
+
+}  // namespace
 
 MotionTable simulation_table(const SimulationReportView& view) {
   const FileUnits& units = view.description.units;
@@ -21,6 +50,11 @@ MotionTable simulation_table(const SimulationReportView& view) {
   for (const SimulationColumn& column : simulation_columns(view)) {
     table.columns.push_back(
         {.element = column.element, .quantity = column.quantity, .unit = units.text(column.kind)});
+    const SimulationExtremes extremes = column.extremes.value_or(SimulationExtremes{});
+    table.figures.push_back({.least = placed(extremes.least, column, view),
+                             .greatest = placed(extremes.greatest, column, view),
+                             .mean = {},
+                             .rms = {}});
     for (std::size_t r = 0; r < table.rows.size(); ++r) {
       const std::optional<double>& value = column.values[r];
       table.rows[r].step = static_cast<int>(r);
