@@ -15,6 +15,9 @@ inline constexpr std::string_view kTimeColumn = "time";
 /// The quantity of the columns with the positions of the drives.
 inline constexpr std::string_view kDriveColumn = "drive";
 
+/// The quantity of the columns of actions, whose elements are actions and actuators.
+inline constexpr std::string_view kActionColumn = "action";
+
 /// The quantity of the column with the efficiency of the case.
 inline constexpr std::string_view kEfficiencyColumn = "efficiency";
 

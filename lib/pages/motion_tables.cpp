@@ -1,5 +1,6 @@
 #include "pages/motion_tables.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,6 +9,7 @@
 
 #include "core/spelling.hpp"
 #include "report/number_format.hpp"
+#include "studies/motion/report/motion_text.hpp"
 
 namespace kinestat {
 
@@ -49,6 +51,11 @@ Table event_table(const MotionTable& motion) {
     head.push_back(with_unit("at " + drive.name, drive.unit));
   }
   head.emplace_back("after step");
+  const bool has_jumps = std::ranges::any_of(
+      motion.events, [&](const MotionEvent& one) { return !jump_text(motion, one).empty(); });
+  if (has_jumps) {
+    head.emplace_back("action of the drive");
+  }
   Table table(std::move(head));
   for (const MotionEvent& event : motion.events) {
     std::vector<std::string> cells = {words_of(event.kind), event.element};
@@ -56,6 +63,9 @@ Table event_table(const MotionTable& motion) {
       cells.push_back(d < event.drive.size() ? format_short(event.drive[d]) : "-");
     }
     cells.push_back(event.step < 0 ? "-" : fmt::format("{}", event.step));
+    if (has_jumps) {
+      cells.push_back(jump_text(motion, event));
+    }
     table.add(std::move(cells));
   }
   return table;

@@ -59,7 +59,6 @@ struct SimulationReport {
   std::vector<std::string> names = {};
 };
 
-inline constexpr std::string_view kActionColumn = "action";
 inline constexpr std::string_view kPowerColumn = "power";
 
 /// Words of a report that stand for a quantity of all, and which of the report they set; null for

@@ -31,8 +31,9 @@ bool has_values(const MotionTable& motion, std::size_t column) {
       motion.rows, [column](const MotionRow& row) { return row.values[column].has_value(); });
 }
 
-// Events of one place share a guide: "dead point of D, G at 90°". The order is that of the names,
-// for rounding decides which of them was found first.
+// Events of one place share a guide, but friction that turns round, where curves jump by
+// themselves: "dead point of D, G at 90°". The order is that of the names, for rounding decides
+// which of them was found first.
 std::vector<ChartGuide> guides_of(const MotionTable& motion, const MotionAbscissa& over) {
   struct Place {
     double x = 0.0;
@@ -43,7 +44,7 @@ std::vector<ChartGuide> guides_of(const MotionTable& motion, const MotionAbsciss
   std::map<std::string, Place> places;
   for (const MotionEvent& event : motion.events) {
     const std::optional<double> x = over.place_of(event);
-    if (!x) {
+    if (!x || event.kind == kFrictionReversalEvent) {
       continue;
     }
     const std::string where = over.place_text(*x);

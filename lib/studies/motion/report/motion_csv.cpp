@@ -3,6 +3,9 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <string_view>
+
+#include <fmt/format.h>
 
 #include "report/csv.hpp"
 #include "report/number_format.hpp"
@@ -55,6 +58,8 @@ class MotionCsv {
                                .quantity = "event/" + event.kind + "/uncertainty",
                                .unit = motion_.drives[0].unit};
       line(width, event.uncertainty, event.kind, event.step, event.drive[0]);
+      add_side(event, "before", event.before);
+      add_side(event, "after", event.after);
     }
     add_gaps(motion_.drawn_gaps, "drawn_gap");
     add_corrections();
@@ -79,6 +84,21 @@ class MotionCsv {
                                                   status,
                                                   step ? std::to_string(*step) : "",
                                                   cell(drive)});
+  }
+
+  // Of friction that turns round: what the columns come to.
+  void add_side(const MotionEvent& event,
+                std::string_view side,
+                const std::vector<std::optional<double>>& values) {
+    for (std::size_t c = motion_.drives.size(); c < values.size(); ++c) {
+      if (values[c]) {
+        const MotionColumn column{
+            .element = event.element,
+            .quantity = fmt::format("event/{}/{}/{}", event.kind, side, motion_.columns[c].name()),
+            .unit = motion_.columns[c].unit};
+        line(column, values[c], event.kind, event.step, event.drive[0]);
+      }
+    }
   }
 
   void fixed_line(const MotionColumn& column, double value) {

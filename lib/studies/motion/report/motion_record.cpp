@@ -1,5 +1,8 @@
 #include "studies/motion/report/motion_record.hpp"
 
+#include <algorithm>
+#include <optional>
+
 #include "studies/motion/report/motion_dynamics_record.hpp"
 #include "studies/motion/report/motion_time.hpp"
 
@@ -173,6 +176,45 @@ struct EventView {
   const MotionEvent& event;
 };
 
+struct JumpView {
+  const MotionColumn& column;
+  std::optional<double> before;
+  std::optional<double> after;
+};
+
+const Record<JumpView>& jump_record() {
+  using View = JumpView;
+  static const Record<View> record("One column.", [](Record<View>& keys) {
+    keys.text("unit",
+              "That of the file; empty for a bare number.",
+              [](const View& v) { return v.column.unit; })
+        .not_compared();
+    keys.number("before",
+                ByContext::column,
+                "As the reversal is approached; null where there is no value, or no way before.",
+                [](const View& v) { return v.before; });
+    keys.number("after", ByContext::column, "As it is left, likewise.", [](const View& v) {
+      return v.after;
+    });
+  });
+  return record;
+}
+
+void emit_jumps(const EventView& v, const Each<JumpView>& each) {
+  const auto side = [](const std::vector<std::optional<double>>& values, std::size_t column) {
+    return column < values.size() ? values[column] : std::nullopt;
+  };
+  const std::size_t count = std::max(v.event.before.size(), v.event.after.size());
+  for (std::size_t c = v.motion.drives.size(); c < count; ++c) {
+    const JumpView jump = {.column = v.motion.columns[c],
+                           .before = side(v.event.before, c),
+                           .after = side(v.event.after, c)};
+    if (jump.before || jump.after) {
+      each(jump.column.name(), jump);
+    }
+  }
+}
+
 const Record<EventView>& event_record() {
   using View = EventView;
   static const Record<View> record("One event.", [](Record<View>& keys) {
@@ -180,14 +222,16 @@ const Record<EventView>& event_record() {
               {std::string(kDeadPointEvent),
                std::string(kSingularEvent),
                std::string(kLimitEvent),
-               std::string(kLiftOffEvent)},
+               std::string(kLiftOffEvent),
+               std::string(kFrictionReversalEvent)},
               "dead_point: a freedom comes to rest and reverses; singular: the drives do not "
               "determine the motion there; limit: a drive can go no further; lift_off: a cable "
-              "leaves its pulley, and the motion ends.",
+              "leaves its pulley, and the motion ends; friction_reversal: a coupling with friction "
+              "slides back, and actions jump.",
               [](const View& v) { return v.event.kind; });
-    keys.text("element", "The freedom or the drive concerned; may be empty.", [](const View& v) {
-      return v.event.element;
-    });
+    keys.text("element",
+              "The freedom, the drive or the coupling concerned; may be empty.",
+              [](const View& v) { return v.event.element; });
     keys.count("step",
                "The last step before; -1 on the way from the drawn position to the first.",
                [](const View& v) { return v.event.step; })
@@ -213,6 +257,13 @@ const Record<EventView>& event_record() {
                 [](const View& v) { return v.event.uncertainty; })
         .at_least(0)
         .not_compared();
+    keys.map(
+            "jumps",
+            jump_record(),
+            "Of a friction reversal, by columns: what they come to on either side. At the reversal "
+            "itself actions are undetermined.",
+            emit_jumps)
+        .only_if([](const View& v) { return v.event.kind == kFrictionReversalEvent; });
   });
   return record;
 }

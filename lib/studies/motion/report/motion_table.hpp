@@ -9,6 +9,7 @@
 #include "core/types.hpp"
 #include "mechanism/motion_column_names.hpp"
 #include "studies/motion/report/motion_dynamics.hpp"
+#include "studies/motion/report/motion_event.hpp"
 
 namespace kinestat {
 
@@ -46,36 +47,6 @@ struct MotionRow {
   bool lacks_accelerations = false;                 ///< likewise, where there are velocities
   bool drops_velocities = false;                    ///< some are left out: they would be rounding
   bool drops_accelerations = false;                 ///< likewise
-};
-
-/// The kinds of events: a freedom comes to rest and turns back, the drive does not determine the
-/// motion, it can go no further, a cable leaves its pulley.
-inline constexpr std::string_view kDeadPointEvent = "dead_point";
-inline constexpr std::string_view kSingularEvent = "singular";
-inline constexpr std::string_view kLimitEvent = "limit";
-inline constexpr std::string_view kLiftOffEvent = "lift_off";
-
-/// What happens at a position of the drives that is none of the steps.
-struct MotionEvent {
-  std::string kind;           ///< "dead_point", "singular", "limit"
-  std::string element;        ///< which freedom comes to rest, which drive goes no further, …
-  int step = 0;               ///< the last step before; -1: on the way from the drawn position
-  std::vector<double> drive;  ///< position of each drive, in its unit
-  double uncertainty = 0.0;   ///< of that of the first drive
-  double row = -1.0;  ///< where between the rows, 2.25 a quarter of the way from the third to the
-                      ///< fourth; negative before the first
-  std::vector<std::optional<double>> places;  ///< of a dead point among the rows: parallel to the
-                                              ///< columns, those of drives and positions
-  bool reverses = true;  ///< whether a freedom turns back at its dead point: not at an end of a
-                         ///< motion that does not close
-};
-
-/// Friction that turns round with the sliding of its coupling.
-struct FrictionTurn {
-  std::string coupling;
-  std::size_t before = 0;  ///< the row before it turns for the first time
-  std::size_t after = 0;   ///< the row behind; one between the two rests. The same at an end
-  int count = 0;           ///< how often it turns
 };
 
 /// The range of one drive, from the drawn position.

@@ -194,10 +194,11 @@ class MotionWriter {
   }
 
   static std::string_view title_of(const MotionEvent& event) {
-    return event.kind == kDeadPointEvent ? "dead point of"
-           : event.kind == kLimitEvent   ? "limit of"
-           : event.kind == kLiftOffEvent ? "lift-off at"
-                                         : "singular position";
+    return event.kind == kDeadPointEvent          ? "dead point of"
+           : event.kind == kLimitEvent            ? "limit of"
+           : event.kind == kLiftOffEvent          ? "lift-off at"
+           : event.kind == kFrictionReversalEvent ? "friction reversal of"
+                                                  : "singular position";
   }
 
   // " +- 7e-11 deg": how uncertain the first drive is.
@@ -229,7 +230,8 @@ class MotionWriter {
                             motion_.drives[d].name,
                             amount(event.drive[d], motion_.drives[d].unit));
       }
-      text += bracket_text(event) + when_text(event) + "\n";
+      const std::string jump = jump_text(motion_, event);
+      text += bracket_text(event) + when_text(event) + (jump.empty() ? "" : ": " + jump) + "\n";
     }
     if (count < motion_.events.size()) {
       text += fmt::format("  and {} more\n", motion_.events.size() - count);
@@ -318,6 +320,27 @@ TextBlocks motion_remarks(const MotionTable& motion) {
 
 TextBlocks motion_extremes(const MotionTable& motion) {
   return MotionWriter(motion).extremes();
+}
+
+std::string jump_text(const MotionTable& motion, const MotionEvent& event) {
+  const auto side = [](const std::vector<std::optional<double>>& values, std::size_t column) {
+    return shown(column < values.size() ? values[column] : std::nullopt);
+  };
+  std::string text;
+  for (std::size_t c = motion.drives.size(); c < motion.columns.size(); ++c) {
+    const MotionColumn& column = motion.columns[c];
+    const bool is_of_drive =
+        std::ranges::find(motion.drives, column.element, &DriveTravel::name) != motion.drives.end();
+    if (column.quantity == kActionColumn && is_of_drive && event.kind == kFrictionReversalEvent) {
+      text += fmt::format("{}{} {}, then {}{}",
+                          text.empty() ? "" : "; ",
+                          column.element,
+                          side(event.before, c),
+                          side(event.after, c),
+                          column.unit.empty() ? "" : " " + column.unit);
+    }
+  }
+  return text;
 }
 
 }  // namespace kinestat

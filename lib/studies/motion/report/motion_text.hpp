@@ -18,4 +18,8 @@ TextBlocks motion_remarks(const MotionTable& motion);
 /// The least and the greatest value of every quantity, and where; empty if nothing moves.
 TextBlocks motion_extremes(const MotionTable& motion);
 
+/// "motor 12.5, then -3.1 N*m": what drives do on either side of a friction reversal; empty of
+/// other events, and where the report has no actions.
+std::string jump_text(const MotionTable& motion, const MotionEvent& event);
+
 }  // namespace kinestat

@@ -11,11 +11,23 @@ namespace kinestat {
 
 namespace {
 
+const MotionEvent* first_event(const FrictionTurn& turn, const MotionTable& table) {
+  const auto event = std::ranges::find_if(table.events, [&](const MotionEvent& one) {
+    return one.kind == kFrictionReversalEvent && one.element == turn.coupling;
+  });
+  return event == table.events.end() ? nullptr : &*event;
+}
+
+// The first place.
 std::string turn_place(const FrictionTurn& turn, const MotionTable& table) {
-  const std::string from = row_place(table, table.rows[turn.before]);
-  return turn.before == turn.after
+  if (const MotionEvent* event = first_event(turn, table)) {
+    return "at " + event_place(table, *event);
+  }
+  const auto [before, after] = turn.turns.front();
+  const std::string from = row_place(table, table.rows[before]);
+  return before == after
              ? fmt::format("at {}", from)
-             : fmt::format("between {} and {}", from, row_place(table, table.rows[turn.after]));
+             : fmt::format("between {} and {}", from, row_place(table, table.rows[after]));
 }
 
 }  // namespace
@@ -26,16 +38,20 @@ void add_friction_turn_findings(const FoundMotion& motion,
   const std::vector<CouplingTopology>& couplings = mechanism.topology.couplings;
   for (const FrictionTurn& turn : motion.table.friction_turns) {
     const auto at = std::ranges::find(couplings, turn.coupling, &CouplingTopology::name);
-    const std::string more = turn.count == 1   ? ""
-                             : turn.count == 2 ? ", and once more"
-                                               : fmt::format(", and {} more times", turn.count - 1);
+    const std::size_t count = turn.turns.size();
+    const std::string more = count == 1   ? ""
+                             : count == 2 ? ", and once more"
+                                          : fmt::format(", and {} more times", count - 1);
     found.warning(
         "W0508",
         at->where,
         fmt::format(
             "friction of '{}' reverses {}{}", turn.coupling, turn_place(turn, motion.table), more),
-        "friction changes sign there, so actions jump; at the reversal itself they are "
-        "undetermined, and a row exactly there has none");
+        fmt::format("friction changes sign there, so actions jump; at the reversal itself they are "
+                    "undetermined, and a row exactly there has none{}",
+                    first_event(turn, motion.table) == nullptr
+                        ? ""
+                        : "; 'events' in JSON and CSV have their values on either side"));
   }
 }
 

@@ -18,7 +18,7 @@ class TurnFinder {
       : sliding_(sliding), table_(table) {}
 
   FrictionTurn find(std::size_t f, const std::string& coupling) {
-    FrictionTurn turn{.coupling = coupling};
+    FrictionTurn turn{.coupling = coupling, .friction = f, .turns = {}};
     std::optional<std::size_t> before;
     for (std::size_t r = 0; r < sliding_.size(); ++r) {
       if (sliding_[r].rates.empty()) {
@@ -60,10 +60,7 @@ class TurnFinder {
 
   // What nothing but the turn of a friction leaves open is at its dead point.
   void add(std::size_t before, std::size_t after, FrictionTurn& turn) {
-    if (turn.count++ == 0) {
-      turn.before = before;
-      turn.after = after;
-    }
+    turn.turns.push_back({.before = before, .after = after});
     const bool is_at_end = before == after;
     const std::size_t end = is_at_end ? after + 1 : after;
     for (std::size_t r = is_at_end ? before : before + 1; r < end; ++r) {
@@ -124,7 +121,7 @@ void find_friction_turns(const Mechanism& mechanism,
     }
     const CouplingId id = mechanism.frictions[f].coupling;
     FrictionTurn turn = finder.find(f, mechanism.topology.coupling(id).name);
-    if (turn.count > 0) {
+    if (!turn.turns.empty()) {
       table.friction_turns.push_back(std::move(turn));
     }
   }

@@ -416,6 +416,7 @@ class TableMaker {
         motion_,
         detail_,
         {.sliding = sliding_,
+         .turns = table_.friction_turns,
          .springs = springs_,
          .coast_flanks = coast_flanks_,
          .poles = poles_at_},
@@ -443,6 +444,8 @@ class TableMaker {
                 where_at,
                 share_at,
                 table_);
+    add_reversals(
+        motion_, corners.reversals, [this](double share) { return drives_at(share); }, table_);
   }
 
   // In the unit of the file. The components of a vector are read from the first on.

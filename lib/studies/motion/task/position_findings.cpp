@@ -131,24 +131,42 @@ void add_efficiency_findings(const Mechanism& mechanism,
       .element = reason;
 }
 
-std::string row_place(const MotionTable& table, const MotionRow& row) {
-  if (is_told_by_time(table)) {
-    return fmt::format("{} = {} {}",
-                       kTimeColumn,
-                       format_short(row.values[*time_column(table)].value_or(0.0)),
-                       table.time_unit);
-  }
+namespace {
+
+std::string place_of_drives(const MotionTable& table, const std::vector<double>& drives) {
   std::string text;
-  for (std::size_t d = 0; d < table.drives.size(); ++d) {
+  for (std::size_t d = 0; d < drives.size(); ++d) {
     const DriveTravel& drive = table.drives[d];
     text += fmt::format("{}{} = {}{}{}",
                         d == 0 ? "" : ", ",
                         drive.name,
-                        format_short(row.values[d].value_or(0.0)),
+                        format_short(drives[d]),
                         drive.unit.empty() ? "" : " ",
                         drive.unit);
   }
   return text;
+}
+
+std::string place_in_time(const MotionTable& table, double time) {
+  return fmt::format("{} = {} {}", kTimeColumn, format_short(time), table.time_unit);
+}
+
+}  // namespace
+
+std::string row_place(const MotionTable& table, const MotionRow& row) {
+  if (is_told_by_time(table)) {
+    return place_in_time(table, row.values[*time_column(table)].value_or(0.0));
+  }
+  std::vector<double> drives;
+  for (std::size_t d = 0; d < table.drives.size(); ++d) {
+    drives.push_back(row.values[d].value_or(0.0));
+  }
+  return place_of_drives(table, drives);
+}
+
+std::string event_place(const MotionTable& table, const MotionEvent& event) {
+  const auto time = is_told_by_time(table) ? time_at_row(table, event.row) : std::nullopt;
+  return time ? place_in_time(table, *time) : place_of_drives(table, event.drive);
 }
 
 }  // namespace kinestat

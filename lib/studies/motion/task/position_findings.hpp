@@ -54,5 +54,6 @@ void add_efficiency_findings(const Mechanism& mechanism,
 
 /// "m = 5 deg, n = 20 mm": the positions of the drives; or the time, where these do not say when.
 std::string row_place(const MotionTable& table, const MotionRow& row);
+std::string event_place(const MotionTable& table, const MotionEvent& event);
 
 }  // namespace kinestat

@@ -16,6 +16,7 @@
 #include "core/text.hpp"
 #include "dynamics/spring_obstacle_text.hpp"
 #include "mechanism/label_kind.hpp"
+#include "mechanism/motion_column_names.hpp"
 #include "report/number_format.hpp"
 
 namespace kinestat {

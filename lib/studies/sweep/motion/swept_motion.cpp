@@ -32,7 +32,7 @@ std::string brief_name(const MotionColumn& column) {
   const std::string& quantity = column.quantity;
   const bool is_of_whole =
       quantity == "ratio" || quantity == "transmission_angle" || quantity == "mechanical_advantage";
-  return quantity == "action" ? column.element : is_of_whole ? quantity : std::string();
+  return quantity == kActionColumn ? column.element : is_of_whole ? quantity : std::string();
 }
 
 template <class Candidates>

@@ -301,7 +301,7 @@ class ReadingList {
       if (report().action || names_action(a)) {
         const auto i = static_cast<std::size_t>(a);
         add(topology_.action_name(a),
-            "action",
+            std::string(kActionColumn),
             topology_.actions[i].is_couple ? QuantityKind::moment : QuantityKind::force,
             [i](const MotionPosition& at) -> std::optional<double> {
               if (!at.solved || !at.solved->action) {

@@ -8,6 +8,7 @@
 
 #include "core/motion_tolerance.hpp"
 #include "math/dense/root_search.hpp"
+#include "math/numbers/zero_within_bound.hpp"
 
 namespace kinestat {
 
@@ -58,6 +59,11 @@ class CornerFinder {
     for (const double step : special_steps()) {
       add_approaches(step, found.places);
       steps_.push_back(step);
+    }
+    for (const FrictionTurn& turn : special_.turns) {
+      for (const RowsAround& rows : turn.turns) {
+        add_reversal(turn, rows, found);
+      }
     }
     std::ranges::stable_sort(found.places, {}, &FigurePlace::step);
     std::ranges::sort(steps_);
@@ -269,6 +275,38 @@ class CornerFinder {
         row + 1.0);
   }
 
+  // A longer rest has no place.
+  std::optional<double> step_of(const FrictionTurn& turn, const RowsAround& rows) {
+    const auto before = static_cast<double>(rows.before);
+    switch (rows.after - rows.before) {
+      case 0:
+        return step_of_row(motion_, rows.before);
+      case 1: {
+        const double step =
+            turn_between(turn.friction, special_.sliding[rows.before].rates[turn.friction], before);
+        return std::abs(step - std::round(step)) < kSameStep ? std::round(step) : step;
+      }
+      case 2:
+        return before + 1.0;
+      default:
+        return std::nullopt;
+    }
+  }
+
+  void add_reversal(const FrictionTurn& turn, const RowsAround& rows, Corners& found) {
+    const std::optional<double> step = step_of(turn, rows);
+    if (!step) {
+      return;
+    }
+    FrictionReversal reversal{.coupling = turn.coupling, .step = *step};
+    for (const FigurePlace& place : found.places) {
+      if (place.is_approach && std::abs(place.beside - *step) < kSameStep) {
+        (place.step < place.beside ? reversal.before : reversal.after) = place.of.values;
+      }
+    }
+    found.reversals.push_back(std::move(reversal));
+  }
+
   void add_approaches(double step, std::vector<FigurePlace>& corners) {
     if (step > 0.0 && step <= last_step()) {
       add_approach(std::ceil(step) - 1.0, step, corners);
@@ -285,11 +323,8 @@ class CornerFinder {
 
   // As near as there are values, to so much of the way from a row.
   void add_approach(double row, double step, std::vector<FigurePlace>& corners) {
-    FigurePlace place{.of = {}, .is_approach = true};
+    FigurePlace place{.of = {}, .is_approach = true, .beside = step};
     for (const double left : {4.0 * kApproach, 2.0 * kApproach, kApproach}) {
-      if (left > kApproach && !is_pole(step)) {
-        continue;
-      }
       place.step = std::lerp(step, row, left);
       place.share = share_at_step(motion_, place.step);
       const std::optional<MotionPosition> position = position_at(place.step, reading_);
@@ -301,7 +336,32 @@ class CornerFinder {
         place.farther.push_back(place.of.values);
       }
     }
+    go_to_limits(place);
+    if (!is_pole(step)) {
+      place.farther.clear();
+    }
     corners.push_back(std::move(place));
+  }
+
+  // Of values that run straight towards the place, by the parabola through the three; others stay
+  // what they are beside it. What the parabola adds to the line bounds the error, and so does how
+  // well the place is known.
+  static void go_to_limits(FigurePlace& place) {
+    constexpr double kStraight = 0.01;
+    const double uncertain = kSameStep / std::abs(place.step - place.beside);
+    for (std::size_t c = 0; c < place.of.values.size(); ++c) {
+      std::optional<double>& near = place.of.values[c];
+      const std::optional<double>& middle = place.farther[1][c];
+      const std::optional<double>& far = place.farther[0][c];
+      if (near && middle && far) {
+        const double last = *near - *middle;
+        const double bend = 2.0 * last - (*middle - *far);
+        if (std::abs(bend) <= kStraight * std::abs(last)) {
+          near = zero_within_bound(*near + last + bend / 3.0,
+                                   std::abs(bend) + std::abs(last) * uncertain);
+        }
+      }
+    }
   }
 
   const Mechanism& mechanism_;
@@ -359,6 +419,29 @@ Corners find_corners(const Mechanism& mechanism,
   return has_any
              ? CornerFinder(mechanism, motion, detail, special, values_at, configurations).find()
              : Corners{};
+}
+
+void add_reversals(const FoundMotion& motion,
+                   std::span<const FrictionReversal> reversals,
+                   const std::function<std::vector<double>(double share)>& drives_at,
+                   MotionTable& table) {
+  for (const FrictionReversal& one : reversals) {
+    const double beside = one.step > kSameStep ? one.step - kSameStep : one.step + kSameStep;
+    const std::vector<double> drive = drives_at(share_at_step(motion, one.step));
+    const double apart = drives_at(share_at_step(motion, beside)).front() - drive.front();
+    const auto behind = std::ranges::find_if(
+        table.events, [&](const MotionEvent& event) { return event.row > one.step; });
+    table.events.insert(behind,
+                        {.kind = std::string(kFrictionReversalEvent),
+                         .element = one.coupling,
+                         .step = std::max(static_cast<int>(std::ceil(one.step)) - 1, 0),
+                         .drive = drive,
+                         .uncertainty = std::abs(apart),
+                         .row = one.step,
+                         .places = {},
+                         .before = one.before,
+                         .after = one.after});
+  }
 }
 
 }  // namespace kinestat

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "studies/motion/followed_configurations.hpp"
@@ -29,6 +31,7 @@ using ValuesAt = std::function<FigureValues(const MotionPosition& position, doub
 /// What is special between the steps and at them.
 struct SpecialSteps {
   std::span<const FrictionSliding> sliding;  ///< of each row: where friction turns round it jumps
+  std::span<const FrictionTurn> turns;       ///< those that are events
   std::span<const std::vector<SpringState>> springs;  ///< of each row: those that act one way alone
                                                       ///< begin and cease to
   std::span<const std::vector<int>> coast_flanks;  ///< of each row, as in CaseAnalysis: where teeth
@@ -36,9 +39,19 @@ struct SpecialSteps {
   std::span<const double> poles;  ///< in steps: where speeds may grow without bound
 };
 
+/// Where friction turns round, and what the columns come to from either side; empty where the
+/// motion does not go on.
+struct FrictionReversal {
+  std::string coupling;
+  double step = 0.0;
+  std::vector<std::optional<double>> before = {};
+  std::vector<std::optional<double>> after = {};
+};
+
 struct Corners {
   std::vector<FigurePlace> places;
   std::vector<double> steps;  ///< at which values turn sharply or jump, in order
+  std::vector<FrictionReversal> reversals;
 };
 
 /// In order: the places between the steps at which a curve of the mechanism, over time, a position
@@ -52,5 +65,12 @@ Corners find_corners(const Mechanism& mechanism,
                      const SpecialSteps& special,
                      const ValuesAt& values_at,
                      FollowedConfigurations& configurations);
+
+/// Adds them to the events, by where they are; `drives_at` answers where the drives are at a share
+/// of their ranges, in their units.
+void add_reversals(const FoundMotion& motion,
+                   std::span<const FrictionReversal> reversals,
+                   const std::function<std::vector<double>(double share)>& drives_at,
+                   MotionTable& table);
 
 }  // namespace kinestat

@@ -39,12 +39,14 @@ class FigureMaker {
     for (std::size_t r = 0; r < table.rows.size(); ++r) {
       samples_.push_back({.step = steps[r],
                           .share = shares[r],
+                          .place = steps[r],
                           .values = &table.rows[r].values,
                           .at_rest = &table.rows[r].at_rest});
     }
     for (const FigurePlace& place : places) {
       samples_.push_back({.step = place.step,
                           .share = place.share,
+                          .place = place.is_approach ? place.beside : place.step,
                           .values = &place.of.values,
                           .at_rest = &place.of.at_rest,
                           .is_corner = true,
@@ -52,7 +54,7 @@ class FigureMaker {
     }
     std::ranges::stable_sort(samples_, {}, &Sample::step);
     for (const Sample& sample : samples_) {
-      places_.push_back({.values = sample.values, .row = row_of(sample.step)});
+      places_.push_back({.values = sample.values, .row = row_of(sample.place)});
     }
     for (const MotionEvent& event : table.events) {
       if (!event.places.empty()) {
@@ -85,6 +87,7 @@ class FigureMaker {
   struct Sample {
     double step = 0.0;
     double share = 0.0;
+    double place = 0.0;  // in steps: of an approach that which it is beside
     const std::vector<std::optional<double>>* values = nullptr;
     const std::vector<std::optional<double>>* at_rest = nullptr;
     bool is_corner = false;
@@ -279,6 +282,7 @@ class FigureMaker {
     double sum = 0.0;
     double size = 0.0;
     double left_out = 0.0;  // rests in which it is open
+    double skipped = 0.0;   // jumps, which have no width but for rounding
     const auto add = [&](double from, double to, double width) {
       sum += width * measure(from, to);
       size += width * measure(std::abs(from), std::abs(to));
@@ -286,11 +290,12 @@ class FigureMaker {
     const std::vector<Sample> samples = samples_with_jumps(column);
     for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
       const double width = samples[i + 1].step - samples[i].step;
-      if (width <= kSameStep) {
-        continue;
-      }
       const std::optional<double>& low = (*samples[i].values)[column];
       const std::optional<double>& high = (*samples[i + 1].values)[column];
+      if (width <= kSameStep) {
+        skipped += width * measure(std::abs(low.value_or(0.0)), std::abs(high.value_or(0.0)));
+        continue;
+      }
       if (low && high) {
         add(*low, *high, width);
         continue;
@@ -319,7 +324,8 @@ class FigureMaker {
     }
     const double whole = static_cast<double>(table_.rows.size() - 1);
     return whole - left_out > kSameStep * whole
-               ? std::optional(zero_within_bound(sum, kCancellation * size) / (whole - left_out))
+               ? std::optional(zero_within_bound(sum, kCancellation * size + skipped) /
+                               (whole - left_out))
                : std::nullopt;
   }
 

@@ -33,8 +33,10 @@ struct FigurePlace {
   double step = 0.0;   ///< in steps, of time in a motion in time, else of the way
   double share = 0.0;  ///< of the ranges of the drives
   FigureValues of;
-  bool is_approach = false;  ///< beside a place where values jump or grow without bound
-  /// Of the latter: what they are where four times and twice as much of the way is left.
+  bool is_approach = false;  ///< beside a place where values jump or grow without bound: the
+                             ///< limits of those that jump
+  double beside = 0.0;       ///< of an approach: the step of that place
+  /// Of what grows: what values are where four times and twice as much of the way is left.
   std::vector<std::vector<std::optional<double>>> farther = {};
 };
 
