@@ -93,7 +93,7 @@ const Record<KinematicView>& kinematic_record() {
                      "Rate of every freedom (head relative to tail) by coupling.freedom, in the "
                      "unit of angular velocity or of velocity; null where it is not determined.",
                      emit_rates)
-            .in_tables_as("rate");
+            .in_tables_as("velocity");
         keys.map("bodies",
                  body_record(),
                  "Motion of every body relative to the ground; empty unless solved, and without "

@@ -10,7 +10,7 @@ from report_case import at, item, numbers
 
 # Where the CSV table of a pass finds its values: the quantity names the section.
 SECTIONS = {
-    "kinematics": {"rate": "freedoms", None: "bodies"},
+    "kinematics": {"velocity": "freedoms", None: "bodies"},
     "statics": {"action": "actions", "load": "loads", "friction": "friction",
                 "planet": "planets", "contact": "contacts", "converter": "converters",
                 None: "couplings"},

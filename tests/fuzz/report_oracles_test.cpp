@@ -47,12 +47,12 @@ TEST(ReportOracles, HoldAccuraciesToTheirBounds) {
 
 TEST(ReportOracles, FindEveryNumberOfATableInTheReport) {
   const std::string head = "mechanism,case,pass,element,quantity,value,unit,status\n";
-  check_table(report_of(0.5), head + "m,c,kinematics,\"a, b\",rate,0.5,rad/s,solved\n");
+  check_table(report_of(0.5), head + "m,c,kinematics,\"a, b\",velocity,0.5,rad/s,solved\n");
   check_table(report_of(0.5), head + "m,c,kinematics,a.wz,rate,,rad/s,solved\n");
   for (const char* const row : {"m,c,kinematics,a.wz,rate,0.6,rad/s,solved\n",
                                 "m,c,kinematics,a.wz,rate,nan,rad/s,solved\n",
                                 "m,c,kinematics,a.wz,rate,half,rad/s,solved\n",
-                                "m,c,kinematics,a.wz,rate,0.5,rad/s\n"}) {
+                                "m,c,kinematics,a.wz,velocity,0.5,rad/s\n"}) {
     EXPECT_DEATH(check_table(report_of(0.5), head + row), "broken") << row;
   }
   EXPECT_DEATH(check_table(report_of(0.5), "mechanism,case\n"), "broken");

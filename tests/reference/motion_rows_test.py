@@ -242,9 +242,9 @@ class NearADeadCentre(MotionTest):
                         "rod/linear/y": cos * omega,
                         "rod/linear_acceleration/x": second,
                         "rod/linear_acceleration/y": -sin * omega * omega + cos * alpha,
-                        "rod.1/velocity/x": first,
-                        "rod.1/velocity/y": cos * omega,
-                        "rod.1/acceleration/x": second}
+                        "rod.1/linear/x": first,
+                        "rod.1/linear/y": cos * omega,
+                        "rod.1/linear_acceleration/x": second}
             for name, value in expected.items():
                 cell = motion[name][1]
                 if cell is None:

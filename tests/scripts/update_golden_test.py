@@ -115,7 +115,7 @@ class UpdateGolden(unittest.TestCase):
 
         complaint = self.check()[1]
 
-        self.assertIn("/Four-bar linkage/known output/kinematics/d.wz/rate ", complaint)
+        self.assertIn("/Four-bar linkage/known output/kinematics/d.wz/velocity ", complaint)
         self.assertIn("only in A: [words] motion | status | blocked", complaint)
         self.assertIn("rewritten", self.update(NAME))
         self.assertEqual(self.check(), (0, ""))

@@ -47,7 +47,7 @@ std::string known_text(const Topology& topology, const Case& which, const InUnit
 TextBlocks freedoms_blocks(const Topology& topology,
                            const KinematicSolution& motion,
                            const InUnits& in) {
-  Table table({"Freedom", "rate", "unit"});
+  Table table({"Freedom", "velocity", "unit"});
   for (std::size_t f = 0; f < topology.freedoms.size(); ++f) {
     const bool turns = topology.freedoms[f].is_rotation;
     table.add({topology.freedom_name(static_cast<int>(f)),

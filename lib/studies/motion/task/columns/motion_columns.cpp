@@ -191,14 +191,14 @@ class ReadingList {
       add_place(name, point.body, point.at);
       if (detail_.velocity) {
         add_vector(
-            name, "velocity", QuantityKind::velocity, [point](const MotionPosition& at) -> Vector {
+            name, "linear", QuantityKind::velocity, [point](const MotionPosition& at) -> Vector {
               return has_motion(at) ? reported(point_velocity(at.state, point.body, point.at))
                                     : Vector{};
             });
       }
       if (detail_.acceleration) {
         add_vector(name,
-                   "acceleration",
+                   "linear_acceleration",
                    QuantityKind::acceleration,
                    [point](const MotionPosition& at) -> Vector {
                      return has_acceleration(at)
