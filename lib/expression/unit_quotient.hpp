@@ -6,8 +6,9 @@
 
 namespace kinestat {
 
-/// "N*m/mm", "rad/s/(mm/s)"; of a plain number "1/mm", by one the unit itself. As programs read it
-/// that calculate with units.
+/// "N*m/mm", "N*s/(mm*kg)"; what is above and below cancels: "rad/mm" for rad/s by mm/s, empty for
+/// like units. Of a plain number "1/mm", by one the unit itself. With one stroke, as programs read
+/// it that calculate with units.
 std::string unit_quotient(std::string_view above, std::string_view below);
 
 }  // namespace kinestat

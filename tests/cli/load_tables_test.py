@@ -8,6 +8,8 @@ from __future__ import annotations
 
 import argparse
 import csv
+import functools
+import importlib.util
 import io
 import re
 import shutil
@@ -40,6 +42,21 @@ def run(words: list[str | Path], text: str) -> str:
                           timeout=120).stdout
 
 
+@functools.cache
+def units_of_tables() -> set[str]:
+    """Those of lengths in mm, of screws, of speeds in rpm, and of derivatives of all."""
+    units = set()
+    for file in (*FILES.values(), "planar/rack_and_pinion.yaml", "spatial/screw_jack.yaml",
+                 "planar/toggle_press.yaml", "sweeps/four_bar_height.yaml"):
+        for command in ("analyze", "sensitivity"):
+            told = subprocess.run(
+                [PROGRAM, command, "--format", "csv", ROOT / "mechanisms" / file],
+                capture_output=True, encoding="utf-8", check=False, timeout=120).stdout
+            units.update(row["unit"] for row in csv.DictReader(io.StringIO(told)) if row["unit"])
+    assert len(units) > 10, units
+    return units
+
+
 class Tables(unittest.TestCase):
     def test_of_both_layouts_hold_the_same_numbers(self) -> None:
         for command in FILES:
@@ -64,17 +81,29 @@ class Tables(unittest.TestCase):
                                  count + 4 * len(wide))
 
     def test_have_units_that_calculate(self) -> None:
-        """Names, whole powers, products and quotients: what pint and astropy read."""
-        unit = re.compile(r"(1|[A-Za-z]+(\^\d+)?)([*/]([A-Za-z]+(\^\d+)?|\([A-Za-z*/]+\)))*")
-        files = [*FILES.values(), "planar/rack_and_pinion.yaml", "spatial/screw_jack.yaml"]
-        for file in files:
-            for command in ("analyze", "sensitivity"):
-                told = subprocess.run(
-                    [PROGRAM, command, "--format", "csv", ROOT / "mechanisms" / file],
-                    capture_output=True, encoding="utf-8", check=False, timeout=120).stdout
-                for row in csv.DictReader(io.StringIO(told)):
-                    if row["unit"]:
-                        self.assertRegex(row["unit"], rf"^{unit.pattern}$")
+        """Names, whole powers, products and one quotient."""
+        unit = re.compile(r"(1|NAME(\*NAME)*)(/(NAME|\(NAME(\*NAME)+\)))?"
+                          .replace("NAME", r"[A-Za-z]+(\^\d+)?"))
+        for one in units_of_tables():
+            self.assertRegex(one, rf"^{unit.pattern}$")
+
+    @unittest.skipUnless(importlib.util.find_spec("pint"), "without pint")
+    def test_have_units_that_pint_reads(self) -> None:
+        import pint
+        registry = pint.UnitRegistry()
+        for one in units_of_tables():
+            registry.parse_units(one)
+        newton_second_per_metre = registry.Quantity(1.0, "N*s/mm").to("N*s/m").magnitude
+        self.assertAlmostEqual(newton_second_per_metre, 1000.0, delta=1e-9)
+
+    @unittest.skipUnless(importlib.util.find_spec("astropy"), "without astropy")
+    def test_have_units_that_astropy_reads(self) -> None:
+        """It has no rpm, which others define for it."""
+        from astropy import units
+        rpm = units.def_unit("rpm", units.cycle / units.min)
+        with units.add_enabled_units([rpm]):
+            for one in units_of_tables():
+                units.Unit(one)
 
     def test_load_into_sqlite(self) -> None:
         connection = sqlite3.connect(":memory:")

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/utf8.hpp"
+#include "expression/unit_quotient.hpp"
 #include "studies/compare/compare_place.hpp"
 
 namespace kinestat {
@@ -69,7 +70,7 @@ ValueUnit unit_of_coefficient(const ValueUnit& magnitude, const ValueUnit& param
     unit.assumes += parameter.assumes;
     return unit;
   }
-  unit.text = fmt::format("{}/({})", magnitude.text, parameter.text);
+  unit.text = unit_quotient(magnitude.text, parameter.text);
   unit.scale = magnitude.scale / parameter.scale;
   unit.dimension = magnitude.dimension / parameter.dimension;
   return unit;
@@ -126,7 +127,7 @@ std::optional<std::string> ReportUnits::read_file_units(const Json& report) {
     kinds_[static_cast<std::size_t>(kind)] = std::get<ValueUnit>(read_unit(units_.text(kind)));
     unknown_.assumes += fmt::format("{} ", units_.factor(kind));
   }
-  per_length_ = unit_or(fmt::format("1/({})", units_.text(QuantityKind::length)), unknown_);
+  per_length_ = unit_or(unit_quotient("", units_.text(QuantityKind::length)), unknown_);
   return {};
 }
 

@@ -1,6 +1,6 @@
 #include "studies/synthesis/positions/plane_record.hpp"
 
-#include <fmt/format.h>
+#include "expression/unit_quotient.hpp"
 
 namespace kinestat {
 
@@ -25,9 +25,8 @@ void write_point(const Point& point, const Measure& measure, Archive& to) {
 std::pair<std::optional<double>, std::string> per_length(const std::optional<double>& si,
                                                          const FileUnits& units) {
   const std::string& unit = units.text(QuantityKind::length);
-  const bool is_plain = unit.find_first_of("*/^ ") == std::string::npos;
   return {si ? std::optional(*si * units.factor(QuantityKind::length)) : std::nullopt,
-          is_plain ? "1/" + unit : fmt::format("1/({})", unit)};
+          unit_quotient("", unit)};
 }
 
 const Record<Circle>& circle_record() {
