@@ -101,7 +101,7 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "damping is in the unit of speed",
      "Damping is a couple over an angular velocity, or a force over a velocity, and a bare number "
      "is in these units of the file: with 'units: {angular_velocity: rpm}' in N*m/rpm, which is "
-     "9.55 N*m*s/rad, with 'units: {length: mm}' in N/(mm/s), a thousand N*s/m. Write the unit; "
+     "9.55 N*m*s/rad, with 'units: {length: mm}' in N*s/mm, a thousand N*s/m. Write the unit; "
      "with it, any value is accepted without a warning."},
     {"W0314",
      done,

@@ -49,6 +49,15 @@ std::string with_named_component(const std::string& quantity) {
              : quantity.substr(0, slash + 1).append(of->second[index]);
 }
 
+// They have other names for velocities, too.
+std::string named_today(const std::string& quantity) {
+  const bool is_of_point = quantity.starts_with("velocity/");
+  return quantity == "rate"                      ? "velocity"
+         : is_of_point                           ? "linear" + quantity.substr(quantity.find('/'))
+         : quantity.starts_with("acceleration/") ? "linear_" + quantity
+                                                 : with_named_component(quantity);
+}
+
 // Those of a motion tell the step too, those of several files the file.
 std::vector<std::string> known_columns(const CsvRow& header) {
   const auto has = [&](const char* column) {
@@ -148,7 +157,7 @@ class TableReader {
     if (columns_.contains("parameter")) {
       place = place_below(place + "/by", cell(row, "parameter"));
     }
-    return place + "/" + with_named_component(cell(row, "quantity"));
+    return place + "/" + named_today(cell(row, "quantity"));
   }
 
   // Below that of its quantity its step; several events may lie in one, and come in their order.

@@ -88,7 +88,7 @@ ValueUnit unit_per(const ValueUnit& above, const ValueUnit& below) {
 
 namespace {
 
-// A ratio of two kinds has a unit of two, "rad/s/(mm/s)". Versions up to 0.2.0 wrote it "rad/s per
+// A quotient has a unit of two, "N/(kg*mm)". Versions up to 0.2.0 wrote it "rad/s per
 // mm/s", and its derivative "rad/s per mm/s per mm", in which each divides all before it.
 std::optional<std::pair<std::string_view, std::string_view>> parts_of_quotient(
     std::string_view text) {
