@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 
 namespace kinestat {
 
@@ -24,19 +25,19 @@ struct ValueFolds {
 /// Of three positions, one after the other.
 using PeakTriple = std::array<PeakSample, 3>;
 
-/// Whether the value may be greatest by the middle one of three steps: there, or beside a step at
-/// an end of the motion.
-inline bool may_be_peak(double before, double there, double behind, bool is_first, bool is_last) {
-  return (before <= there || is_first) && (there > behind || is_last);
-}
-
-/// A climb from three steps to the peak among them: by the vertices of parabolas, or to the place
-/// where a value is folded, as an angle at 90 degrees, to which it comes in straight lines from
-/// both sides.
+/// A climb from three steps to the peak among them: by the vertices of parabolas, where these come
+/// no nearer by where the lines of both sides meet and by golden sections; or to the place where a
+/// value is folded, as an angle at 90 degrees, to which it comes in straight lines from both sides.
 class PeakClimb {
  public:
   PeakClimb() = default;
   PeakClimb(const PeakTriple& steps, const std::optional<double>& fold);
+
+  /// Between two steps, by what is promised there.
+  PeakClimb(const PeakSample& before,
+            const PeakSample& promise,
+            const PeakSample& behind,
+            const std::optional<double>& fold);
 
   /// Where to look next, and what is promised there. Empty where the last value was as promised, or
   /// nothing is.
@@ -60,17 +61,22 @@ class PeakClimb {
 
   void aim();
   void aim_at_vertex();
+  std::optional<PeakSample> corner() const;
   void aim_at_fold();
   void approach_fold(const PeakSample& before, const PeakSample& next);
   void narrow(const PeakSample& next);
 
   PeakTriple by_ = {};
+  std::array<std::optional<PeakSample>, 2> outer_ = {};  // the last ones before and behind these
+  double last_way_ = 0.0;                                // of the last trial from the middle
+  double way_before_ = 0.0;                              // of that before; 0: none yet
+  bool is_between_steps_ = false;                        // nothing is known in the middle yet
+  bool has_tried_corner_ = false;                        // since the last golden section
   PeakSample best_;
   std::optional<PeakSample> promise_;
   std::optional<double> height_;  // of the fold that there may be
   std::optional<Fold> fold_;      // while that is where it goes
   int trials_ = 0;
-  int vertex_trials_ = 0;
 };
 
 /// The most promising climbs of one value, one after the other.
@@ -81,7 +87,9 @@ class PeakSearch {
   PeakSearch(double found, std::optional<double> fold)
       : fold_(fold), found_{.share = 0.0, .value = found} {}
 
-  void add(const PeakTriple& steps);
+  /// All that may be a peak among steps that follow each other without a jump: one that is the
+  /// greatest of three, and between two others where a cubic through four has one.
+  void add_run(std::span<const PeakSample> run);
 
   /// Where to look next; empty where all climbs have ended.
   std::optional<double> next();
@@ -97,6 +105,8 @@ class PeakSearch {
  private:
   static constexpr std::size_t kMostClimbs = 3;
 
+  // Among those that promise most, if it is higher than what is found, but for this error.
+  void add(const PeakClimb& climb, double error);
   void end_climb();
 
   std::array<PeakClimb, kMostClimbs> climbs_;  // what promises most first

@@ -27,15 +27,7 @@ Found search(const std::function<double(double)>& value,
     known.push_back({.share = share, .value = value(share)});
   }
   PeakSearch peaks(std::ranges::max(known, {}, &PeakSample::value).value, fold);
-  for (std::size_t i = 1; i + 1 < known.size(); ++i) {
-    if (may_be_peak(known[i - 1].value,
-                    known[i].value,
-                    known[i + 1].value,
-                    i == 1,
-                    i + 2 == known.size())) {
-      peaks.add({known[i - 1], known[i], known[i + 1]});
-    }
-  }
+  peaks.add_run(known);
   Found found;
   while (const std::optional<double> share = peaks.next()) {
     peaks.take(value(*share));
@@ -107,6 +99,45 @@ TEST(PeakSearch, FindsATopBetweenTheLastSteps) {
   EXPECT_NEAR(last.top->share, 0.97, 1e-12);
 }
 
+// So near an end that the three values there fall or rise.
+TEST(PeakSearch, FindsATopThatNoStepShows) {
+  for (const double at : {0.01, 0.03, 0.97, 0.99}) {
+    const Found found = search(
+        [&](double share) { return std::cos(2.0 * std::numbers::pi * (share - at)); }, 12, {});
+    ASSERT_TRUE(found.top) << at;
+    EXPECT_NEAR(found.top->value, 1.0, 1e-12) << at;
+  }
+}
+
+// Straight on both sides: no parabola comes there, the lines do.
+TEST(PeakSearch, GoesToAKink) {
+  for (double kink = 0.4001; kink < 0.6; kink += 0.013) {
+    const Found found = search(
+        [&](double share) { return share < kink ? share - kink : 3.0 * (kink - share); }, 10, {});
+    ASSERT_TRUE(found.top) << kink;
+    EXPECT_NEAR(found.top->value, 0.0, 1e-13) << kink;
+    EXPECT_LE(found.looks, 20) << kink;
+  }
+}
+
+// The sides of a kink bend, and a top may be narrow beside the steps.
+TEST(PeakSearch, ComesToBentKinksAndNarrowTops) {
+  for (double kink = 0.4001; kink < 0.6; kink += 0.013) {
+    const Found bent = search(
+        [&](double share) {
+          return -std::abs(std::sin(3.0 * (share - kink)) + (share - kink) * (share - kink));
+        },
+        10,
+        {});
+    ASSERT_TRUE(bent.top) << kink;
+    EXPECT_NEAR(bent.top->value, 0.0, 1e-9) << kink;
+    const Found narrow = search(
+        [&](double share) { return 1.0 / (1e-4 + (share - kink) * (share - kink)); }, 10, {});
+    ASSERT_TRUE(narrow.top) << kink;
+    EXPECT_NEAR(narrow.top->value, 1e4, 1e-6) << kink;
+  }
+}
+
 TEST(PeakSearch, LooksNowhereOnASlope) {
   const Found found = search([](double share) { return std::exp(share); }, 10, {});
   EXPECT_FALSE(found.top);
@@ -116,7 +147,7 @@ TEST(PeakSearch, LooksNowhereOnASlope) {
 // Where there is no value the climb ends with what it has.
 TEST(PeakSearch, EndsWhereThereIsNoValue) {
   PeakSearch peaks(1.0, std::nullopt);
-  peaks.add({PeakSample{0.0, 0.5}, PeakSample{0.1, 1.0}, PeakSample{0.2, 0.9}});
+  peaks.add_run(PeakTriple{PeakSample{0.0, 0.5}, PeakSample{0.1, 1.0}, PeakSample{0.2, 0.9}});
   ASSERT_TRUE(peaks.next());
   peaks.take(std::nullopt);
   EXPECT_FALSE(peaks.next());

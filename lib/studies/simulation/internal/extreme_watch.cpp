@@ -108,12 +108,16 @@ void ExtremeWatch::climb(const std::vector<Sample>& samples, std::size_t column,
   const auto peak = [&](const Sample& one) {
     return PeakSample{.share = one.time, .value = sign * *one.values[column]};
   };
-  for (std::size_t i = 1; i + 1 < samples.size(); ++i) {
-    if (samples[i - 1].values[column] && samples[i].values[column] &&
-        samples[i + 1].values[column]) {
-      search.add({peak(samples[i - 1]), peak(samples[i]), peak(samples[i + 1])});
+  std::vector<PeakSample> run;
+  for (const Sample& one : samples) {
+    if (one.values[column]) {
+      run.push_back(peak(one));
+    } else {
+      search.add_run(run);
+      run.clear();
     }
   }
+  search.add_run(run);
   int climbs = 0;
   for (auto time = search.next(); time; time = search.next()) {
     if (climbs++ == kMostClimbs) {

@@ -230,26 +230,18 @@ class FigureMaker {
     const auto joins_next = [&](std::size_t i) {  // not the other side of a jump
       return i + 1 < samples.size() && samples[i + 1].step - samples[i].step >= kSameApproach;
     };
-    const auto sample = [&](std::size_t i) -> std::optional<PeakSample> {
-      const std::optional<double> value =
-          i < samples.size() ? (*samples[i].values)[column] : std::nullopt;
-      return value ? std::optional(PeakSample{.share = samples[i].share, .value = sign * *value})
-                   : std::nullopt;
-    };
     const std::optional<ValueFolds>& folds = climbed_[column]->folds;
     const auto fold = [&] { return sign > 0.0 ? folds->greatest : -folds->least; };
     PeakSearch search(sign * found.value, folds ? std::optional(fold()) : std::nullopt);
-    for (std::size_t i = 1; i + 1 < samples.size(); ++i) {
-      const std::optional<PeakSample> before = sample(i - 1);
-      const std::optional<PeakSample> there = sample(i);
-      const std::optional<PeakSample> behind = sample(i + 1);
-      if (!before || !there || !behind || !joins_next(i - 1) || !joins_next(i)) {
-        continue;
+    std::vector<PeakSample> run;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const std::optional<double>& value = (*samples[i].values)[column];
+      if (value) {
+        run.push_back({.share = samples[i].share, .value = sign * *value});
       }
-      const bool is_first = i < 2 || !sample(i - 2) || !joins_next(i - 2);
-      const bool is_last = !sample(i + 2) || !joins_next(i + 1);
-      if (may_be_peak(before->value, there->value, behind->value, is_first, is_last)) {
-        search.add({*before, *there, *behind});
+      if (!value || !joins_next(i)) {
+        search.add_run(run);
+        run.clear();
       }
     }
     while (const std::optional<double> share = search.next()) {
