@@ -1,83 +1,15 @@
 // Where a value of a motion is greatest between its steps.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
 
+#include "studies/motion/peak_climb.hpp"
+
 namespace kinestat {
-
-/// A value at a share of the ranges of the drives, with its sign turned where the least is looked
-/// for.
-struct PeakSample {
-  double share = 0.0;
-  double value = 0.0;
-};
-
-/// Between which values lie that are folded there, as an angle at 0 and 90 degrees: they come to
-/// the fold, and leave it, in straight lines.
-struct ValueFolds {
-  double least = 0.0;
-  double greatest = 0.0;
-};
-
-/// Of three positions, one after the other.
-using PeakTriple = std::array<PeakSample, 3>;
-
-/// A climb from three steps to the peak among them: by the vertices of parabolas, where these come
-/// no nearer by where the lines of both sides meet and by golden sections; or to the place where a
-/// value is folded, as an angle at 90 degrees, to which it comes in straight lines from both sides.
-class PeakClimb {
- public:
-  PeakClimb() = default;
-  PeakClimb(const PeakTriple& steps, const std::optional<double>& fold);
-
-  /// Between two steps, by what is promised there.
-  PeakClimb(const PeakSample& before,
-            const PeakSample& promise,
-            const PeakSample& behind,
-            const std::optional<double>& fold);
-
-  /// Where to look next, and what is promised there. Empty where the last value was as promised, or
-  /// nothing is.
-  const std::optional<PeakSample>& promise() const { return promise_; }
-
-  /// The value there.
-  void take(double value);
-
-  const PeakSample& best() const { return best_; }
-
- private:
-  // What the best position is below the fold, how fast that changes, and on which side the fold is
-  // thought to be.
-  struct Fold {
-    double below = 0.0;
-    double slope = 0.0;
-    double side = 1.0;
-    bool is_from_best = false;  // the last trial began there
-    bool has_tried_both = false;
-  };
-
-  void aim();
-  void aim_at_vertex();
-  std::optional<PeakSample> corner() const;
-  void aim_at_fold();
-  void approach_fold(const PeakSample& before, const PeakSample& next);
-  void narrow(const PeakSample& next);
-
-  PeakTriple by_ = {};
-  std::array<std::optional<PeakSample>, 2> outer_ = {};  // the last ones before and behind these
-  double last_way_ = 0.0;                                // of the last trial from the middle
-  double way_before_ = 0.0;                              // of that before; 0: none yet
-  bool is_between_steps_ = false;                        // nothing is known in the middle yet
-  bool has_tried_corner_ = false;                        // since the last golden section
-  PeakSample best_;
-  std::optional<PeakSample> promise_;
-  std::optional<double> height_;  // of the fold that there may be
-  std::optional<Fold> fold_;      // while that is where it goes
-  int trials_ = 0;
-};
 
 /// The most promising climbs of one value, one after the other.
 class PeakSearch {
@@ -88,8 +20,17 @@ class PeakSearch {
       : fold_(fold), found_{.share = 0.0, .value = found} {}
 
   /// All that may be a peak among steps that follow each other without a jump: one that is the
-  /// greatest of three, and between two others where a cubic through four has one.
-  void add_run(std::span<const PeakSample> run);
+  /// greatest of three, and between two others where a polynomial through some has one. `height`
+  /// answers what rises and falls as the value of a step does, `sample` the step itself.
+  template <class Height, class SampleAt>
+  void add_run(std::size_t count, const Height& height, const SampleAt& sample);
+
+  void add_run(std::span<const PeakSample> run) {
+    add_run(
+        run.size(),
+        [&](std::size_t i) { return run[i].value; },
+        [&](std::size_t i) { return run[i]; });
+  }
 
   /// Where to look next; empty where all climbs have ended.
   std::optional<double> next();
@@ -105,6 +46,21 @@ class PeakSearch {
  private:
   static constexpr std::size_t kMostClimbs = 3;
 
+  // Some steps of a run, and which of them is meant.
+  struct Window {
+    static constexpr std::size_t kMost = 6;
+
+    std::array<PeakSample, kMost> steps = {};
+    std::size_t count = 0;
+    std::size_t at = 0;
+
+    std::span<const PeakSample> span() const { return std::span(steps).first(count); }
+  };
+
+  void add_top(const Window& by);
+  void add_behind(const Window& by);
+  void add_at_end(const Window& by);
+
   // Among those that promise most, if it is higher than what is found, but for this error.
   void add(const PeakClimb& climb, double error);
   void end_climb();
@@ -116,5 +72,48 @@ class PeakSearch {
   PeakSample found_;
   bool is_better_ = false;
 };
+
+template <class Height, class SampleAt>
+void PeakSearch::add_run(std::size_t count, const Height& height, const SampleAt& sample) {
+  const auto window = [&](std::size_t first, std::size_t most, std::size_t at) {
+    Window by;
+    for (std::size_t i = first; i < count && by.count < most; ++i) {
+      by.steps[by.count++] = sample(i);
+    }
+    by.at = at - first;
+    return by;
+  };
+  const auto first_of = [&](std::size_t at, std::size_t before, std::size_t most) {
+    const std::size_t wanted = at < before ? 0 : at - before;
+    return count < most ? 0 : std::min(wanted, count - most);
+  };
+  // Rises from one step to the next; a top is where they change their sign.
+  double before = 0.0;
+  // What falls inwards rises before by half as much at most.
+  const auto may_be_at = [&](std::size_t end, std::size_t next) {
+    const double there = sample(end).value;
+    return there + 0.5 * (there - sample(next).value) > found_.value;
+  };
+  for (std::size_t i = 0; count > 2 && i + 1 < count; ++i) {
+    const double here = height(i);
+    const double rise = height(i + 1) - here;
+    const double behind = i + 2 < count ? height(i + 2) - height(i + 1) : 0.0;
+    if (i > 0 && before >= 0.0 && rise < 0.0) {
+      add_top(window(first_of(i, 2, 5), 5, i));
+    } else if (i == 0 && rise < 0.0) {
+      if (may_be_at(0, 1)) {
+        add_at_end(window(0, Window::kMost, 0));
+      }
+    } else if (i + 2 == count && rise > 0.0) {
+      if (may_be_at(i + 1, i)) {
+        add_at_end(window(first_of(i + 1, Window::kMost - 1, Window::kMost), Window::kMost, i + 1));
+      }
+    } else if (rise > 0.0 ? before > 2.0 * rise && behind >= 0.0
+                          : behind < 2.0 * rise && before <= 0.0) {
+      add_behind(window(first_of(i, 1, 4), 4, i));
+    }
+    before = rise;
+  }
+}
 
 }  // namespace kinestat

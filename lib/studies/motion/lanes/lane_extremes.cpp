@@ -3,7 +3,6 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <vector>
 
 #include "core/index.hpp"
 #include "studies/motion/lanes/internal/lane_vectors.hpp"
@@ -26,20 +25,23 @@ void LaneFollower::find_transmission_angles() {
   }
 }
 
+// Of angles the squared sines are compared, for they rise and fall with them.
 PeakSearch LaneFollower::search_for(const LaneTarget& target, std::size_t lane) const {
   const Groups& known = target.sign < 0.0 ? least_ : greatest_;
   const bool is_angle = target.place == places_.size();
   const double fold = target.sign > 0.0 ? std::numbers::pi / 2.0 : 0.0;
   PeakSearch search(target.sign * known[target.place].numbers[lane],
                     is_angle ? std::optional(fold) : std::nullopt);
-  std::vector<PeakSample> run(at(question_.steps) + 1);
-  for (std::size_t step = 0; step < run.size(); ++step) {
-    run[step] = {
+  const auto height = [&](std::size_t step) {
+    return target.sign * (is_angle ? climbs_.angles[step].share.numbers[lane]
+                                   : climbs_.values[target.place][step].numbers[lane]);
+  };
+  const auto sample = [&](std::size_t step) {
+    return PeakSample{
         .share = static_cast<double>(step) / question_.steps,
-        .value = target.sign * (is_angle ? angle_in(lane, climbs_.angles[step])
-                                         : climbs_.values[target.place][step].numbers[lane])};
-  }
-  search.add_run(run);
+        .value = is_angle ? target.sign * angle_in(lane, climbs_.angles[step]) : height(step)};
+  };
+  search.add_run(at(question_.steps) + 1, height, sample);
   return search;
 }
 
