@@ -1,5 +1,9 @@
 #include "description/synthesis_description.hpp"
 
+#include <fmt/format.h>
+
+#include "core/one_digit.hpp"
+
 namespace kinestat {
 
 std::string_view word_of(FreeNumber which) {
@@ -38,6 +42,22 @@ std::string_view word_of(GrashofClass which) {
   return "";
 }
 
+std::string_view word_of(LinkageCircuit which) {
+  switch (which) {
+    case LinkageCircuit::open:
+      return "open";
+    case LinkageCircuit::crossed:
+      return "crossed";
+    case LinkageCircuit::left:
+      return "left";
+    case LinkageCircuit::right:
+      return "right";
+    case LinkageCircuit::single:
+      return "single";
+  }
+  return "";
+}
+
 QuantityKind kind_of(FreeNumber which) {
   const bool is_length = is_point(which) || which == FreeNumber::s;
   return is_length ? QuantityKind::length : QuantityKind::dimensionless;
@@ -49,6 +69,16 @@ bool is_point(FreeNumber which) {
 
 bool chooses_dyads(FreeNumber which) {
   return which == FreeNumber::circle_points || which == FreeNumber::centre_points;
+}
+
+std::string example_of_ranges(int order, double radius) {
+  const double end = radius > 0.0 ? round_up_to_one_digit(2.0 * radius) : 1.0;
+  std::string text = fmt::format("vary: {{s: {{from: -{0:.15g}, to: {0:.15g}}}", end);
+  for (const FreeNumber which : {FreeNumber::tau, FreeNumber::tau_2}) {
+    const int from = which == FreeNumber::tau ? 4 : 5;
+    text += order >= from ? fmt::format(", {}: {{from: -1, to: 1}}", word_of(which)) : "";
+  }
+  return text + "}";
 }
 
 int PositionDescription::order() const {

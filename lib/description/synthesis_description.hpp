@@ -3,9 +3,11 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include "description/synthesis_limits_description.hpp"
 #include "description/transmission_description.hpp"
 #include "description/value.hpp"
 
@@ -84,6 +86,11 @@ bool is_point(FreeNumber which);
 /// Whether it chooses the dyads of three and four positions.
 bool chooses_dyads(FreeNumber which);
 
+/// A line for a file that lets vary what a position of such an order leaves open, by conditions on
+/// the path of `at` alone: "vary: {s: {from: -20, to: 20}, tau: {from: -1, to: 1}}". `radius` is
+/// the distance of the pole, in the file's unit of length.
+std::string example_of_ranges(int order, double radius);
+
 /// A free parameter of the task: a number or a point, from … to.
 struct SynthesisRange {
   FreeNumber which = FreeNumber::m;
@@ -91,34 +98,6 @@ struct SynthesisRange {
   std::vector<Value> from;  ///< one number, or the coordinates of a point
   std::vector<Value> to;
   SourceRange where;
-};
-
-/// The corners of a polygon, or two opposite ones of a rectangle along the axes.
-struct AreaDescription {
-  std::vector<PointDescription> corners;
-  SourceRange where;
-};
-
-enum class GrashofClass {
-  crank_rocker,   ///< the shortest link is a crank
-  double_crank,   ///< the shortest link is the ground (drag link)
-  double_rocker,  ///< the shortest link is the coupler, which turns fully
-  triple_rocker,  ///< not Grashof: no link turns fully
-  change_point    ///< shortest and longest equal the other two: a position with all in line
-};
-
-/// The word in files and reports.
-std::string_view word_of(GrashofClass which);
-
-struct SynthesisLimits {
-  std::optional<Value> transmission_angle;       ///< least, from the first to the last position
-  std::optional<Value> full_transmission_angle;  ///< least, wherever the input goes
-  std::optional<Value> link_ratio;               ///< largest: longest by shortest link
-  std::optional<Value> size;                     ///< largest length
-  std::vector<GrashofClass> classes;             ///< of a four-bar; empty: any
-  bool turns_fully = false;                      ///< the input
-  std::optional<AreaDescription> circle_points;
-  std::optional<AreaDescription> centre_points;
 };
 
 /// Where the file does not say how many.

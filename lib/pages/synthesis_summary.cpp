@@ -49,6 +49,7 @@ void add_best(const SynthesisAnalysis& synthesis,
                                  is_usable ? "best" : "nearest",
                                  with_article(hyphenated(word_of(best.linkage.type()))));
   text += best.grashof ? fmt::format(", class {}", hyphenated(word_of(best.grashof->kind))) : "";
+  text += best.circuit ? fmt::format(", circuit {}", word_of(*best.circuit)) : "";
   text += is_usable ? fmt::format(", whose transmission angle stays {} {} from the dead points",
                                   format_short(units.from_si(QuantityKind::angle, best.margin())),
                                   units.text(QuantityKind::angle))

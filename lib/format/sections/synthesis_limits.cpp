@@ -61,7 +61,8 @@ Form<AreaDescription> area() {
   return form;
 }
 
-Word word_for(GrashofClass which, std::string_view meaning) {
+template <typename Which>
+Word word_for(Which which, std::string_view meaning) {
   return {.text = word_of(which), .meaning = meaning};
 }
 
@@ -75,6 +76,21 @@ Form<std::vector<GrashofClass>> classes() {
                                word_for(change_point, "all links can lie in one line")}),
       1,
       "write class: crank_rocker, or a list of those that will do");
+}
+
+Form<std::vector<LinkageCircuit>> circuits() {
+  using enum LinkageCircuit;
+  return one_or_more(
+      choice_of<LinkageCircuit>(
+          {word_for(open,
+                    "of a crank that turns fully: a little counterclockwise of the line of "
+                    "centres, the links next to the shortest do not cross; of a slider: ahead"),
+           word_for(crossed, "the mirror image: they cross there; of a slider: behind"),
+           word_for(left, "of a double rocker: left of the line from input to output"),
+           word_for(right, "the mirror image"),
+           word_for(single, "the linkage has one circuit only")}),
+      1,
+      "write circuit: open, or a list of those that will do");
 }
 
 }  // namespace
@@ -96,6 +112,8 @@ const Mapping<SynthesisLimits>& synthesis_limits() {
             .may(&SynthesisLimits::size, size(), "20");
         m.key("class", "Grashof class of a four-bar, or a list of acceptable ones.")
             .may(&SynthesisLimits::classes, classes(), "crank_rocker");
+        m.key("circuit", "Circuit in which the linkage is assembled, or a list of acceptable ones.")
+            .may(&SynthesisLimits::circuits, circuits(), "open");
         m.key("turns_fully", "true requires an input that turns fully. Default false.")
             .may(&SynthesisLimits::turns_fully, flag(), "true");
         m.key("centre_points", "Where the fixed pivots must lie, in the fixed frame.")

@@ -83,11 +83,12 @@ class SynthesisCheck {
       context_.number(derivative.angle, kAnyAngle, "'angle' of a derivative of " + what);
     }
     if (position.curvature) {
-      check_curvature(*position.curvature, what);
+      check_curvature(position, what);
     }
   }
 
-  void check_curvature(const CurvatureDescription& curvature, const std::string& what) {
+  void check_curvature(const PositionDescription& position, const std::string& what) {
+    const CurvatureDescription& curvature = *position.curvature;
     context_.point(curvature.centre);
     context_.point(curvature.free_point);
     context_.number(curvature.m, kPathRatio, "'m' of " + what);
@@ -101,15 +102,33 @@ class SynthesisCheck {
         has_both("free_point", varied, curvature.free_point->where, what);
       }
     }
-    if (is_varied(FreeNumber::s)) {
+    const bool needs = !is_varied(FreeNumber::s);
+    const bool lacks_point = needs && !curvature.free_point && !is_varied(FreeNumber::free_point);
+    const bool lacks_m = needs && !curvature.m && !is_varied(FreeNumber::m);
+    if (lacks_point && lacks_m && position_count() == 5) {
+      refuse_open(position, what);
       return;
     }
-    if (!curvature.free_point && !is_varied(FreeNumber::free_point)) {
+    if (lacks_point) {
       refuse_missing(curvature, what, "free_point", "free_point: [x, y]");
     }
-    if (!curvature.m && !is_varied(FreeNumber::m)) {
+    if (lacks_m) {
       refuse_missing(curvature, what, "m", "m: 0.58");
     }
+  }
+
+  // Of what the path of 'at' alone leaves open, its effective freedom is the best to vary.
+  void refuse_open(const PositionDescription& position, const std::string& what) {
+    const auto at = context_.vector(position.at.coordinates, QuantityKind::length);
+    const auto pole = context_.vector(position.pole->coordinates, QuantityKind::length);
+    const double unit = context_.description.units.factor(QuantityKind::length);
+    context_.found.error(
+        "E0303",
+        position.curvature->where,
+        fmt::format("'curvature' of {} lacks the keys 'free_point' and 'm'", what),
+        fmt::format(
+            "let what they leave open vary: {}; or add 'free_point: [x, y]' and 'm: 0.58'",
+            example_of_ranges(position.order(), at && pole ? (*pole - *at).norm() / unit : 0.0)));
   }
 
   bool is_varied(FreeNumber which) const {
@@ -142,7 +161,10 @@ class SynthesisCheck {
         "E0303",
         curvature.where,
         fmt::format("'curvature' of {} lacks the key '{}'", what, key),
-        fmt::format("add '{}', or let it vary: vary: {{{}: {{from: …, to: …}}}}", example, key));
+        position_count() == 5
+            ? fmt::format(
+                  "add '{}', or let it vary: vary: {{{}: {{from: …, to: …}}}}", example, key)
+            : fmt::format("add '{}'; only tasks of five positions may leave it open", example));
   }
 
   // Each contact with a position before it counts as a position more.

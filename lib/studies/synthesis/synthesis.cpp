@@ -28,9 +28,49 @@ std::vector<double> link_lengths(const Linkage& linkage) {
   return lengths;
 }
 
+// Which dyad the circuit goes by: of a crank-rocker the crank, otherwise the input; of two kinds of
+// dyads the crank.
+const DriveVerdict* circuit_verdict(const LinkageCandidate& candidate, std::size_t drive) {
+  const auto& [one, other] = candidate.verdicts;
+  const bool is_one = candidate.linkage.one.kind == DyadKind::crank;
+  if (candidate.lengths) {
+    return one.turns_fully == other.turns_fully ? &candidate.verdicts[drive]
+                                                : &candidate.verdicts[one.turns_fully ? 0 : 1];
+  }
+  const bool has_crank = is_one || candidate.linkage.other.kind == DyadKind::crank;
+  return has_crank ? &candidate.verdicts[is_one ? 0 : 1] : nullptr;
+}
+
+std::optional<LinkageCircuit> circuit_of(const LinkageCandidate& candidate, std::size_t drive) {
+  using enum LinkageCircuit;
+  const DriveVerdict* by = circuit_verdict(candidate, drive);
+  if (by == nullptr || !by->same_circuit) {
+    return std::nullopt;
+  }
+  if (by->mirror == 0) {
+    return single;
+  }
+  if (candidate.lengths && !by->turns_fully) {
+    return by->mirror > 0 ? left : right;
+  }
+  // Of a slider and a guide the sides are those of their direction, and a rocking crank counts its
+  // angle from the normal to the left of it.
+  const bool is_ahead = (by->mirror > 0) == by->turns_fully;
+  return is_ahead == !candidate.lengths ? open : crossed;
+}
+
+// One of those that are asked for.
+template <typename Which>
+bool is_asked(std::optional<Which> found, const std::vector<Which>& asked) {
+  return asked.empty() || (found && std::ranges::find(asked, *found) != asked.end());
+}
+
 // Whether the input takes the linkage through its positions; if so, what the limits have against
 // it.
-Defects defects_of(const DriveVerdict& verdict, const LinkageLimits& limits) {
+Defects defects_of(const LinkageCandidate& candidate,
+                   std::size_t drive,
+                   const LinkageLimits& limits) {
+  const DriveVerdict& verdict = candidate.verdicts[drive];
   Defects defects;
   if (!verdict.same_circuit) {
     defects.add(Defect::circuit);
@@ -38,6 +78,9 @@ Defects defects_of(const DriveVerdict& verdict, const LinkageLimits& limits) {
     defects.add(Defect::branch);
   } else if (verdict.passage == Passage::none) {
     defects.add(Defect::order);
+  }
+  if (!is_asked(circuit_of(candidate, drive), limits.circuits)) {
+    defects.add(Defect::other_circuit);
   }
   if (limits.turns_fully && !verdict.turns_fully) {
     defects.add(Defect::full_turn);
@@ -64,21 +107,16 @@ int rank_of(const Defects& defects) {
 }
 
 void choose_drive(LinkageCandidate& candidate, const LinkageLimits& limits) {
-  const Defects one = defects_of(candidate.verdicts[0], limits);
+  const Defects one = defects_of(candidate, 0, limits);
   if (limits.function) {
     candidate.defects = one;
     return;
   }
-  const Defects other = defects_of(candidate.verdicts[1], limits);
+  const Defects other = defects_of(candidate, 1, limits);
   const bool takes_other =
       Standing(other, candidate.verdicts[1]).is_better_than({one, candidate.verdicts[0]});
   candidate.best_drive = takes_other ? Drive::other : Drive::one;
   candidate.defects = takes_other ? other : one;
-}
-
-bool has_class(const LinkageCandidate& candidate, const std::vector<GrashofClass>& asked) {
-  return asked.empty() ||
-         (candidate.grashof && std::ranges::find(asked, candidate.grashof->kind) != asked.end());
 }
 
 void check_areas(const LinkageLimits& limits, LinkageCandidate& candidate) {
@@ -118,10 +156,12 @@ LinkageCandidate judge(const Linkage& linkage,
   candidate.verdicts = {find_verdict(linkage, Drive::one, positions, sense),
                         find_verdict(linkage, Drive::other, positions)};
   choose_drive(candidate, limits);
+  candidate.circuit = circuit_of(candidate, candidate.best_drive == Drive::one ? 0 : 1);
   if (!has_digits(linkage.one) || !has_digits(linkage.other)) {
     candidate.defects.add(Defect::digits);
   }
-  if (!has_class(candidate, limits.classes)) {
+  const auto grashof = candidate.grashof ? std::optional(candidate.grashof->kind) : std::nullopt;
+  if (!is_asked(grashof, limits.classes)) {
     candidate.defects.add(Defect::grashof);
   }
   check_areas(limits, candidate);

@@ -26,6 +26,7 @@ struct LinkageLimits {
   double ratio = std::numeric_limits<double>::infinity();  ///< longest by shortest link
   double size = std::numeric_limits<double>::infinity();   ///< longest link [length]
   std::vector<GrashofClass> classes = {};                  ///< of a four-bar; empty: any linkage
+  std::vector<LinkageCircuit> circuits = {};               ///< empty: any linkage
   bool turns_fully = false;                                ///< the input meets no dead point
   std::optional<AngleFunction> function = std::nullopt;    ///< of its cranks, the first driven
   std::optional<PlaneArea> circle_points = std::nullopt;   ///< where they lie, moving frame
@@ -55,7 +56,9 @@ struct LinkageCandidate {
   std::vector<PositionJets> positions;  ///< of the coupler of a function generator; else empty
   std::optional<FourBarLengths> lengths;
   std::optional<Grashof> grashof;
-  std::optional<Cognates> cognates;  ///< for the path of the origin of the moving frame
+  std::optional<LinkageCircuit> circuit;  ///< with the best drive; of what has a crank and passes
+                                          ///< the positions in one
+  std::optional<Cognates> cognates;       ///< for the path of the origin of the moving frame
   std::array<DriveVerdict, 2> verdicts;
   Drive best_drive = Drive::one;
   double longest = 0.0;  ///< of the links that have a length [length]

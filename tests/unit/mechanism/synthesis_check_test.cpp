@@ -65,6 +65,16 @@ TEST(SynthesisCheck, NeedsAFreePointAndMUnlessTheyVary) {
                         "5:55 E0303 'curvature' of position 1 lacks the key 'm'"}));
 }
 
+// Of five positions what both leave open may vary as a whole.
+TEST(SynthesisCheck, OffersToVaryWhatCurvatureLeavesOpen) {
+  EXPECT_EQ(
+      complaints_about_task(
+          "  positions:\n"
+          "    - {at: [0, 0], angle: 0, pole: [1, 1], curvature: {centre: [1, 2]}}\n"
+          "    - {at: [0, 1], angle: 9, pole: [1, 1]}\n"),
+      (Complaints{"5:55 E0303 'curvature' of position 1 lacks the keys 'free_point' and 'm'"}));
+}
+
 TEST(SynthesisCheck, RefusesToVaryWhatNoPositionHas) {
   EXPECT_EQ(complaints_about_task("  positions: [{at: [0, 0], angle: 0}, {at: [1, 0], angle: 9}]\n"
                                   "  vary: {m: {from: 1, to: 2}}\n"),

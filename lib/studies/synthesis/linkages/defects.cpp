@@ -18,6 +18,8 @@ std::string_view word_of(Defect defect) {
       return "order";
     case Defect::grashof:
       return "class";
+    case Defect::other_circuit:
+      return "other_circuit";
     case Defect::full_turn:
       return "turns_fully";
     case Defect::centre_point:
@@ -34,6 +36,10 @@ std::string_view word_of(Defect defect) {
       return "size";
   }
   return "";
+}
+
+std::string_view limit_of(Defect defect) {
+  return defect == Defect::other_circuit ? "circuit" : word_of(defect);
 }
 
 void Defects::add(Defect defect) {

@@ -15,6 +15,7 @@ enum class Defect {
   branch,             ///< a dead point of the input lies between positions
   order,              ///< the input passes the positions in another order
   grashof,            ///< of another class
+  other_circuit,      ///< in another circuit than asked for
   full_turn,          ///< the input meets a dead point elsewhere
   centre_point,       ///< outside its area
   circle_point,       ///< outside its area
@@ -28,6 +29,9 @@ inline constexpr std::size_t kDefectCount = static_cast<std::size_t>(Defect::siz
 
 /// The word in reports.
 std::string_view word_of(Defect defect);
+
+/// The key of `limits` that a defect after `order` breaks.
+std::string_view limit_of(Defect defect);
 
 /// Everything that speaks against one linkage. Of a linkage that does not pass the positions, what
 /// is asked of the way through them is not judged.

@@ -235,6 +235,13 @@ const Record<LinkageCandidate>& linkage_record() {
         "lengths", lengths_record(), "Of a four-bar.", [](const View& v) { return v.lengths; });
     keys.part(
         "grashof", grashof_record(), "Of a four-bar.", [](const View& v) { return v.grashof; });
+    keys.word("circuit",
+              words_up_to(LinkageCircuit::single),
+              "In which it is assembled; null without a crank, and where the positions lie in "
+              "several.",
+              [](const View& v) -> std::optional<std::string_view> {
+                return v.circuit ? std::optional(word_of(*v.circuit)) : std::nullopt;
+              });
     keys.custom(
         "cognates",
         cognates_shape(),

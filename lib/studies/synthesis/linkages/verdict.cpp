@@ -84,6 +84,9 @@ class Judge {
       verdict_.circuits.push_back(circuits_(sides_[i], verdict_.coordinates[i]));
       verdict_.branches.push_back(branches_(sides_[i], verdict_.coordinates[i]));
     }
+    if (circuits_(1, -1.0) != circuits_(1, 1.0) || circuits_(-1, 1.0) != circuits_(1, 1.0)) {
+      verdict_.mirror = verdict_.circuits.front() == circuits_(1, 1.0) ? 1 : -1;
+    }
     verdict_.same_circuit = is_equal(verdict_.circuits);
     verdict_.same_branch = is_equal(verdict_.branches);
     verdict_.turns_fully = curve_.is_cyclic() && !bounds(zero_end_) && !bounds(far_end_);

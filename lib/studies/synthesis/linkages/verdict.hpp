@@ -41,6 +41,10 @@ struct DriveVerdict {
   std::vector<double> transmission;  ///< μ in the positions [rad]
   bool turns_fully = false;          ///< the input meets no dead point on this circuit
 
+  /// Of two circuits, that of the first position: 1 or -1, the side of the dead points where the
+  /// input turns fully, the sign of its coordinate elsewhere. Zero where there are not two.
+  int mirror = 0;
+
   bool same_circuit = false;
   bool same_branch = false;
   Passage passage = Passage::none;

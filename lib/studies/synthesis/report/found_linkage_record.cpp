@@ -22,6 +22,12 @@ const Record<LimitsNeeded>& limits_needed_record() {
                   [](const View& v) -> std::optional<std::string_view> {
                     return v.grashof ? std::optional(word_of(*v.grashof)) : std::nullopt;
                   });
+        keys.word("circuit",
+                  words_up_to(LinkageCircuit::single),
+                  "Its circuit; also null of what has no crank.",
+                  [](const View& v) -> std::optional<std::string_view> {
+                    return v.circuit ? std::optional(word_of(*v.circuit)) : std::nullopt;
+                  });
         keys.flag("turns_fully", "false: its input meets a dead point.", [](const View& v) {
           return v.may_stop ? std::optional(false) : std::nullopt;
         });

@@ -129,8 +129,15 @@ std::string range_text(const TransmissionRange& range, const PlaneText& plane) {
 }
 
 Table verdict_table(const SynthesisTask& task, const PlaneText& plane) {
-  Table table(
-      {"linkage", "dyads", "drive", "verdict", "margin", "full turn", "link ratio", "class"});
+  Table table({"linkage",
+               "dyads",
+               "drive",
+               "verdict",
+               "margin",
+               "full turn",
+               "link ratio",
+               "class",
+               "circuit"});
   for (std::size_t i = 0; i < task.linkages.size(); ++i) {
     const LinkageCandidate& candidate = task.linkages[i];
     const DriveVerdict& best = candidate.best();
@@ -142,7 +149,8 @@ Table verdict_table(const SynthesisTask& task, const PlaneText& plane) {
                best.working_arc ? plane.angle(candidate.margin()) : "",
                best.turns_fully ? "yes" : "no",
                format_short(candidate.ratio),
-               candidate.grashof ? hyphenated(word_of(candidate.grashof->kind)) : ""});
+               candidate.grashof ? hyphenated(word_of(candidate.grashof->kind)) : "",
+               candidate.circuit ? std::string(word_of(*candidate.circuit)) : ""});
   }
   return table;
 }
@@ -242,6 +250,8 @@ std::string_view phrase_of(Defect defect) {
       return "order defect";
     case Defect::grashof:
       return "other class";
+    case Defect::other_circuit:
+      return "other circuit";
     case Defect::full_turn:
       return "drive does not turn fully";
     case Defect::centre_point:

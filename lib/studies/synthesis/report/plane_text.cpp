@@ -37,6 +37,9 @@ std::string limits_text(const LinkageCandidate& candidate, const PlaneText& plan
   if (needed->grashof) {
     keys.push_back(fmt::format("class: {}", word_of(*needed->grashof)));
   }
+  if (needed->circuit) {
+    keys.push_back(fmt::format("circuit: {}", word_of(*needed->circuit)));
+  }
   if (needed->may_stop) {
     keys.push_back("turns_fully: false");
   }
@@ -55,6 +58,7 @@ std::string limits_text(const LinkageCandidate& candidate, const PlaneText& plan
     keys.push_back("size: " + limit_text(*needed->size / plane.unit_of_length(), kUp));
   }
   std::string text = needed->is_any_linkage ? ", but no four-bar, so that it has no class" : "";
+  text += needed->is_any_circuit ? ", but without a crank, so that its circuit has no name" : "";
   text += keys.empty() ? "" : fmt::format(" and takes limits: {{{}}}", fmt::join(keys, ", "));
   text += needed->outside ? fmt::format("{} a pivot {} outside its area",
                                         keys.empty() ? ", with" : ", and",

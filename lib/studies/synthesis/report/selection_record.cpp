@@ -21,6 +21,7 @@ constexpr std::array<const char*, kDefectCount - 1> kDefectTexts = {
     "Branch defect.",
     "Order defect.",
     "Of another class than required.",
+    "In another circuit than required.",
     "The input meets a dead point elsewhere.",
     "A centre point outside its area.",
     "A circle point outside its area.",
@@ -55,7 +56,7 @@ const Record<SelectionCounts>& one_limit_record() {
       "Those of them that are rejected by this limit alone: without it they would be usable.",
       [](Record<View>& keys) {
         for (std::size_t i = static_cast<std::size_t>(Defect::order) + 1; i < kDefectCount; ++i) {
-          keys.count(std::string(word_of(static_cast<Defect>(i))),
+          keys.count(std::string(limit_of(static_cast<Defect>(i))),
                      kDefectTexts[i - 1],
                      [i](const View& v) { return v.one_limit[i]; });
         }

@@ -29,6 +29,10 @@ std::optional<LimitsNeeded> find_limits_needed(const LinkageCandidate& candidate
     needed.grashof = candidate.grashof->kind;
   }
   needed.is_any_linkage = defects.has(Defect::grashof) && !candidate.grashof;
+  if (defects.has(Defect::other_circuit)) {
+    needed.circuit = candidate.circuit;
+    needed.is_any_circuit = !candidate.circuit;
+  }
   needed.may_stop = defects.has(Defect::full_turn);
   if (candidate.outside > 0.0) {
     needed.outside = candidate.outside;

@@ -89,6 +89,8 @@ std::vector<std::size_t> positions_with_lists(const SynthesisDescription& task);
 struct LimitsNeeded {
   std::optional<GrashofClass> grashof;      ///< empty also of what is no four-bar
   bool is_any_linkage = false;              ///< it is no four-bar: any class
+  std::optional<LinkageCircuit> circuit;    ///< empty also of what has no crank
+  bool is_any_circuit = false;              ///< it has no crank
   bool may_stop = false;                    ///< its input does not turn fully
   std::optional<double> outside;            ///< farthest of its points from its area [length]
   std::optional<double> transmission;       ///< [rad]

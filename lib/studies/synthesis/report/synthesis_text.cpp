@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/digit_limits.hpp"
+#include "core/one_digit.hpp"
 #include "report/report_parts.hpp"
 #include "studies/synthesis/report/linkage_text.hpp"
 #include "studies/synthesis/report/plane_text.hpp"
@@ -131,13 +132,38 @@ class TaskText {
     }
     const std::string end = plane_.length(half_width());
     return fmt::format(
-        "{1}; to select linkages, say where their circle points may lie, or their "
-        "centre points:\n"
-        "  vary: {{circle_points: {{from: [-{0}, -{0}], to: [{0}, {0}]}}}}\n"
-        "or give pivots:\n"
-        "  dyads: [{{centre_point: [x, y]}}, {{centre_point: [x, y]}}]\n",
-        end,
-        what);
+               "{1}; to select linkages, say where their circle points may lie, or their "
+               "centre points:\n"
+               "  vary: {{circle_points: {{from: [-{0}, -{0}], to: [{0}, {0}]}}}}\n"
+               "or give pivots:\n"
+               "  dyads: [{{centre_point: [x, y]}}, {{centre_point: [x, y]}}]\n",
+               end,
+               what) +
+           (free == 2 ? next_order_text() : "");
+  }
+
+  // Four positions with a pole: one condition more on the path of E makes five.
+  std::string next_order_text() const {
+    const auto& positions = analysis_.description.synthesis->positions;
+    const auto with_pole = std::ranges::find_if(
+        positions, [](const PositionDescription& one) { return one.pole.has_value(); });
+    if (with_pole == positions.end() || position_count(task_.positions) != 4) {
+      return "";
+    }
+    const auto place = static_cast<std::size_t>(with_pole - positions.begin());
+    const PositionJets& position = task_.positions[place];
+    const auto pole = find_pole(position);
+    const int order = with_pole->order() + 1;
+    return fmt::format(
+        "or prescribe the path of 'at' in position {} to one order more, and let vary what that "
+        "leaves open:\n"
+        "  curvature: {{centre: [x, y]}}{}{}\n"
+        "  {}\n",
+        place + 1,
+        order > 3 ? ", stationary: true" : "",
+        order > 4 ? ", burmester: true" : "",
+        example_of_ranges(
+            order, pole ? std::abs(*pole - origin(position)) / plane_.unit_of_length() : 0.0));
   }
 
   // What a function leaves to choose.
@@ -151,7 +177,7 @@ class TaskText {
     const AngleFunction& function = *analysis_.limits.function;
     const double unit = plane_.unit_of_length();
     const double ground = std::abs(function.output_pivot - function.input_pivot);
-    const std::string end = plane_.length(unit * round_up(ground / unit));
+    const std::string end = plane_.length(unit * round_up_to_one_digit(ground / unit));
     return fmt::format(
         "{1}; to select linkages, say where the circle point of the input may lie:\n"
         "  vary: {{circle_points: {{from: [-{0}, -{0}], to: [{0}, {0}]}}}}\n"
@@ -174,13 +200,7 @@ class TaskText {
       }
     }
     const double unit = plane_.unit_of_length();
-    return size > 0.0 ? unit * round_up(2.0 * size / unit) : unit;
-  }
-
-  // To one digit.
-  static double round_up(double value) {
-    const double digit = std::pow(10.0, std::floor(std::log10(value)));
-    return digit * std::ceil(value / digit);
+    return size > 0.0 ? unit * round_up_to_one_digit(2.0 * size / unit) : unit;
   }
 
   // What tells this task from the others of the file; its number is that of files and other forms.
@@ -278,7 +298,7 @@ std::string one_limit_text(const SelectionCounts& counts) {
   for (std::size_t i = 0; i < kDefectCount; ++i) {
     if (counts.one_limit[i] > 0) {
       limits.push_back(
-          fmt::format("{} without '{}'", counts.one_limit[i], word_of(static_cast<Defect>(i))));
+          fmt::format("{} without '{}'", counts.one_limit[i], limit_of(static_cast<Defect>(i))));
     }
   }
   return fmt::format("{}", fmt::join(limits, ", "));

@@ -23,6 +23,7 @@ double reached_by(const LinkageCandidate& candidate) {
     case Defect::branch:
     case Defect::order:
     case Defect::grashof:
+    case Defect::other_circuit:
     case Defect::full_turn:
     case Defect::transmission:
       return candidate.margin();

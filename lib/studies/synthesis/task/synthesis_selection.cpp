@@ -117,12 +117,16 @@ std::optional<Tasks> find_selection_tasks(const SynthesisValues& values,
   }
   std::optional<Tasks> possible = find_possible_tasks(values, values.ranges(), found);
   if (possible && position_count(possible->front()) != 5) {
+    const FreeNumber which = task.vary.front().which;
+    const bool has_number = which == FreeNumber::m || which == FreeNumber::free_point;
     found.error("E0305",
                 task.vary.front().where,
                 fmt::format("'{}' is chosen in tasks of five positions, and this is {}",
-                            word_of(task.vary.front().which),
+                            word_of(which),
                             form_of(possible->front())),
-                "give it a number and let 'circle_points' vary, or add positions");
+                fmt::format("{} and let 'circle_points' vary, or add positions",
+                            has_number ? "give it a number"
+                                       : "give 'free_point' and 'm' of 'curvature' instead"));
     return std::nullopt;
   }
   return possible;

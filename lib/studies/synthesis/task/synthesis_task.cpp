@@ -292,6 +292,7 @@ LinkageLimits SynthesisValues::limits() const {
     limits.size = number(*given.size, QuantityKind::length);
   }
   limits.classes = given.classes;
+  limits.circuits = given.circuits;
   limits.turns_fully = given.turns_fully;
   limits.function = function();
   limits.circle_points = area(given.circle_points);
