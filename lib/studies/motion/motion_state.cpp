@@ -131,13 +131,11 @@ class StateSolver {
                                       .jacobian = system_.jacobian(),
                                       .unknown = unknown_,
                                       .qr = qr_,
-                                      .reach = system_.reach(),
-                                      .spread = system_.spread()},
+                                      .reach = system_.reach()},
                       configuration_.coordinates,
                       is_singular());
     }
     MotionState state = solve(speeds, detail, true);
-    state.bounds = errors_->bounds(mechanism_.topology);
     allow_rounding(speeds.passive, state);
     settle(mechanism_.topology, state);
     return state;
@@ -165,11 +163,14 @@ class StateSolver {
       state.poses.push_back(pose);
     }
     state.is_singular = is_singular();
-    if (state.is_singular) {
-      return state;
-    }
     std::vector<double> rates(at(network_.rate_count), 0.0);
     std::vector<double> bends = rates;
+    if (state.is_singular) {
+      if (is_bounded) {
+        state.bounds = bounds_of(speeds, rates, bends);
+      }
+      return state;
+    }
     for (std::size_t d = 0; d < speeds.drives.size(); ++d) {
       const double unit = unit_of_rate(network_.driven_rates[d]);
       rates[at(network_.driven_rates[d])] = speeds.drives[d].speed / unit;
@@ -191,15 +192,15 @@ class StateSolver {
       }
     }
     if (is_bounded) {
-      find_errors(speeds, rates, bends);
+      state.bounds = bounds_of(speeds, rates, bends);
     }
     fill(rates, bends, detail, state);
     return state;
   }
 
-  void find_errors(const GivenSpeeds& speeds,
-                   const std::vector<double>& rates,
-                   const std::vector<double>& bends) {
+  StateBounds bounds_of(const GivenSpeeds& speeds,
+                        const std::vector<double>& rates,
+                        const std::vector<double>& bends) {
     std::vector<double> driven_errors;
     std::vector<double> driven_bend_errors;
     for (std::size_t d = 0; d < speeds.drives.size(); ++d) {
@@ -207,7 +208,14 @@ class StateSolver {
       driven_errors.push_back(speeds.drives[d].speed_bound / unit);
       driven_bend_errors.push_back(speeds.drives[d].acceleration_bound / unit);
     }
-    errors_->follow(rates, bends, driven_errors, driven_bend_errors);
+    const ClosureLevers levers =
+        system_.levers(system_.moving_frames(configuration_.coordinates, rates, bends));
+    return errors_->bounds({.levers = levers,
+                            .rates = rates,
+                            .bends = bends,
+                            .driven_errors = driven_errors,
+                            .driven_bend_errors = driven_bend_errors},
+                           mechanism_.topology);
   }
 
   // Open motions bring freedoms to their given speeds but for the rounding of what they are added

@@ -1,6 +1,7 @@
 // What closure leaves uncertain of the joints of a network and of their rates.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -20,15 +21,31 @@ struct FactoredClosure {
   std::span<const int> unknown;      ///< rates that the driven ones determine
   PivotedQr& qr;                     ///< of their columns
   double reach = 1.0;                ///< in sizes: no point of a joint is farther from the origin
-  double spread = 1.0;               ///< in sizes: no two points about which joints turn, or at
-                                     ///< which the closure is taken, are farther from each other
 };
 
-/// Running error analysis: where the joints stand is off by the next correction and by rounding
-/// that the inverse of the closure enlarges; the screws move by as much, and so do the rates and
-/// their derivatives, enlarged once more. Frames round by their distance from the origin; what a
-/// joint is off by moves the others by their distance from it alone. In radians and sizes of the
-/// mechanism, one a rate.
+/// How the joints move in that position. The errors are those of the driven ones.
+struct JointMotion {
+  const ClosureLevers& levers;  ///< moving with it
+  std::span<const double> rates;
+  std::span<const double> bends;
+  std::span<const double> driven_errors;
+  std::span<const double> driven_bend_errors;
+};
+
+/// Running error analysis. What the joints are off by, δ, solves J δ = ρ, ρ being what the rows
+/// round, at all times; so the derivatives of δ, by which the rates and their derivatives are off,
+/// solve
+///     J δ' = ρ' - J' δ      and      J δ'' = ρ'' - J'' δ - 2 J' δ',
+/// ρ' and ρ'' being what rounds where these are found. J, J' and J'' are what the levers of the
+/// joints in the rows are now and how they change: no joint counts for more than it moves there,
+/// and those that turn about one line, as a screw and its nut, cancel. Both ends of that are kept:
+/// all errors are written as shares of the `sources` they come from - what each row rounds, the
+/// correction that is left, what the drives and the open motions are off by - and sizes are taken
+/// of what has been summed over the joints alone: the pose of a body is off by S δ, S being the
+/// screws of the joints below it, and its twist by what S δ' + S' δ leaves beside the turn of the
+/// body. So J⁻¹, which is as large as the pitch of a screw is fine, counts once in the joint that
+/// it enlarges, and in no other. What the errors of two joints make of each other is of second
+/// order; the sizes of the joints' errors bound it. In radians and sizes of the mechanism.
 class JointErrors {
  public:
   /// `coordinates` are those of the joints; in a singular position only the root of what rounds is
@@ -36,44 +53,50 @@ class JointErrors {
   JointErrors(const FactoredClosure& closure,
               std::span<const double> coordinates,
               bool is_singular);
-
-  /// For these rates and their derivatives; the errors of those that are driven are given.
-  void follow(std::span<const double> rates,
-              std::span<const double> bends,
-              std::span<const double> driven_errors,
-              std::span<const double> driven_bend_errors);
+  ~JointErrors();
 
   /// `frame_of_body`, freedoms and lengths as in the network.
-  StateBounds bounds(const Topology& topology) const;
+  StateBounds bounds(const JointMotion& motion, const Topology& topology);
 
  private:
-  struct Sums;
+  static constexpr int kOrders = 3;  // a position, its first and its second derivative
+  struct Path;
+  using Orders = std::array<double, kOrders>;
 
-  void invert();
-  std::vector<double> carried(const std::vector<double>& rows) const;
-  void find_places(std::span<const double> coordinates, bool is_singular);
-  void add_open(std::vector<double>& errors, const std::vector<double>& sizes) const;
-  double mixed(const std::vector<double>& sizes) const;
-  double misplaced(const Sums& sums) const;
-  Sums sums_of(const RatesOfRow& rates) const;
-  double steady_part(int row, const std::vector<double>& values) const;
-  std::vector<Sums> sums_of_frames() const;
-  BodyBounds bounds_of(const Sums& sums) const;
-  void fill_joints(StateBounds& result) const;
-  void fill_measures(const std::vector<Sums>& frames,
-                     const Topology& topology,
-                     StateBounds& result) const;
-  bool is_rolling(int row) const;
+  double factor(std::size_t row, std::size_t rate) const {
+    return closure_.jacobian[rate * rows_ + row];
+  }
+
+  void find_shares(bool is_singular);
+  void find_places(bool is_singular);
+  void find_joints(int order, std::span<const double> values);
+  void move_frames(const JointMotion& motion);
+  void measure(const Jet* wrench, int tail_frame, int head_frame);
+  Orders sum(const Jet* changes) const;
+  double mixed(std::span<const double> sizes) const;
+  double rounding(std::size_t r, const JointMotion& motion, int order) const;
+  void find_rates(const JointMotion& motion);
+  void add_open(int order, std::span<const double> values);
+  BodyBounds bounds_of(int frame) const;
+  void fill_joints(const JointMotion& motion, const Topology& topology, StateBounds& result) const;
+  void fill_measures(const JointMotion& motion, StateBounds& result);
 
   FactoredClosure closure_;
-  int rows_ = 0;
-  std::vector<double> inverse_;  // sizes: unknown x rows, one row of the closure after the other
-  std::vector<double> coordinates_;  // of each rate, in size
-  std::vector<double> places_;
-  std::vector<double> rates_;
-  std::vector<double> rate_errors_;
-  std::vector<double> bends_;
-  std::vector<double> bend_errors_;
+  std::size_t rows_ = 0;
+  std::size_t screw_ = 6;       // coordinates of a screw
+  std::size_t drives_ = 0;      // the first source of them
+  std::size_t open_ = 0;        // likewise
+  std::size_t roots_ = 0;       // likewise, of a singular position
+  std::size_t sources_ = 0;
+  std::size_t columns_ = 0;     // and behind them the rates and their derivatives
+  std::vector<double> sizes_;   // of the coordinate of each rate
+  std::vector<bool> is_turn_;   // of each rate
+  std::vector<double> shares_;  // rates x columns
+  std::array<std::vector<double>, kOrders> amounts_;  // of the sources
+  std::array<std::vector<double>, kOrders> joints_;   // errors of each rate
+  std::vector<Path> paths_;                           // to each frame
+  std::vector<Jet> moved_;                            // frames x screw x columns
+  std::vector<Jet> measured_;                         // of the sources
 };
 
 }  // namespace kinestat
