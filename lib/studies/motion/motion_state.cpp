@@ -100,7 +100,7 @@ template <class Frames>
 class StateSolver {
  public:
   StateSolver(const MotionNetwork& network, const Mechanism& mechanism)
-      : network_(network), mechanism_(mechanism), system_(network) {
+      : network_(network), mechanism_(mechanism), system_(network), errors_(network) {
     for (int rate = 0; rate < network.rate_count; ++rate) {
       if (std::ranges::find(network.driven_rates, rate) == network.driven_rates.end()) {
         unknown_.push_back(rate);
@@ -124,16 +124,16 @@ class StateSolver {
                                const GivenSpeeds& speeds,
                                StateDetail detail) {
     stand_in(configuration);
-    if (!errors_) {
-      errors_.emplace(FactoredClosure{.network = network_,
-                                      .rates_of_rows = system_.rates_of_rows(),
-                                      .residuals = system_.residuals(),
-                                      .jacobian = system_.jacobian(),
-                                      .unknown = unknown_,
-                                      .qr = qr_,
-                                      .reach = system_.reach()},
-                      configuration_.coordinates,
-                      is_singular());
+    if (!has_errors_) {
+      errors_.stand_in({.rates_of_rows = system_.rates_of_rows(),
+                        .residuals = system_.residuals(),
+                        .jacobian = system_.jacobian(),
+                        .unknown = unknown_,
+                        .qr = qr_,
+                        .reach = system_.reach()},
+                       configuration_.coordinates,
+                       is_singular());
+      has_errors_ = true;
     }
     MotionState state = solve(speeds, detail, true);
     allow_rounding(speeds.passive, state);
@@ -142,6 +142,8 @@ class StateSolver {
   }
 
  private:
+  using MovingFrames = std::vector<typename Frames::template Frame<Jet>>;
+
   // One configuration serves several speeds.
   void stand_in(const Configuration& configuration) {
     const bool is_there = has_stood_ && configuration.coordinates == configuration_.coordinates &&
@@ -150,7 +152,7 @@ class StateSolver {
       configuration_ = configuration;
       system_.evaluate(configuration_.coordinates, configuration_.angles);
       factor();
-      errors_.reset();
+      has_errors_ = false;
       has_stood_ = true;
     }
   }
@@ -167,7 +169,12 @@ class StateSolver {
     std::vector<double> bends = rates;
     if (state.is_singular) {
       if (is_bounded) {
-        state.bounds = bounds_of(speeds, rates, bends);
+        state.bounds =
+            bounds_of(speeds,
+                      rates,
+                      bends,
+                      StateDetail::velocity,
+                      system_.moving_frames(configuration_.coordinates, rates, bends));
       }
       return state;
     }
@@ -191,16 +198,18 @@ class StateSolver {
         hold_speeds(speeds.passive, rates, bends);
       }
     }
+    const auto frames = fill(rates, bends, detail, state);
     if (is_bounded) {
-      state.bounds = bounds_of(speeds, rates, bends);
+      state.bounds = bounds_of(speeds, rates, bends, detail, frames);
     }
-    fill(rates, bends, detail, state);
     return state;
   }
 
   StateBounds bounds_of(const GivenSpeeds& speeds,
                         const std::vector<double>& rates,
-                        const std::vector<double>& bends) {
+                        const std::vector<double>& bends,
+                        StateDetail detail,
+                        const MovingFrames& frames) {
     std::vector<double> driven_errors;
     std::vector<double> driven_bend_errors;
     for (std::size_t d = 0; d < speeds.drives.size(); ++d) {
@@ -208,11 +217,11 @@ class StateSolver {
       driven_errors.push_back(speeds.drives[d].speed_bound / unit);
       driven_bend_errors.push_back(speeds.drives[d].acceleration_bound / unit);
     }
-    const ClosureLevers levers =
-        system_.levers(system_.moving_frames(configuration_.coordinates, rates, bends));
-    return errors_->bounds({.levers = levers,
+    const ClosureLevers levers = system_.levers(frames);
+    return errors_.bounds({.levers = levers,
+                           .is_bent = detail == StateDetail::acceleration,
                             .rates = rates,
-                            .bends = bends,
+                           .bends = bends,
                             .driven_errors = driven_errors,
                             .driven_bend_errors = driven_bend_errors},
                            mechanism_.topology);
@@ -341,11 +350,11 @@ class StateSolver {
     return mechanism_.topology.freedoms[at(given.freedom)].is_rotation ? 1.0 : network_.length;
   }
 
-  void fill(const std::vector<double>& rates,
-            const std::vector<double>& bends,
-            StateDetail detail,
-            MotionState& state) const {
-    const auto frames = fill_freedoms(rates, bends, state);
+  MovingFrames fill(const std::vector<double>& rates,
+                    const std::vector<double>& bends,
+                    StateDetail detail,
+                    MotionState& state) const {
+    MovingFrames frames = fill_freedoms(rates, bends, state);
     for (const int frame : network_.frame_of_body) {
       const MovingTwist moving = twist_of(frames[at(frame)], network_.length);
       state.twists.push_back(moving.twist);
@@ -356,12 +365,13 @@ class StateSolver {
       state.twist_rates.clear();
       state.rate_rates.clear();
     }
+    return frames;
   }
 
   // Their rates and the derivatives of these.
-  std::vector<typename Frames::template Frame<Jet>> fill_freedoms(const std::vector<double>& rates,
-                                                                  const std::vector<double>& bends,
-                                                                  MotionState& state) const {
+  MovingFrames fill_freedoms(const std::vector<double>& rates,
+                             const std::vector<double>& bends,
+                             MotionState& state) const {
     auto frames = system_.moving_frames(configuration_.coordinates, rates, bends);
     state.rates.resize(mechanism_.topology.freedoms.size());
     state.rate_rates.resize(mechanism_.topology.freedoms.size());
@@ -416,7 +426,8 @@ class StateSolver {
   bool has_stood_ = false;
   std::vector<double> matrix_;
   PivotedQr qr_;
-  std::optional<JointErrors> errors_;  // in this configuration, once asked for
+  JointErrors errors_;
+  bool has_errors_ = false;  // of this configuration, once asked for
   PivotedQr effects_;                  // of the open motions on what is given of them
   std::vector<int> unknown_;
 };

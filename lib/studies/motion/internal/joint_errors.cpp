@@ -13,7 +13,7 @@ namespace kinestat {
 namespace {
 
 // A frame follows from the one before by some ten operations.
-constexpr double kRoundingOfFrame = 8.0 * kEpsilon;
+constexpr double kRoundingOfFrame = 4.0 * kEpsilon;
 
 int count_of_rates(const MotionJoint& joint) {
   return joint.coordinate < 0 ? 0 : joint.motion.kind == ElementaryKind::ball ? 3 : 1;
@@ -27,6 +27,15 @@ double sum_of_sizes(std::span<const double> values) {
   return std::accumulate(values.begin(), values.end(), 0.0, [](double sum, double value) {
     return sum + std::abs(value);
   });
+}
+
+void add_product(double factor, const double* values, double* sums, std::size_t count) {
+  if (factor == 0.0) {
+    return;
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    sums[i] += factor * values[i];
+  }
 }
 
 // How fast frames move that follow each other.
@@ -57,39 +66,43 @@ struct JointErrors::Path {
   }
 };
 
-JointErrors::JointErrors(const FactoredClosure& closure,
-                         std::span<const double> coordinates,
-                         bool is_singular)
-    : closure_(closure),
-      rows_(closure.residuals.size()),
-      screw_(closure.network.space == Space::planar ? 3 : 6) {
-  const MotionNetwork& network = closure_.network;
-  sizes_.assign(at(network.rate_count), 0.0);
-  is_turn_.assign(sizes_.size(), true);
-  paths_.resize(1);
+JointErrors::JointErrors(const MotionNetwork& network)
+    : network_(network), screw_(network.space == Space::planar ? 3 : 6), paths_(1) {
+  is_turn_.assign(at(network.rate_count), true);
   for (const MotionJoint& joint : network.joints) {
-    const bool is_ball = joint.motion.kind == ElementaryKind::ball;
     for (int i = 0; i < count_of_rates(joint); ++i) {
-      const std::size_t rate = at(joint.rate + i);
-      sizes_[rate] = is_ball ? 1.0 : std::abs(coordinates[at(joint.coordinate)]);
-      is_turn_[rate] = joint.motion.kind != ElementaryKind::slide;
+      is_turn_[at(joint.rate + i)] = joint.motion.kind != ElementaryKind::slide;
     }
     Path path;
     path.rounding += paths_[at(joint.parent)].rounding;
     paths_.push_back(path);
   }
-  find_shares(is_singular);
-  find_places(is_singular);
 }
 
 JointErrors::~JointErrors() = default;
 
+void JointErrors::stand_in(const FactoredClosure& closure,
+                           std::span<const double> coordinates,
+                           bool is_singular) {
+  closure_.emplace(closure);
+  rows_ = closure.residuals.size();
+  sizes_.assign(is_turn_.size(), 0.0);
+  for (const MotionJoint& joint : network_.joints) {
+    const bool is_ball = joint.motion.kind == ElementaryKind::ball;
+    for (int i = 0; i < count_of_rates(joint); ++i) {
+      sizes_[at(joint.rate + i)] = is_ball ? 1.0 : std::abs(coordinates[at(joint.coordinate)]);
+    }
+  }
+  find_shares(is_singular);
+  find_places(is_singular);
+}
+
 // What one of each source moves the joints by.
 void JointErrors::find_shares(bool is_singular) {
-  const std::size_t unknown = closure_.unknown.size();
-  const std::vector<double>& open = closure_.qr.null_vectors();
+  const std::size_t unknown = closure_->unknown.size();
+  const std::vector<double>& open = closure_->qr.null_vectors();
   drives_ = rows_ + 1;
-  open_ = drives_ + closure_.network.driven_rates.size();
+  open_ = drives_ + network_.driven_rates.size();
   roots_ = open_ + (unknown == 0 ? 0 : open.size() / unknown);
   sources_ = roots_ + (is_singular ? unknown : 0);
   columns_ = sources_ + 2;
@@ -98,22 +111,22 @@ void JointErrors::find_shares(bool is_singular) {
   std::vector<double> answer(unknown);
   for (std::size_t r = 0; r < rows_ && unknown > 0; ++r) {
     unit[r] = 1.0;
-    closure_.qr.solve(unit, answer);
+    closure_->qr.solve(unit, answer);
     unit[r] = 0.0;
     for (std::size_t i = 0; i < unknown; ++i) {
-      double* share = &shares_[at(closure_.unknown[i]) * columns_];
+      double* share = &shares_[at(closure_->unknown[i]) * columns_];
       share[r] = answer[i];
-      share[rows_] += answer[i] * closure_.residuals[r];
+      share[rows_] += answer[i] * closure_->residuals[r];
       for (std::size_t s = drives_; s < open_; ++s) {
-        share[s] -= answer[i] * factor(r, at(closure_.network.driven_rates[s - drives_]));
+        share[s] -= answer[i] * factor(r, at(network_.driven_rates[s - drives_]));
       }
     }
   }
   for (std::size_t s = drives_; s < open_; ++s) {
-    shares_[at(closure_.network.driven_rates[s - drives_]) * columns_ + s] = 1.0;
+    shares_[at(network_.driven_rates[s - drives_]) * columns_ + s] = 1.0;
   }
   for (std::size_t i = 0; i < unknown; ++i) {
-    double* share = &shares_[at(closure_.unknown[i]) * columns_];
+    double* share = &shares_[at(closure_->unknown[i]) * columns_];
     for (std::size_t s = open_; s < roots_; ++s) {
       share[s] = open[(s - open_) * unknown + i];
     }
@@ -130,7 +143,7 @@ void JointErrors::find_places(bool is_singular) {
   }
   std::vector<double>& amounts = amounts_[0];
   for (std::size_t r = 0; r < rows_; ++r) {
-    const RatesOfRow& row = closure_.rates_of_rows[r];
+    const RatesOfRow& row = closure_->rates_of_rows[r];
     amounts[r] = row.rounds * (paths_[at(row.tail_frame)].rounding +
                                paths_[at(row.head_frame)].rounding);
     for (const int rate : row.all) {
@@ -140,7 +153,7 @@ void JointErrors::find_places(bool is_singular) {
   }
   amounts[rows_] = 1.0;
   for (std::size_t s = drives_; s < open_; ++s) {
-    amounts[s] = 2.0 * kEpsilon * sizes_[at(closure_.network.driven_rates[s - drives_])];
+    amounts[s] = 2.0 * kEpsilon * sizes_[at(network_.driven_rates[s - drives_])];
   }
   if (is_singular) {
     std::fill(amounts.begin() + static_cast<std::ptrdiff_t>(roots_),
@@ -162,21 +175,25 @@ void JointErrors::find_joints(int order, std::span<const double> values) {
 }
 
 void JointErrors::move_frames(const JointMotion& motion) {
-  const MotionNetwork& network = closure_.network;
   const std::size_t block = screw_ * columns_;
   for (std::size_t rate = 0; rate < sizes_.size(); ++rate) {
     shares_[rate * columns_ + sources_] = motion.rates[rate];
     shares_[rate * columns_ + sources_ + 1] = motion.bends[rate];
   }
-  moved_.assign(paths_.size() * block, Jet());
-  for (std::size_t j = 0; j < network.joints.size(); ++j) {
-    const MotionJoint& joint = network.joints[j];
+  for (std::vector<double>& moved : moved_) {
+    moved.resize(paths_.size() * block);
+    std::fill_n(moved.begin(), block, 0.0);
+  }
+  for (std::size_t j = 0; j < network_.joints.size(); ++j) {
+    const MotionJoint& joint = network_.joints[j];
     const Path& before = paths_[at(joint.parent)];
     Path& path = paths_[j + 1];
     path.all = before.all;
     path.turns = before.turns;
-    Jet* moved = &moved_[(j + 1) * block];
-    std::copy_n(&moved_[at(joint.parent) * block], block, moved);
+    for (std::size_t order = 0; order < orders_; ++order) {
+      std::vector<double>& moved = moved_[order];
+      std::copy_n(&moved[at(joint.parent) * block], block, &moved[(j + 1) * block]);
+    }
     for (int k = 0; k < count_of_rates(joint); ++k) {
       const std::size_t rate = at(joint.rate + k);
       path.all.add(motion.rates[rate], motion.bends[rate]);
@@ -185,12 +202,12 @@ void JointErrors::move_frames(const JointMotion& motion) {
       }
       for (std::size_t i = 0; i < screw_; ++i) {
         const Jet& lever = motion.levers.screws[rate * screw_ + i];
-        for (std::size_t c = 0; c < columns_; ++c) {
-          const double share = shares_[rate * columns_ + c];
-          Jet& sum = moved[i * columns_ + c];
-          sum.value += share * lever.value;
-          sum.first += share * lever.first;
-          sum.second += share * lever.second;
+        const Orders factors = {lever.value, lever.first, lever.second};
+        for (std::size_t order = 0; order < orders_; ++order) {
+          add_product(factors[order],
+                      &shares_[rate * columns_],
+                      &moved_[order][(j + 1) * block + i * columns_],
+                      columns_);
         }
       }
     }
@@ -200,46 +217,61 @@ void JointErrors::move_frames(const JointMotion& motion) {
 // What a wrench between two frames measures of each source.
 void JointErrors::measure(const Jet* wrench, int tail_frame, int head_frame) {
   const std::size_t block = screw_ * columns_;
-  measured_.assign(sources_, Jet());
+  for (std::size_t order = 0; order < orders_; ++order) {
+    measured_[order].assign(sources_, 0.0);
+  }
+  apart_.resize(sources_);
   for (std::size_t i = 0; i < screw_; ++i) {
-    const Jet w = wrench[i];
-    const Jet* tail = &moved_[at(tail_frame) * block + i * columns_];
-    const Jet* head = &moved_[at(head_frame) * block + i * columns_];
-    for (std::size_t s = 0; s < sources_; ++s) {
-      measured_[s] += w * (head[s] - tail[s]);
+    const Jet& w = wrench[i];
+    // (w g)'' = w'' g + 2 w' g' + w g''
+    const std::array<Orders, kOrders> factors = {
+        {{w.value, w.first, w.second}, {w.value, 2.0 * w.first, 0.0}, {w.value, 0.0, 0.0}}};
+    for (std::size_t order = 0; order < orders_; ++order) {
+      const double* tail = &moved_[order][at(tail_frame) * block + i * columns_];
+      const double* head = &moved_[order][at(head_frame) * block + i * columns_];
+      for (std::size_t s = 0; s < sources_; ++s) {
+        apart_[s] = head[s] - tail[s];
+      }
+      for (std::size_t more = 0; order + more < orders_; ++more) {
+        add_product(
+            factors[order][more], apart_.data(), measured_[order + more].data(), sources_);
+      }
     }
   }
 }
 
 // Of a position and its derivatives that change with the sources so.
-JointErrors::Orders JointErrors::sum(const Jet* changes) const {
+JointErrors::Orders JointErrors::sum(const Changes& changes) const {
+  using Values = Eigen::Map<const Eigen::ArrayXd>;
+  const auto count = static_cast<Eigen::Index>(sources_);
+  const auto of = [&](std::size_t order) { return Values(changes[order], count).abs(); };
+  const auto amount = [&](std::size_t order) { return Values(amounts_[order].data(), count); };
   Orders result = {};
-  for (std::size_t s = 0; s < sources_; ++s) {
-    const double value = std::abs(changes[s].value);
-    const double first = std::abs(changes[s].first);
-    result[0] += value * amounts_[0][s];
-    result[1] += first * amounts_[0][s] + value * amounts_[1][s];
-    result[2] += std::abs(changes[s].second) * amounts_[0][s] + 2.0 * first * amounts_[1][s] +
-                 value * amounts_[2][s];
+  result[0] = (of(0) * amount(0)).sum();
+  if (orders_ > 1) {
+    result[1] = (of(1) * amount(0) + of(0) * amount(1)).sum();
+  }
+  if (orders_ > 2) {
+    result[2] = (of(2) * amount(0) + 2.0 * of(1) * amount(1) + of(0) * amount(2)).sum();
   }
   return result;
 }
 
 // Open motions are found by reflections that mix the rows: what all of them round may be in each.
 double JointErrors::mixed(std::span<const double> sizes) const {
-  if (closure_.qr.rank() == closure_.qr.columns()) {
+  if (closure_->qr.rank() == closure_->qr.columns()) {
     return 0.0;
   }
   double sum = 0.0;
   for (std::size_t rate = 0; rate < sizes.size(); ++rate) {
-    sum += sum_of_sizes(closure_.jacobian.subspan(rate * rows_, rows_)) * std::abs(sizes[rate]);
+    sum += sum_of_sizes(closure_->jacobian.subspan(rate * rows_, rows_)) * std::abs(sizes[rate]);
   }
   return kRoundingOfFrame * sum;
 }
 
 // What rounds in a row where rates or their derivatives are found.
 double JointErrors::rounding(std::size_t r, const JointMotion& motion, int order) const {
-  const RatesOfRow& row = closure_.rates_of_rows[r];
+  const RatesOfRow& row = closure_->rates_of_rows[r];
   const std::span<const double> values = order == 1 ? motion.rates : motion.bends;
   const double solved = 2.0 * kEpsilon * sum_of_sizes(values);
   if (row.rounds == 0.0) {
@@ -270,36 +302,34 @@ double JointErrors::rounding(std::size_t r, const JointMotion& motion, int order
           2.0 * place * rate_error * between.rate + rate_error * rate_error);
 }
 
+// The errors of the joints balance in the row, as it stands, what they leave by its changes.
 void JointErrors::find_rates(const JointMotion& motion) {
-  std::vector<Jet> changes;
-  for (std::size_t r = 0; r < rows_; ++r) {
-    const RatesOfRow& row = closure_.rates_of_rows[r];
+  for (std::size_t order = 0; order < orders_; ++order) {
+    changes_[order].assign(rows_ * sources_, 0.0);
+  }
+  for (std::size_t r = 0; orders_ > 1 && r < rows_; ++r) {
+    const RatesOfRow& row = closure_->rates_of_rows[r];
     if (row.rounds > 0.0) {
       measure(&motion.levers.rows[r * screw_], row.tail_frame, row.head_frame);
-      changes.insert(changes.end(), measured_.begin(), measured_.end());
-    } else {
-      changes.insert(changes.end(), sources_, Jet());
+      for (std::size_t order = 1; order < orders_; ++order) {
+        std::ranges::copy(measured_[order], &changes_[order][r * sources_]);
+      }
     }
   }
-  for (int order = 1; order < kOrders; ++order) {
+  for (std::size_t order = 1; order < orders_; ++order) {
     const std::span<const double> values = order == 1 ? motion.rates : motion.bends;
-    std::vector<double>& amounts = amounts_[at(order)];
+    std::vector<double>& amounts = amounts_[order];
     std::fill(amounts.begin(), amounts.end(), 0.0);
     std::ranges::copy(order == 1 ? motion.driven_errors : motion.driven_bend_errors,
                       amounts.begin() + static_cast<std::ptrdiff_t>(drives_));
     const double mixed_rows = mixed(values);
-    std::vector<double> of_rows;
     for (std::size_t r = 0; r < rows_; ++r) {
-      // The row as it stands balances the errors that are looked for.
-      Jet* change = &changes[r * sources_];
-      for (std::size_t s = 0; s < sources_; ++s) {
-        change[s].value = 0.0;
-      }
-      of_rows.push_back(mixed_rows + rounding(r, motion, order) + sum(change)[at(order)]);
+      const std::size_t first = r * sources_;
+      const Orders left = sum(at_place(changes_, first));
+      amounts[r] = mixed_rows + rounding(r, motion, static_cast<int>(order)) + left[order];
     }
-    std::ranges::copy(of_rows, amounts.begin());
-    find_joints(order, values);
-    add_open(order, values);
+    find_joints(static_cast<int>(order), values);
+    add_open(static_cast<int>(order), values);
   }
 }
 
@@ -307,7 +337,7 @@ void JointErrors::find_rates(const JointMotion& motion) {
 void JointErrors::add_open(int order, std::span<const double> values) {
   for (std::size_t s = open_; s < roots_; ++s) {
     double share = 0.0;
-    for (const int rate : closure_.unknown) {
+    for (const int rate : closure_->unknown) {
       share += std::abs(shares_[at(rate) * columns_ + s]) *
                (joints_[at(order)][at(rate)] + kRoundingOfFrame * std::abs(values[at(rate)]));
     }
@@ -325,10 +355,11 @@ BodyBounds JointErrors::bounds_of(int frame) const {
   std::array<Orders, 2> speeds = {};   // likewise, the first being nothing
   for (std::size_t i = 0; i < screw_; ++i) {
     const std::size_t kind = i < turns ? 0 : 1;
-    const Jet* changes = &moved_[(at(frame) * screw_ + i) * columns_];
-    const Orders here = sum(changes);
-    const double speed = changes[sources_].value;
-    const double bend = changes[sources_].first + changes[sources_ + 1].value;
+    const std::size_t first = (at(frame) * screw_ + i) * columns_;
+    const Orders here = sum(at_place(moved_, first));
+    const double speed = moved_[0][first + sources_];
+    const double bend =
+        orders_ < 2 ? 0.0 : moved_[1][first + sources_] + moved_[0][first + sources_ + 1];
     for (std::size_t order = 0; order < kOrders; ++order) {
       errors[kind][order] = std::max(errors[kind][order], here[order]);
     }
@@ -339,8 +370,8 @@ BodyBounds JointErrors::bounds_of(int frame) const {
   const auto& [angular, linear] = speeds;
   const double turning = turns == 1 ? 0.0 : 1.0;
   const auto frames = [&](int order) { return path.rounded(order, false); };
-  const double reach = closure_.reach;
-  const double length = closure_.network.length;
+  const double reach = closure_->reach;
+  const double length = network_.length;
   return {
       .turn = turn[0] + frames(0),
       .shift = length * (shift[0] + reach * frames(0)),
@@ -354,6 +385,11 @@ BodyBounds JointErrors::bounds_of(int frame) const {
 }
 
 StateBounds JointErrors::bounds(const JointMotion& motion, const Topology& topology) {
+  const bool moves = sum_of_sizes(motion.rates) + sum_of_sizes(motion.driven_errors) > 0.0;
+  orders_ = motion.is_bent ? 3 : moves ? 2 : 1;
+  for (std::size_t order = 1; order < kOrders; ++order) {
+    std::ranges::fill(joints_[order], 0.0);
+  }
   move_frames(motion);
   find_rates(motion);
   StateBounds result;
@@ -364,12 +400,12 @@ StateBounds JointErrors::bounds(const JointMotion& motion, const Topology& topol
   const double bends = sum_of_sizes(motion.bends);
   result.rate_rounding = kRoundingOfRates * rates;
   result.rate_rate_rounding = kRoundingOfRates * (bends + rates * rates);
-  result.reach = closure_.reach * closure_.network.length;
-  for (const int frame : closure_.network.frame_of_body) {
+  result.reach = closure_->reach * network_.length;
+  for (const int frame : network_.frame_of_body) {
     const BodyBounds one = bounds_of(frame);
     result.bodies.push_back(one);
     result.place =
-        std::max(result.place, one.shift / closure_.network.length + closure_.reach * one.turn);
+        std::max(result.place, one.shift / network_.length + closure_->reach * one.turn);
   }
   fill_joints(motion, topology, result);
   fill_measures(motion, result);
@@ -379,21 +415,20 @@ StateBounds JointErrors::bounds(const JointMotion& motion, const Topology& topol
 void JointErrors::fill_joints(const JointMotion& motion,
                               const Topology& topology,
                               StateBounds& result) const {
-  const MotionNetwork& network = closure_.network;
   const auto add = [&](std::size_t freedom, std::size_t rate, double unit) {
     result.positions[freedom] += unit * joints_[0][rate];
     result.rates[freedom] += unit * joints_[1][rate];
     result.rate_rates[freedom] += unit * joints_[2][rate];
   };
-  for (const MotionJoint& joint : network.joints) {
+  for (const MotionJoint& joint : network_.joints) {
     if (joint.freedom >= 0 && joint.coordinate >= 0 &&
         joint.motion.kind != ElementaryKind::ball) {
       add(at(joint.freedom),
           at(joint.rate),
-          unit_of_motion(network, joint.motion.kind != ElementaryKind::slide));
+          unit_of_motion(network_, joint.motion.kind != ElementaryKind::slide));
     }
   }
-  for (const RollingRow& rolling : network.rollings) {
+  for (const RollingRow& rolling : network_.rollings) {
     const CouplingTopology& coupling = topology.coupling(rolling.coupling);
     for (std::size_t i = 0; coupling.freedom_count == 1 && i < rolling.rates.size(); ++i) {
       const double size = std::abs(rolling.freedom_factors[i]);
@@ -408,13 +443,12 @@ void JointErrors::fill_joints(const JointMotion& motion,
 }
 
 void JointErrors::fill_measures(const JointMotion& motion, StateBounds& result) {
-  const MotionNetwork& network = closure_.network;
-  for (std::size_t m = 0; m < network.measures.size(); ++m) {
-    const MeasuredFreedom& one = network.measures[m];
+  for (std::size_t m = 0; m < network_.measures.size(); ++m) {
+    const MeasuredFreedom& one = network_.measures[m];
     measure(&motion.levers.measures[m * screw_], one.tail_frame, one.head_frame);
-    Orders errors = sum(measured_.data());
-    const double arm = one.measure.is_turn ? 1.0 : closure_.reach;
-    const double unit = unit_of_motion(network, one.measure.is_turn);
+    Orders errors = sum(at_place(measured_, 0));
+    const double arm = one.measure.is_turn ? 1.0 : closure_->reach;
+    const double unit = unit_of_motion(network_, one.measure.is_turn);
     for (int order = 0; order < kOrders; ++order) {
       const auto rounded = [&](int frame) {
         return paths_[at(frame)].rounded(order, one.measure.is_turn);
@@ -427,7 +461,7 @@ void JointErrors::fill_measures(const JointMotion& motion, StateBounds& result) 
     result.rates[f] = errors[1];
     result.rate_rates[f] = errors[2];
   }
-  for (const BallFreedoms& ball : network.balls) {
+  for (const BallFreedoms& ball : network_.balls) {
     const BodyBounds tail = bounds_of(ball.tail_frame);
     const BodyBounds head = bounds_of(ball.head_frame);
     for (int i = 0; i < 3; ++i) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -14,7 +15,6 @@ namespace kinestat {
 
 /// The equations of a position, factored.
 struct FactoredClosure {
-  const MotionNetwork& network;
   std::vector<RatesOfRow> rates_of_rows;
   std::span<const double> residuals;
   std::span<const double> jacobian;  ///< rows x rates, one column after the other
@@ -26,6 +26,7 @@ struct FactoredClosure {
 /// How the joints move in that position. The errors are those of the driven ones.
 struct JointMotion {
   const ClosureLevers& levers;  ///< moving with it
+  bool is_bent = true;          ///< whether the derivatives of rates are asked for
   std::span<const double> rates;
   std::span<const double> bends;
   std::span<const double> driven_errors;
@@ -48,12 +49,14 @@ struct JointMotion {
 /// order; the sizes of the joints' errors bound it. In radians and sizes of the mechanism.
 class JointErrors {
  public:
+  explicit JointErrors(const MotionNetwork& network);
+  ~JointErrors();
+
   /// `coordinates` are those of the joints; in a singular position only the root of what rounds is
   /// known.
-  JointErrors(const FactoredClosure& closure,
-              std::span<const double> coordinates,
-              bool is_singular);
-  ~JointErrors();
+  void stand_in(const FactoredClosure& closure,
+                std::span<const double> coordinates,
+                bool is_singular);
 
   /// `frame_of_body`, freedoms and lengths as in the network.
   StateBounds bounds(const JointMotion& motion, const Topology& topology);
@@ -62,9 +65,15 @@ class JointErrors {
   static constexpr int kOrders = 3;  // a position, its first and its second derivative
   struct Path;
   using Orders = std::array<double, kOrders>;
+  using Changes = std::array<const double*, kOrders>;  // with each source
+  using Lists = std::array<std::vector<double>, kOrders>;
+
+  static Changes at_place(const Lists& lists, std::size_t first) {
+    return {lists[0].data() + first, lists[1].data() + first, lists[2].data() + first};
+  }
 
   double factor(std::size_t row, std::size_t rate) const {
-    return closure_.jacobian[rate * rows_ + row];
+    return closure_->jacobian[rate * rows_ + row];
   }
 
   void find_shares(bool is_singular);
@@ -72,7 +81,7 @@ class JointErrors {
   void find_joints(int order, std::span<const double> values);
   void move_frames(const JointMotion& motion);
   void measure(const Jet* wrench, int tail_frame, int head_frame);
-  Orders sum(const Jet* changes) const;
+  Orders sum(const Changes& changes) const;
   double mixed(std::span<const double> sizes) const;
   double rounding(std::size_t r, const JointMotion& motion, int order) const;
   void find_rates(const JointMotion& motion);
@@ -81,22 +90,26 @@ class JointErrors {
   void fill_joints(const JointMotion& motion, const Topology& topology, StateBounds& result) const;
   void fill_measures(const JointMotion& motion, StateBounds& result);
 
-  FactoredClosure closure_;
+  const MotionNetwork& network_;
+  std::optional<FactoredClosure> closure_;  // in which it stands
   std::size_t rows_ = 0;
-  std::size_t screw_ = 6;       // coordinates of a screw
-  std::size_t drives_ = 0;      // the first source of them
-  std::size_t open_ = 0;        // likewise
-  std::size_t roots_ = 0;       // likewise, of a singular position
+  std::size_t screw_ = 6;   // coordinates of a screw
+  std::size_t drives_ = 0;  // the first source of them
+  std::size_t open_ = 0;    // likewise
+  std::size_t roots_ = 0;   // likewise, of a singular position
+  std::size_t orders_ = kOrders;  // that are asked for
   std::size_t sources_ = 0;
   std::size_t columns_ = 0;     // and behind them the rates and their derivatives
   std::vector<double> sizes_;   // of the coordinate of each rate
   std::vector<bool> is_turn_;   // of each rate
   std::vector<double> shares_;  // rates x columns
-  std::array<std::vector<double>, kOrders> amounts_;  // of the sources
-  std::array<std::vector<double>, kOrders> joints_;   // errors of each rate
-  std::vector<Path> paths_;                           // to each frame
-  std::vector<Jet> moved_;                            // frames x screw x columns
-  std::vector<Jet> measured_;                         // of the sources
+  Lists amounts_;               // of the sources
+  Lists joints_;                // errors of each rate
+  std::vector<Path> paths_;     // to each frame
+  Lists moved_;                 // frames x screw x columns
+  Lists changes_;               // rows x sources
+  Lists measured_;              // of the sources
+  std::vector<double> apart_;
 };
 
 }  // namespace kinestat
