@@ -218,13 +218,22 @@ class StateSolver {
       driven_bend_errors.push_back(speeds.drives[d].acceleration_bound / unit);
     }
     const ClosureLevers levers = system_.levers(frames);
-    return errors_.bounds({.levers = levers,
+    StateBounds bounds = errors_.bounds({.levers = levers,
                            .is_bent = detail == StateDetail::acceleration,
                             .rates = rates,
                            .bends = bends,
                             .driven_errors = driven_errors,
                             .driven_bend_errors = driven_bend_errors},
                            mechanism_.topology);
+    // Followed angles are those of the point before its last correction.
+    for (const MeasuredFreedom& one : network_.measures) {
+      if (one.measure.is_turn) {
+        const double angle = configuration_.angles[at(one.angle)];
+        const double now = system_.template position<double>(one, system_.frames());
+        bounds.positions[at(one.freedom)] += std::abs(counted_turn(now, angle) - angle);
+      }
+    }
+    return bounds;
   }
 
   // Open motions bring freedoms to their given speeds but for the rounding of what they are added

@@ -8,6 +8,14 @@
 
 namespace kinestat {
 
+namespace {
+
+bool is_along(const Vec3& direction, const Vec3& axis) {
+  return direction.cross(axis).norm() <= 4.0 * kEpsilon;
+}
+
+}  // namespace
+
 template <class Frames>
 double ClosureSystem<Frames>::reach() const {
   double reach = 1.0;
@@ -25,22 +33,57 @@ double ClosureSystem<Frames>::reach() const {
   return reach;
 }
 
-// Where all turns between two frames are about one direction, nothing changes along it.
+// Turns about one direction change nothing along it, and slides keep what they have along it.
 template <class Frames>
 TurnAxis ClosureSystem<Frames>::axis_between(int tail_frame, int head_frame) const {
   Row path;
   add_path(tail_frame, head_frame, path);
+  Row below;
+  add_path(0, tail_frame, below);
   TurnAxis result;
+  const auto turns_in = [](const ClosureJoint& joint, const Row& row) {
+    return joint.kind != ElementaryKind::slide && std::ranges::count(row.rates, joint.rate) > 0;
+  };
   for (const ClosureJoint& joint : joints_) {
-    if (joint.kind != ElementaryKind::slide && std::ranges::count(path.rates, joint.rate) > 0) {
+    if (turns_in(joint, path)) {
       result.axis = result.axis.value_or(joint.direction);
-      if (joint.kind == ElementaryKind::ball ||
-          joint.direction.cross(*result.axis).norm() > 4.0 * kEpsilon) {
+      if (joint.kind == ElementaryKind::ball || !is_along(joint.direction, *result.axis)) {
         return {.is_one = false};
       }
     }
   }
+  for (const ClosureJoint& joint : joints_) {
+    const bool is_other = joint.kind == ElementaryKind::ball || !result.axis ||
+                          !is_along(joint.direction, *result.axis);
+    result.stays = result.stays && !(is_other && turns_in(joint, below));
+  }
   return result;
+}
+
+template <class Frames>
+std::array<bool, 3> ClosureSystem<Frames>::find_linear(const ClosureCondition& condition,
+                                                       const TurnAxis& turns) const {
+  if (!turns.is_one) {
+    return {};
+  }
+  const std::optional<Vec3>& axis = turns.axis;
+  const auto keeps = [&axis](const Vec3& direction) { return !axis || is_along(direction, *axis); };
+  switch (condition.kind) {
+    case ClosureKind::meet:  // along axes of the world
+      if (!turns.stays) {
+        return {};
+      }
+      return {keeps(Vec3::UnitX()), keeps(Vec3::UnitY()), keeps(Vec3::UnitZ())};
+    case ClosureKind::along:
+    case ClosureKind::screw:
+      return {keeps(condition.tail)};
+    case ClosureKind::across:
+      return {keeps(condition.tail) || keeps(condition.head)};
+    case ClosureKind::reach:
+    case ClosureKind::cable:
+      return {};
+  }
+  return {};
 }
 
 template <class Frames>
@@ -67,7 +110,10 @@ std::vector<RatesOfRow> ClosureSystem<Frames>::rates_of_rows() const {
       rates.by_angle = std::abs(row.tail_radius) + std::abs(row.head_radius);
     }
     const std::size_t count = row.kind == ClosureKind::meet ? Frames::kDirections : 1;
-    result.insert(result.end(), count, rates);
+    for (std::size_t i = 0; i < count; ++i) {
+      rates.is_linear = row.is_linear[i];
+      result.push_back(rates);
+    }
   }
   for (const RollingRow& rolling : rollings_) {
     result.push_back({.all = rolling.rates});
@@ -79,6 +125,10 @@ template double ClosureSystem<PlanarFrames>::reach() const;
 template double ClosureSystem<SpatialFrames>::reach() const;
 template TurnAxis ClosureSystem<PlanarFrames>::axis_between(int, int) const;
 template TurnAxis ClosureSystem<SpatialFrames>::axis_between(int, int) const;
+template std::array<bool, 3> ClosureSystem<PlanarFrames>::find_linear(const ClosureCondition&,
+                                                                      const TurnAxis&) const;
+template std::array<bool, 3> ClosureSystem<SpatialFrames>::find_linear(const ClosureCondition&,
+                                                                       const TurnAxis&) const;
 template std::vector<RatesOfRow> ClosureSystem<PlanarFrames>::rates_of_rows() const;
 template std::vector<RatesOfRow> ClosureSystem<SpatialFrames>::rates_of_rows() const;
 

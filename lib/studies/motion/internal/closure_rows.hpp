@@ -1,6 +1,7 @@
 // The joints of a network and its conditions between frames, as its closure needs them.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -40,12 +41,14 @@ struct FramedRow {
   int first = 0;              ///< row of the system
   std::vector<int> rates;     ///< of the joints between the two frames
   std::vector<double> signs;  ///< +1: the joint moves the head
+  std::array<bool, 3> is_linear = {};  ///< each of its rows: see RatesOfRow
 };
 
 /// Of the joints between two frames.
 struct TurnAxis {
   bool is_one = true;             ///< all that turn have one direction
   std::optional<Vec3> axis = {};  ///< it; empty if none turns
+  bool stays = true;              ///< in the world: nothing below the first turns about another
 
   /// Whether it is no axis of the world.
   bool is_oblique() const { return axis && axis->cwiseAbs().maxCoeff() < 1.0; }
@@ -56,6 +59,7 @@ struct RatesOfRow {
   std::span<const int> all;
   int tail_frame = 0;
   int head_frame = 0;
+  bool is_linear = false;  ///< along the one axis about which joints turn: its factors are constant
   bool is_angle = false;  ///< slides count for nothing in it
   double rounds = 0.0;    ///< one rounding of the frames moves it, and its factors, by so many; 0: of
                           ///< teeth, whose factors are constant

@@ -87,6 +87,7 @@ void ClosureSystem<Frames>::add_row(const ClosureRow& closure) {
   row.angle = closure.angle;
   row.first = row_count_;
   add_path(closure.tail_frame, closure.head_frame, row);
+  row.is_linear = find_linear(one, turns);
   const int count = one.kind == ClosureKind::meet ? Frames::kDirections : 1;
   row_count_ += count;
   row_couplings_.insert(row_couplings_.end(), at(count), closure.coupling.value);
@@ -352,6 +353,19 @@ std::vector<double> ClosureSystem<Frames>::residual_bends(const std::vector<Fram
       }
     } else {
       result[at(row.first)] = scalar_residual<Jet>(row, frames, angles).second;
+    }
+  }
+  // Turns about the axis of a linear row leave it alone: what derivatives make of them is rounding.
+  for (const Row& row : rows_) {
+    const int count = row.kind == ClosureKind::meet ? Frames::kDirections : 1;
+    for (int i = 0; i < count; ++i) {
+      if (row.is_linear[at(i)]) {
+        double& bend = result[at(row.first + i)];
+        bend = 0.0;
+        for (const int rate : row.rates) {
+          bend += jacobian_[at(rate * row_count_ + row.first + i)] * rate_rates[at(rate)];
+        }
+      }
     }
   }
   int r = row_count_ - static_cast<int>(rollings_.size());

@@ -112,6 +112,7 @@ class ClosureSystem {
   void add_row(const ClosureRow& closure);
   void add_path(int from, int to, Row& row) const;
   TurnAxis axis_between(int tail_frame, int head_frame) const;
+  std::array<bool, 3> find_linear(const ClosureCondition& condition, const TurnAxis& turns) const;
   void place_rolling(const MotionNetwork& network);
   template <class S>
   Span<S> span_of(const Row& row, const std::vector<Frame<S>>& frames) const;

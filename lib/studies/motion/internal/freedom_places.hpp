@@ -8,7 +8,6 @@
 #include "mechanism/mechanism.hpp"
 #include "studies/motion/configuration.hpp"
 #include "studies/motion/internal/closure_system.hpp"
-#include "studies/motion/internal/turns.hpp"
 
 namespace kinestat {
 
@@ -32,12 +31,10 @@ std::vector<std::optional<double>> freedom_positions_of(const ClosureSystem<Fram
     }
   }
   for (const MeasuredFreedom& one : network.measures) {
-    const double position =
-        system.template position<double>(system.in_sizes(one), system.frames());
-    // The angles count full turns; they are those of the point before the last correction.
-    result[at(one.freedom)] =
-        one.measure.is_turn ? counted_turn(position, configuration.angles[at(one.angle)])
-                            : network.length * position;
+    result[at(one.freedom)] = one.measure.is_turn
+                                  ? configuration.angles[at(one.angle)]
+                                  : network.length * system.template position<double>(
+                                                         system.in_sizes(one), system.frames());
   }
   for (const RollingRow& rolling : network.rollings) {
     const CouplingTopology& coupling = mechanism.topology.coupling(rolling.coupling);

@@ -240,7 +240,8 @@ void JointErrors::measure(const Jet* wrench, int tail_frame, int head_frame) {
   }
 }
 
-// Of a position and its derivatives that change with the sources so.
+// Of a position and its derivatives that change with the sources so: by g, g' and g''. The errors
+// of rates count for the second derivative by g', twice.
 JointErrors::Orders JointErrors::sum(const Changes& changes) const {
   using Values = Eigen::Map<const Eigen::ArrayXd>;
   const auto count = static_cast<Eigen::Index>(sources_);
@@ -252,7 +253,10 @@ JointErrors::Orders JointErrors::sum(const Changes& changes) const {
     result[1] = (of(1) * amount(0) + of(0) * amount(1)).sum();
   }
   if (orders_ > 2) {
-    result[2] = (of(2) * amount(0) + 2.0 * of(1) * amount(1) + of(0) * amount(2)).sum();
+    const Values again(changes[3], count);
+    result[2] = (of(2) * amount(0) + (Values(changes[1], count) + again).abs() * amount(1) +
+                 of(0) * amount(2))
+                    .sum();
   }
   return result;
 }
@@ -293,9 +297,13 @@ double JointErrors::rounding(std::size_t r, const JointMotion& motion, int order
     place += joints_[0][at(rate)];
     rate_error += joints_[1][at(rate)];
   }
+  const double factors = tail.rounding + head.rounding;
+  if (row.is_linear) {
+    return row.rounds * (solved + factors * (order == 1 ? between.rate : between.bend));
+  }
   const double second = place * place * between.of_order(order);
   if (order == 1) {
-    return row.rounds * (solved + (tail.rounding + head.rounding) * between.rate + second);
+    return row.rounds * (solved + factors * between.rate + second);
   }
   return row.rounds *
          (solved + tail.rounded(order, row.is_angle) + head.rounded(order, row.is_angle) + second +
@@ -309,7 +317,7 @@ void JointErrors::find_rates(const JointMotion& motion) {
   }
   for (std::size_t r = 0; orders_ > 1 && r < rows_; ++r) {
     const RatesOfRow& row = closure_->rates_of_rows[r];
-    if (row.rounds > 0.0) {
+    if (row.rounds > 0.0 && !row.is_linear) {
       measure(&motion.levers.rows[r * screw_], row.tail_frame, row.head_frame);
       for (std::size_t order = 1; order < orders_; ++order) {
         std::ranges::copy(measured_[order], &changes_[order][r * sources_]);
@@ -346,42 +354,74 @@ void JointErrors::add_open(int order, std::span<const double> values) {
   find_joints(order, values);
 }
 
-// The twist of a body follows from how its pose changes: it is off by what that is off, seen from
-// the body. In the plane axes do not turn.
-BodyBounds JointErrors::bounds_of(int frame) const {
-  const std::size_t turns = screw_ / 2;
-  const Path& path = paths_[at(frame)];
-  std::array<Orders, 2> errors = {};   // of angles and lengths
-  std::array<Orders, 2> speeds = {};   // likewise, the first being nothing
+// x += the part of the bracket of two screws, the first of which is given.
+void JointErrors::add_bracket(std::span<const double> screw,
+                              const double* sources,
+                              double* sums) const {
+  const auto add = [&](std::size_t i, std::size_t j, double factor) {
+    add_product(factor, sources + j * columns_, sums + i * columns_, sources_);
+  };
+  if (screw_ == 3) {
+    add(1, 0, screw[2]);
+    add(1, 2, -screw[0]);
+    add(2, 0, -screw[1]);
+    add(2, 1, screw[0]);
+    return;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    add(i, k, screw[j]);
+    add(i, j, -screw[k]);
+    add(i + 3, k + 3, screw[j]);
+    add(i + 3, j + 3, -screw[k]);
+    add(i + 3, k, screw[j + 3]);
+    add(i + 3, j, -screw[k + 3]);
+  }
+}
+
+// With X the change of the pose of a body, its twist V changes by X' - V x X, and the derivative A
+// of that by X'' - A x X - V x X'.
+BodyBounds JointErrors::bounds_of(int frame) {
+  const std::size_t block = screw_ * columns_;
+  const std::size_t begin = at(frame) * block;
+  std::array<double, 6> against = {};
+  std::array<double, 6> bent_against = {};
+  for (std::size_t i = 0; i < screw_ && orders_ > 1; ++i) {
+    const std::size_t rates = begin + i * columns_ + sources_;
+    against[i] = -moved_[0][rates];
+    bent_against[i] = -moved_[1][rates] - moved_[0][rates + 1];
+  }
+  for (std::size_t order = 1; order < orders_; ++order) {
+    changes_[order].assign(&moved_[order][begin], &moved_[order][begin] + block);
+    add_bracket(against, &moved_[order - 1][begin], changes_[order].data());
+  }
+  if (orders_ > 2) {
+    add_bracket(bent_against, &moved_[0][begin], changes_[2].data());
+  }
+  std::array<Orders, 2> errors = {};  // of angles and lengths
   for (std::size_t i = 0; i < screw_; ++i) {
-    const std::size_t kind = i < turns ? 0 : 1;
-    const std::size_t first = (at(frame) * screw_ + i) * columns_;
-    const Orders here = sum(at_place(moved_, first));
-    const double speed = moved_[0][first + sources_];
-    const double bend =
-        orders_ < 2 ? 0.0 : moved_[1][first + sources_] + moved_[0][first + sources_ + 1];
+    const std::size_t first = i * columns_;
+    const Orders here = sum({&moved_[0][begin + first],
+                             changes_[1].data() + first,
+                             changes_[2].data() + first,
+                             moved_[1].data() + begin + first});
     for (std::size_t order = 0; order < kOrders; ++order) {
-      errors[kind][order] = std::max(errors[kind][order], here[order]);
+      double& error = errors[i < screw_ / 2 ? 0 : 1][order];
+      error = std::max(error, here[order]);
     }
-    speeds[kind][1] += std::abs(speed);
-    speeds[kind][2] += std::abs(bend);
   }
   const auto& [turn, shift] = errors;
-  const auto& [angular, linear] = speeds;
-  const double turning = turns == 1 ? 0.0 : 1.0;
-  const auto frames = [&](int order) { return path.rounded(order, false); };
-  const double reach = closure_->reach;
-  const double length = network_.length;
-  return {
-      .turn = turn[0] + frames(0),
-      .shift = length * (shift[0] + reach * frames(0)),
-      .angular = turn[1] + turning * angular[1] * turn[0] + frames(1),
-      .linear =
-          length * (shift[1] + angular[1] * shift[0] + linear[1] * turn[0] + reach * frames(1)),
-      .angular_rate =
-          turn[2] + turning * (angular[2] * turn[0] + angular[1] * turn[1]) + frames(2),
-      .linear_rate = length * (shift[2] + angular[2] * shift[0] + linear[2] * turn[0] +
-                               angular[1] * shift[1] + linear[1] * turn[1] + reach * frames(2))};
+  const auto rounded = [&](int order) { return paths_[at(frame)].rounded(order, false); };
+  const auto length_of = [&](int order) {
+    return network_.length * (shift[at(order)] + closure_->reach * rounded(order));
+  };
+  return {.turn = turn[0] + rounded(0),
+          .shift = length_of(0),
+          .angular = turn[1] + rounded(1),
+          .linear = length_of(1),
+          .angular_rate = turn[2] + rounded(2),
+          .linear_rate = length_of(2)};
 }
 
 StateBounds JointErrors::bounds(const JointMotion& motion, const Topology& topology) {

@@ -65,11 +65,12 @@ class JointErrors {
   static constexpr int kOrders = 3;  // a position, its first and its second derivative
   struct Path;
   using Orders = std::array<double, kOrders>;
-  using Changes = std::array<const double*, kOrders>;  // with each source
+  using Changes = std::array<const double*, kOrders + 1>;  // with each source; see sum
   using Lists = std::array<std::vector<double>, kOrders>;
 
   static Changes at_place(const Lists& lists, std::size_t first) {
-    return {lists[0].data() + first, lists[1].data() + first, lists[2].data() + first};
+    const double* once = lists[1].data() + first;
+    return {lists[0].data() + first, once, lists[2].data() + first, once};
   }
 
   double factor(std::size_t row, std::size_t rate) const {
@@ -86,7 +87,8 @@ class JointErrors {
   double rounding(std::size_t r, const JointMotion& motion, int order) const;
   void find_rates(const JointMotion& motion);
   void add_open(int order, std::span<const double> values);
-  BodyBounds bounds_of(int frame) const;
+  void add_bracket(std::span<const double> screw, const double* sources, double* sums) const;
+  BodyBounds bounds_of(int frame);
   void fill_joints(const JointMotion& motion, const Topology& topology, StateBounds& result) const;
   void fill_measures(const JointMotion& motion, StateBounds& result);
 
