@@ -501,9 +501,15 @@ void JointErrors::fill_measures(const JointMotion& motion, StateBounds& result) 
     result.rates[f] = errors[1];
     result.rate_rates[f] = errors[2];
   }
+  const auto body_of = [&](int frame) {
+    const auto body = std::ranges::find(network_.frame_of_body, frame);
+    return body == network_.frame_of_body.end()
+               ? bounds_of(frame)
+               : result.bodies[static_cast<std::size_t>(body - network_.frame_of_body.begin())];
+  };
   for (const BallFreedoms& ball : network_.balls) {
-    const BodyBounds tail = bounds_of(ball.tail_frame);
-    const BodyBounds head = bounds_of(ball.head_frame);
+    const BodyBounds tail = body_of(ball.tail_frame);
+    const BodyBounds head = body_of(ball.head_frame);
     for (int i = 0; i < 3; ++i) {
       const std::size_t f = at(ball.first_freedom + i);
       result.rates[f] = tail.angular + head.angular;
