@@ -169,12 +169,11 @@ class StateSolver {
     std::vector<double> bends = rates;
     if (state.is_singular) {
       if (is_bounded) {
-        state.bounds =
-            bounds_of(speeds,
-                      rates,
-                      bends,
-                      StateDetail::velocity,
-                      system_.moving_frames(configuration_.coordinates, rates, bends));
+        state.bounds = bounds_of(speeds,
+                                 rates,
+                                 bends,
+                                 StateDetail::velocity,
+                                 system_.moving_frames(configuration_.coordinates, rates, bends));
       }
       return state;
     }
@@ -219,12 +218,12 @@ class StateSolver {
     }
     const ClosureLevers levers = system_.levers(frames);
     StateBounds bounds = errors_.bounds({.levers = levers,
-                           .is_bent = detail == StateDetail::acceleration,
-                            .rates = rates,
-                           .bends = bends,
-                            .driven_errors = driven_errors,
-                            .driven_bend_errors = driven_bend_errors},
-                           mechanism_.topology);
+                                         .is_bent = detail == StateDetail::acceleration,
+                                         .rates = rates,
+                                         .bends = bends,
+                                         .driven_errors = driven_errors,
+                                         .driven_bend_errors = driven_bend_errors},
+                                        mechanism_.topology);
     // Followed angles are those of the point before its last correction.
     for (const MeasuredFreedom& one : network_.measures) {
       if (one.measure.is_turn) {
@@ -437,7 +436,7 @@ class StateSolver {
   PivotedQr qr_;
   JointErrors errors_;
   bool has_errors_ = false;  // of this configuration, once asked for
-  PivotedQr effects_;                  // of the open motions on what is given of them
+  PivotedQr effects_;        // of the open motions on what is given of them
   std::vector<int> unknown_;
 };
 

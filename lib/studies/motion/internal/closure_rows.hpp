@@ -38,9 +38,9 @@ struct FramedRow {
   double tail_radius = 0.0;
   double head_radius = 0.0;
   int angle = -1;
-  int first = 0;              ///< row of the system
-  std::vector<int> rates;     ///< of the joints between the two frames
-  std::vector<double> signs;  ///< +1: the joint moves the head
+  int first = 0;                       ///< row of the system
+  std::vector<int> rates;              ///< of the joints between the two frames
+  std::vector<double> signs;           ///< +1: the joint moves the head
   std::array<bool, 3> is_linear = {};  ///< each of its rows: see RatesOfRow
 };
 
@@ -60,9 +60,9 @@ struct RatesOfRow {
   int tail_frame = 0;
   int head_frame = 0;
   bool is_linear = false;  ///< along the one axis about which joints turn: its factors are constant
-  bool is_angle = false;  ///< slides count for nothing in it
-  double rounds = 0.0;    ///< one rounding of the frames moves it, and its factors, by so many; 0: of
-                          ///< teeth, whose factors are constant
+  bool is_angle = false;   ///< slides count for nothing in it
+  double rounds = 0.0;  ///< one rounding of the frames moves it, and its factors, by so many; 0: of
+                        ///< teeth, whose factors are constant
   double by_angle = 0.0;  ///< by so much it follows turns of its joints themselves
 };
 

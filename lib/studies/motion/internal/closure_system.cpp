@@ -151,11 +151,10 @@ void ClosureSystem<Frames>::find_frames(std::span<const double> coordinates) {
           parent, joint.sense > 0.0 ? turn : Mat3(turn.transpose()), joint.point);
     } else {
       const double q = joint.coordinate < 0 ? 1.0 : joint.sense * coordinates[at(joint.coordinate)];
-      frames_[j + 1] =
-          joint.kind == ElementaryKind::turn
-              ? Frames::template turned<double>(
-                    parent, joint.direction, joint.point, joint.pitch, q)
-              : Frames::template shifted<double>(parent, joint.direction, q);
+      frames_[j + 1] = joint.kind == ElementaryKind::turn
+                           ? Frames::template turned<double>(
+                                 parent, joint.direction, joint.point, joint.pitch, q)
+                           : Frames::template shifted<double>(parent, joint.direction, q);
     }
     find_screws<double>(joint, static_cast<int>(j) + 1, frames_, screws_);
   }
@@ -192,9 +191,7 @@ S ClosureSystem<Frames>::scalar_residual(const Row& row,
 }
 
 template <class Frames>
-void ClosureSystem<Frames>::write_gradient(const Row& row,
-                                           int r,
-                                           const Screw<double>& wrench) {
+void ClosureSystem<Frames>::write_gradient(const Row& row, int r, const Screw<double>& wrench) {
   for (std::size_t i = 0; i < row.rates.size(); ++i) {
     const int rate = row.rates[i];
     jacobian_[at(rate * row_count_ + r)] = row.signs[i] * wrench.dot(screws_[at(rate)]);

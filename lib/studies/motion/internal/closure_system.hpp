@@ -43,8 +43,7 @@ class ClosureSystem {
 
   std::vector<RatesOfRow> rates_of_rows() const;
 
-  /// In sizes: no joint is farther from the origin, in the last evaluation, and no pitch is longer;
-  /// at least 1.
+  /// In sizes, at least 1: now no joint is farther from the origin, and no pitch longer.
   double reach() const;
 
   /// Which rows miss a length, the others an angle.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/index.hpp"
 #include "core/tolerance.hpp"
@@ -12,21 +11,8 @@ namespace kinestat {
 
 namespace {
 
-// A frame follows from the one before by some ten operations.
-constexpr double kRoundingOfFrame = 4.0 * kEpsilon;
-
-int count_of_rates(const MotionJoint& joint) {
-  return joint.coordinate < 0 ? 0 : joint.motion.kind == ElementaryKind::ball ? 3 : 1;
-}
-
 double unit_of_motion(const MotionNetwork& network, bool is_turn) {
   return is_turn ? 1.0 : network.length;
-}
-
-double sum_of_sizes(std::span<const double> values) {
-  return std::accumulate(values.begin(), values.end(), 0.0, [](double sum, double value) {
-    return sum + std::abs(value);
-  });
 }
 
 void add_product(double factor, const double* values, double* sums, std::size_t count) {
@@ -38,33 +24,7 @@ void add_product(double factor, const double* values, double* sums, std::size_t 
   }
 }
 
-// How fast frames move that follow each other.
-struct Speeds {
-  double rate = 0.0;
-  double bend = 0.0;
-
-  void add(double rate_here, double bend_here) {
-    rate += std::abs(rate_here);
-    bend += std::abs(bend_here);
-  }
-
-  // Of a first and of a second derivative.
-  double of_order(int order) const { return order == 1 ? rate : bend + rate * rate; }
-};
-
 }  // namespace
-
-// From the ground to a frame.
-struct JointErrors::Path {
-  double rounding = kRoundingOfFrame;
-  Speeds all;
-  Speeds turns;
-
-  // Of a rate or its derivative, where a rounding of a frame counts by its `arm`.
-  double rounded(int order, bool is_angle) const {
-    return rounding * (order == 0 ? 1.0 : (is_angle ? turns : all).of_order(order));
-  }
-};
 
 JointErrors::JointErrors(const MotionNetwork& network)
     : network_(network), screw_(network.space == Space::planar ? 3 : 6), paths_(1) {
@@ -73,13 +33,11 @@ JointErrors::JointErrors(const MotionNetwork& network)
     for (int i = 0; i < count_of_rates(joint); ++i) {
       is_turn_[at(joint.rate + i)] = joint.motion.kind != ElementaryKind::slide;
     }
-    Path path;
+    FramePath path;
     path.rounding += paths_[at(joint.parent)].rounding;
     paths_.push_back(path);
   }
 }
-
-JointErrors::~JointErrors() = default;
 
 void JointErrors::stand_in(const FactoredClosure& closure,
                            std::span<const double> coordinates,
@@ -97,83 +55,6 @@ void JointErrors::stand_in(const FactoredClosure& closure,
   find_places(is_singular);
 }
 
-// What one of each source moves the joints by.
-void JointErrors::find_shares(bool is_singular) {
-  const std::size_t unknown = closure_->unknown.size();
-  const std::vector<double>& open = closure_->qr.null_vectors();
-  drives_ = rows_ + 1;
-  open_ = drives_ + network_.driven_rates.size();
-  roots_ = open_ + (unknown == 0 ? 0 : open.size() / unknown);
-  sources_ = roots_ + (is_singular ? unknown : 0);
-  columns_ = sources_ + 2;
-  shares_.assign(sizes_.size() * columns_, 0.0);
-  std::vector<double> unit(std::max(rows_, unknown), 0.0);
-  std::vector<double> answer(unknown);
-  for (std::size_t r = 0; r < rows_ && unknown > 0; ++r) {
-    unit[r] = 1.0;
-    closure_->qr.solve(unit, answer);
-    unit[r] = 0.0;
-    for (std::size_t i = 0; i < unknown; ++i) {
-      double* share = &shares_[at(closure_->unknown[i]) * columns_];
-      share[r] = answer[i];
-      share[rows_] += answer[i] * closure_->residuals[r];
-      for (std::size_t s = drives_; s < open_; ++s) {
-        share[s] -= answer[i] * factor(r, at(network_.driven_rates[s - drives_]));
-      }
-    }
-  }
-  for (std::size_t s = drives_; s < open_; ++s) {
-    shares_[at(network_.driven_rates[s - drives_]) * columns_ + s] = 1.0;
-  }
-  for (std::size_t i = 0; i < unknown; ++i) {
-    double* share = &shares_[at(closure_->unknown[i]) * columns_];
-    for (std::size_t s = open_; s < roots_; ++s) {
-      share[s] = open[(s - open_) * unknown + i];
-    }
-    if (is_singular) {
-      share[roots_ + i] = 1.0;
-    }
-  }
-}
-
-void JointErrors::find_places(bool is_singular) {
-  for (int order = 0; order < kOrders; ++order) {
-    amounts_[at(order)].assign(sources_, 0.0);
-    joints_[at(order)].assign(sizes_.size(), 0.0);
-  }
-  std::vector<double>& amounts = amounts_[0];
-  for (std::size_t r = 0; r < rows_; ++r) {
-    const RatesOfRow& row = closure_->rates_of_rows[r];
-    amounts[r] = row.rounds * (paths_[at(row.tail_frame)].rounding +
-                               paths_[at(row.head_frame)].rounding);
-    for (const int rate : row.all) {
-      const double by_angle = is_turn_[at(rate)] ? row.by_angle : 0.0;
-      amounts[r] += 2.0 * kEpsilon * (std::abs(factor(r, at(rate))) + by_angle) * sizes_[at(rate)];
-    }
-  }
-  amounts[rows_] = 1.0;
-  for (std::size_t s = drives_; s < open_; ++s) {
-    amounts[s] = 2.0 * kEpsilon * sizes_[at(network_.driven_rates[s - drives_])];
-  }
-  if (is_singular) {
-    std::fill(amounts.begin() + static_cast<std::ptrdiff_t>(roots_),
-              amounts.end(),
-              std::sqrt(kEpsilon));
-  }
-  find_joints(0, sizes_);
-}
-
-// Of the sources, and of what rounds in the values themselves.
-void JointErrors::find_joints(int order, std::span<const double> values) {
-  for (std::size_t rate = 0; rate < sizes_.size(); ++rate) {
-    double sum = 2.0 * kEpsilon * std::abs(values[rate]);
-    for (std::size_t s = 0; s < sources_; ++s) {
-      sum += std::abs(shares_[rate * columns_ + s]) * amounts_[at(order)][s];
-    }
-    joints_[at(order)][rate] = sum;
-  }
-}
-
 void JointErrors::move_frames(const JointMotion& motion) {
   const std::size_t block = screw_ * columns_;
   for (std::size_t rate = 0; rate < sizes_.size(); ++rate) {
@@ -186,8 +67,8 @@ void JointErrors::move_frames(const JointMotion& motion) {
   }
   for (std::size_t j = 0; j < network_.joints.size(); ++j) {
     const MotionJoint& joint = network_.joints[j];
-    const Path& before = paths_[at(joint.parent)];
-    Path& path = paths_[j + 1];
+    const FramePath& before = paths_[at(joint.parent)];
+    FramePath& path = paths_[j + 1];
     path.all = before.all;
     path.turns = before.turns;
     for (std::size_t order = 0; order < orders_; ++order) {
@@ -233,8 +114,7 @@ void JointErrors::measure(const Jet* wrench, int tail_frame, int head_frame) {
         apart_[s] = head[s] - tail[s];
       }
       for (std::size_t more = 0; order + more < orders_; ++more) {
-        add_product(
-            factors[order][more], apart_.data(), measured_[order + more].data(), sources_);
+        add_product(factors[order][more], apart_.data(), measured_[order + more].data(), sources_);
       }
     }
   }
@@ -285,8 +165,8 @@ double JointErrors::rounding(std::size_t r, const JointMotion& motion, int order
     }
     return sum;
   }
-  const Path& tail = paths_[at(row.tail_frame)];
-  const Path& head = paths_[at(row.head_frame)];
+  const FramePath& tail = paths_[at(row.tail_frame)];
+  const FramePath& head = paths_[at(row.head_frame)];
   Speeds between;
   double place = 0.0;
   double rate_error = 0.0;
@@ -444,8 +324,7 @@ StateBounds JointErrors::bounds(const JointMotion& motion, const Topology& topol
   for (const int frame : network_.frame_of_body) {
     const BodyBounds one = bounds_of(frame);
     result.bodies.push_back(one);
-    result.place =
-        std::max(result.place, one.shift / network_.length + closure_->reach * one.turn);
+    result.place = std::max(result.place, one.shift / network_.length + closure_->reach * one.turn);
   }
   fill_joints(motion, topology, result);
   fill_measures(motion, result);
@@ -461,8 +340,7 @@ void JointErrors::fill_joints(const JointMotion& motion,
     result.rate_rates[freedom] += unit * joints_[2][rate];
   };
   for (const MotionJoint& joint : network_.joints) {
-    if (joint.freedom >= 0 && joint.coordinate >= 0 &&
-        joint.motion.kind != ElementaryKind::ball) {
+    if (joint.freedom >= 0 && joint.coordinate >= 0 && joint.motion.kind != ElementaryKind::ball) {
       add(at(joint.freedom),
           at(joint.rate),
           unit_of_motion(network_, joint.motion.kind != ElementaryKind::slide));

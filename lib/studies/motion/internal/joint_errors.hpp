@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "studies/motion/internal/closure_rows.hpp"
+#include "studies/motion/internal/frame_path.hpp"
 #include "studies/motion/internal/pivoted_qr.hpp"
 #include "studies/motion/motion_network.hpp"
 #include "studies/motion/state_bounds.hpp"
@@ -33,24 +34,22 @@ struct JointMotion {
   std::span<const double> driven_bend_errors;
 };
 
-/// Running error analysis. What the joints are off by, δ, solves J δ = ρ, ρ being what the rows
-/// round, at all times; so the derivatives of δ, by which the rates and their derivatives are off,
-/// solve
+/// Running error analysis. What the joints are off by, δ, solves J δ = ρ at all times, ρ being what
+/// the rows round; so what their rates and the derivatives of these are off by, δ' and δ'', solves
 ///     J δ' = ρ' - J' δ      and      J δ'' = ρ'' - J'' δ - 2 J' δ',
-/// ρ' and ρ'' being what rounds where these are found. J, J' and J'' are what the levers of the
-/// joints in the rows are now and how they change: no joint counts for more than it moves there,
-/// and those that turn about one line, as a screw and its nut, cancel. Both ends of that are kept:
-/// all errors are written as shares of the `sources` they come from - what each row rounds, the
-/// correction that is left, what the drives and the open motions are off by - and sizes are taken
-/// of what has been summed over the joints alone: the pose of a body is off by S δ, S being the
-/// screws of the joints below it, and its twist by what S δ' + S' δ leaves beside the turn of the
-/// body. So J⁻¹, which is as large as the pitch of a screw is fine, counts once in the joint that
-/// it enlarges, and in no other. What the errors of two joints make of each other is of second
-/// order; the sizes of the joints' errors bound it. In radians and sizes of the mechanism.
+/// ρ' and ρ'' being what rounds where those are found. J, J' and J'' are the levers of the joints
+/// in the rows and how they change with the motion: a joint counts by what it moves there, and
+/// joints that turn about one line, as a screw and its nut, cancel. To keep that, all errors are
+/// carried as shares of the sources they come from - what each row rounds, the correction that is
+/// left, what the drives and the open motions are off by - and sizes are taken of what has been
+/// summed over joints: of J' J⁻¹ in the rows, of S J⁻¹ for the pose of a body, S being the screws
+/// below it. So J⁻¹, which is large where a screw is fine, enlarges the error of its joint and no
+/// other, and counts once. What errors of joints make of each other is of second order, and bounded
+/// by their sizes. Frames round by their distance from the origin. In radians and sizes of the
+/// mechanism.
 class JointErrors {
  public:
   explicit JointErrors(const MotionNetwork& network);
-  ~JointErrors();
 
   /// `coordinates` are those of the joints; in a singular position only the root of what rounds is
   /// known.
@@ -63,7 +62,6 @@ class JointErrors {
 
  private:
   static constexpr int kOrders = 3;  // a position, its first and its second derivative
-  struct Path;
   using Orders = std::array<double, kOrders>;
   using Changes = std::array<const double*, kOrders + 1>;  // with each source; see sum
   using Lists = std::array<std::vector<double>, kOrders>;
@@ -95,22 +93,22 @@ class JointErrors {
   const MotionNetwork& network_;
   std::optional<FactoredClosure> closure_;  // in which it stands
   std::size_t rows_ = 0;
-  std::size_t screw_ = 6;   // coordinates of a screw
-  std::size_t drives_ = 0;  // the first source of them
-  std::size_t open_ = 0;    // likewise
-  std::size_t roots_ = 0;   // likewise, of a singular position
+  std::size_t screw_ = 6;         // coordinates of a screw
+  std::size_t drives_ = 0;        // the first source of them
+  std::size_t open_ = 0;          // likewise
+  std::size_t roots_ = 0;         // likewise, of a singular position
   std::size_t orders_ = kOrders;  // that are asked for
   std::size_t sources_ = 0;
-  std::size_t columns_ = 0;     // and behind them the rates and their derivatives
-  std::vector<double> sizes_;   // of the coordinate of each rate
-  std::vector<bool> is_turn_;   // of each rate
-  std::vector<double> shares_;  // rates x columns
-  Lists amounts_;               // of the sources
-  Lists joints_;                // errors of each rate
-  std::vector<Path> paths_;     // to each frame
-  Lists moved_;                 // frames x screw x columns
-  Lists changes_;               // rows x sources
-  Lists measured_;              // of the sources
+  std::size_t columns_ = 0;       // and behind them the rates and their derivatives
+  std::vector<double> sizes_;     // of the coordinate of each rate
+  std::vector<bool> is_turn_;     // of each rate
+  std::vector<double> shares_;    // rates x columns
+  Lists amounts_;                 // of the sources
+  Lists joints_;                  // errors of each rate
+  std::vector<FramePath> paths_;  // to each frame
+  Lists moved_;                   // frames x screw x columns
+  Lists changes_;                 // rows x sources
+  Lists measured_;                // of the sources
   std::vector<double> apart_;
 };
 
