@@ -100,7 +100,7 @@ template <class Frames>
 class StateSolver {
  public:
   StateSolver(const MotionNetwork& network, const Mechanism& mechanism)
-      : network_(network), mechanism_(mechanism), system_(network) {
+      : network_(network), mechanism_(mechanism), system_(network), errors_(network) {
     for (int rate = 0; rate < network.rate_count; ++rate) {
       if (std::ranges::find(network.driven_rates, rate) == network.driven_rates.end()) {
         unknown_.push_back(rate);
@@ -124,26 +124,26 @@ class StateSolver {
                                const GivenSpeeds& speeds,
                                StateDetail detail) {
     stand_in(configuration);
-    if (!errors_) {
-      errors_.emplace(FactoredClosure{.network = network_,
-                                      .rates_of_rows = system_.rates_of_rows(),
-                                      .residuals = system_.residuals(),
-                                      .jacobian = system_.jacobian(),
-                                      .unknown = unknown_,
-                                      .qr = qr_,
-                                      .reach = system_.reach(),
-                                      .spread = system_.spread()},
-                      configuration_.coordinates,
-                      is_singular());
+    if (!has_errors_) {
+      errors_.stand_in({.rates_of_rows = system_.rates_of_rows(),
+                        .residuals = system_.residuals(),
+                        .jacobian = system_.jacobian(),
+                        .unknown = unknown_,
+                        .qr = qr_,
+                        .reach = system_.reach()},
+                       configuration_.coordinates,
+                       is_singular());
+      has_errors_ = true;
     }
     MotionState state = solve(speeds, detail, true);
-    state.bounds = errors_->bounds(mechanism_.topology);
     allow_rounding(speeds.passive, state);
     settle(mechanism_.topology, state);
     return state;
   }
 
  private:
+  using MovingFrames = std::vector<typename Frames::template Frame<Jet>>;
+
   // One configuration serves several speeds.
   void stand_in(const Configuration& configuration) {
     const bool is_there = has_stood_ && configuration.coordinates == configuration_.coordinates &&
@@ -152,7 +152,7 @@ class StateSolver {
       configuration_ = configuration;
       system_.evaluate(configuration_.coordinates, configuration_.angles);
       factor();
-      errors_.reset();
+      has_errors_ = false;
       has_stood_ = true;
     }
   }
@@ -165,11 +165,18 @@ class StateSolver {
       state.poses.push_back(pose);
     }
     state.is_singular = is_singular();
-    if (state.is_singular) {
-      return state;
-    }
     std::vector<double> rates(at(network_.rate_count), 0.0);
     std::vector<double> bends = rates;
+    if (state.is_singular) {
+      if (is_bounded) {
+        state.bounds = bounds_of(speeds,
+                                 rates,
+                                 bends,
+                                 StateDetail::velocity,
+                                 system_.moving_frames(configuration_.coordinates, rates, bends));
+      }
+      return state;
+    }
     for (std::size_t d = 0; d < speeds.drives.size(); ++d) {
       const double unit = unit_of_rate(network_.driven_rates[d]);
       rates[at(network_.driven_rates[d])] = speeds.drives[d].speed / unit;
@@ -190,16 +197,18 @@ class StateSolver {
         hold_speeds(speeds.passive, rates, bends);
       }
     }
+    const auto frames = fill(rates, bends, detail, state);
     if (is_bounded) {
-      find_errors(speeds, rates, bends);
+      state.bounds = bounds_of(speeds, rates, bends, detail, frames);
     }
-    fill(rates, bends, detail, state);
     return state;
   }
 
-  void find_errors(const GivenSpeeds& speeds,
-                   const std::vector<double>& rates,
-                   const std::vector<double>& bends) {
+  StateBounds bounds_of(const GivenSpeeds& speeds,
+                        const std::vector<double>& rates,
+                        const std::vector<double>& bends,
+                        StateDetail detail,
+                        const MovingFrames& frames) {
     std::vector<double> driven_errors;
     std::vector<double> driven_bend_errors;
     for (std::size_t d = 0; d < speeds.drives.size(); ++d) {
@@ -207,7 +216,23 @@ class StateSolver {
       driven_errors.push_back(speeds.drives[d].speed_bound / unit);
       driven_bend_errors.push_back(speeds.drives[d].acceleration_bound / unit);
     }
-    errors_->follow(rates, bends, driven_errors, driven_bend_errors);
+    const ClosureLevers levers = system_.levers(frames);
+    StateBounds bounds = errors_.bounds({.levers = levers,
+                                         .is_bent = detail == StateDetail::acceleration,
+                                         .rates = rates,
+                                         .bends = bends,
+                                         .driven_errors = driven_errors,
+                                         .driven_bend_errors = driven_bend_errors},
+                                        mechanism_.topology);
+    // Followed angles are those of the point before its last correction.
+    for (const MeasuredFreedom& one : network_.measures) {
+      if (one.measure.is_turn) {
+        const double angle = configuration_.angles[at(one.angle)];
+        const double now = system_.template position<double>(one, system_.frames());
+        bounds.positions[at(one.freedom)] += std::abs(counted_turn(now, angle) - angle);
+      }
+    }
+    return bounds;
   }
 
   // Open motions bring freedoms to their given speeds but for the rounding of what they are added
@@ -333,11 +358,11 @@ class StateSolver {
     return mechanism_.topology.freedoms[at(given.freedom)].is_rotation ? 1.0 : network_.length;
   }
 
-  void fill(const std::vector<double>& rates,
-            const std::vector<double>& bends,
-            StateDetail detail,
-            MotionState& state) const {
-    const auto frames = fill_freedoms(rates, bends, state);
+  MovingFrames fill(const std::vector<double>& rates,
+                    const std::vector<double>& bends,
+                    StateDetail detail,
+                    MotionState& state) const {
+    MovingFrames frames = fill_freedoms(rates, bends, state);
     for (const int frame : network_.frame_of_body) {
       const MovingTwist moving = twist_of(frames[at(frame)], network_.length);
       state.twists.push_back(moving.twist);
@@ -348,12 +373,13 @@ class StateSolver {
       state.twist_rates.clear();
       state.rate_rates.clear();
     }
+    return frames;
   }
 
   // Their rates and the derivatives of these.
-  std::vector<typename Frames::template Frame<Jet>> fill_freedoms(const std::vector<double>& rates,
-                                                                  const std::vector<double>& bends,
-                                                                  MotionState& state) const {
+  MovingFrames fill_freedoms(const std::vector<double>& rates,
+                             const std::vector<double>& bends,
+                             MotionState& state) const {
     auto frames = system_.moving_frames(configuration_.coordinates, rates, bends);
     state.rates.resize(mechanism_.topology.freedoms.size());
     state.rate_rates.resize(mechanism_.topology.freedoms.size());
@@ -408,8 +434,9 @@ class StateSolver {
   bool has_stood_ = false;
   std::vector<double> matrix_;
   PivotedQr qr_;
-  std::optional<JointErrors> errors_;  // in this configuration, once asked for
-  PivotedQr effects_;                  // of the open motions on what is given of them
+  JointErrors errors_;
+  bool has_errors_ = false;  // of this configuration, once asked for
+  PivotedQr effects_;        // of the open motions on what is given of them
   std::vector<int> unknown_;
 };
 

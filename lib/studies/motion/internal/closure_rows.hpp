@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "couplings/finite_law.hpp"
+#include "studies/motion/internal/jet.hpp"
 #include "studies/motion/motion_network.hpp"
 
 namespace kinestat {
@@ -40,8 +41,7 @@ struct FramedRow {
   int first = 0;                       ///< row of the system
   std::vector<int> rates;              ///< of the joints between the two frames
   std::vector<double> signs;           ///< +1: the joint moves the head
-  std::vector<int> steady;             ///< of the rates: see RatesOfRow
-  std::array<bool, 3> is_linear = {};  ///< each of its rows: in all rates, likewise
+  std::array<bool, 3> is_linear = {};  ///< each of its rows: see RatesOfRow
 };
 
 /// Of the joints between two frames.
@@ -54,12 +54,24 @@ struct TurnAxis {
   bool is_oblique() const { return axis && axis->cwiseAbs().maxCoeff() < 1.0; }
 };
 
-/// The rates of the joints that a row depends on.
+/// The rates of the joints that a row depends on, and how it rounds.
 struct RatesOfRow {
   std::span<const int> all;
-  std::span<const int> steady;  ///< those in which it is linear wherever the joints stand: of teeth
-                                ///< all, of cables the turns of pulleys about their centres, and
-                                ///< all along the one axis about which joints turn
+  int tail_frame = 0;
+  int head_frame = 0;
+  bool is_linear = false;  ///< along the one axis about which joints turn: its factors are constant
+  bool is_angle = false;   ///< slides count for nothing in it
+  double rounds = 0.0;  ///< one rounding of the frames moves it, and its factors, by so many; 0: of
+                        ///< teeth, whose factors are constant
+  double by_angle = 0.0;  ///< by so much it follows turns of its joints themselves
+};
+
+/// Screws and wrenches as they move, one after the other: of the plane [ω; vx, vy] and [T; Fx, Fy].
+/// Lengths in sizes of the mechanism.
+struct ClosureLevers {
+  std::vector<Jet> screws;    ///< of each rate
+  std::vector<Jet> rows;      ///< of the rows but those of teeth
+  std::vector<Jet> measures;  ///< of the measured freedoms
 };
 
 }  // namespace kinestat

@@ -7,19 +7,6 @@
 
 namespace kinestat {
 
-namespace {
-
-template <class V>
-auto dot(const V& a, const V& b) {
-  typename V::Scalar sum = a[0] * b[0];
-  for (Eigen::Index i = 1; i < a.size(); ++i) {
-    sum += a[i] * b[i];
-  }
-  return sum;
-}
-
-}  // namespace
-
 template <class Frames>
 ClosureSystem<Frames>::ClosureSystem(const MotionNetwork& network)
     : length_(network.length),
@@ -100,10 +87,6 @@ void ClosureSystem<Frames>::add_row(const ClosureRow& closure) {
   row.angle = closure.angle;
   row.first = row_count_;
   add_path(closure.tail_frame, closure.head_frame, row);
-  if (one.kind == ClosureKind::cable) {
-    add_steady(closure.tail_frame, one.tail_point, row);
-    add_steady(closure.head_frame, one.head_point, row);
-  }
   row.is_linear = find_linear(one, turns);
   const int count = one.kind == ClosureKind::meet ? Frames::kDirections : 1;
   row_count_ += count;
@@ -131,19 +114,6 @@ void ClosureSystem<Frames>::add_path(int from, int to, Row& row) const {
     } else {
       to = note(to, 1.0);
     }
-  }
-}
-
-// A pulley that turns about its own centre takes up cable as it turns, and moves nothing else.
-template <class Frames>
-void ClosureSystem<Frames>::add_steady(int frame, const Vec3& centre, Row& row) const {
-  if (frame == 0) {
-    return;
-  }
-  const ClosureJoint& last = joints_[at(frame - 1)];
-  const bool is_on_path = std::ranges::count(row.rates, last.rate) > 0;
-  if (is_on_path && last.kind == ElementaryKind::turn && last.point == Vec3(centre / length_)) {
-    row.steady.push_back(last.rate);
   }
 }
 
@@ -179,55 +149,15 @@ void ClosureSystem<Frames>::find_frames(std::span<const double> coordinates) {
       const Mat3 turn = rotation_of(coordinates.data() + joint.coordinate);
       frames_[j + 1] = Frames::template rolled<double>(
           parent, joint.sense > 0.0 ? turn : Mat3(turn.transpose()), joint.point);
-      const Frame<double>& tail = joint.sense > 0.0 ? parent : frames_[j + 1];
-      for (int i = 0; i < 3; ++i) {
-        screws_[at(joint.rate + i)] =
-            joint.sense * Frames::turn_screw(tail, Vec3::Unit(i), joint.point, 0.0);
-      }
-      continue;
-    }
-    const double q = joint.coordinate < 0 ? 1.0 : joint.sense * coordinates[at(joint.coordinate)];
-    if (joint.kind == ElementaryKind::turn) {
-      frames_[j + 1] =
-          Frames::template turned<double>(parent, joint.direction, joint.point, joint.pitch, q);
-      screws_[at(joint.rate)] =
-          joint.sense * Frames::turn_screw(parent, joint.direction, joint.point, joint.pitch);
     } else {
-      frames_[j + 1] = Frames::template shifted<double>(parent, joint.direction, q);
-      if (joint.rate >= 0) {
-        screws_[at(joint.rate)] = joint.sense * Frames::slide_screw(parent, joint.direction);
-      }
+      const double q = joint.coordinate < 0 ? 1.0 : joint.sense * coordinates[at(joint.coordinate)];
+      frames_[j + 1] = joint.kind == ElementaryKind::turn
+                           ? Frames::template turned<double>(
+                                 parent, joint.direction, joint.point, joint.pitch, q)
+                           : Frames::template shifted<double>(parent, joint.direction, q);
     }
+    find_screws<double>(joint, static_cast<int>(j) + 1, frames_, screws_);
   }
-}
-
-// The straight part of a cable in the plane, and its angle in the frames of both pulleys.
-template <class Frames>
-template <class S>
-typename ClosureSystem<Frames>::template Span<S> ClosureSystem<Frames>::span_of(
-    const Row& row, const std::vector<Frame<S>>& frames) const {
-  using std::sqrt;
-  Span<S> span;
-  if constexpr (Frames::kDirections == 2) {
-    const Frame<S>& tail = frames[at(row.tail_frame)];
-    const Frame<S>& head = frames[at(row.head_frame)];
-    const Vector<S> centre = tail.point(row.tail_point);
-    const Vector<S> c = head.point(row.head_point) - centre;
-    const S c2 = dot(c, c);
-    const S s = row.head_radius - row.tail_radius;
-    span.length = sqrt(c2 - s * s);
-    const S lc = span.length / c2;
-    const S sc = s / c2;
-    span.along = Vector<S>(lc * c[0] + sc * c[1], lc * c[1] - sc * c[0]);
-    const S radius = row.tail_radius;
-    span.from = Vector<S>(centre[0] + radius * span.along[1], centre[1] - radius * span.along[0]);
-    const auto angle_in = [&](const Frame<S>& frame) {
-      return Frames::template angle<S>(span.along, frame.direction(Plain::Unit(0)), span.along);
-    };
-    span.tail_angle = angle_in(tail);
-    span.head_angle = angle_in(head);
-  }
-  return span;
 }
 
 template <class Frames>
@@ -261,37 +191,7 @@ S ClosureSystem<Frames>::scalar_residual(const Row& row,
 }
 
 template <class Frames>
-typename Frames::Screw ClosureSystem<Frames>::gradient(const Row& row, int direction) const {
-  const Frame<double>& tail = frames_[at(row.tail_frame)];
-  const Frame<double>& head = frames_[at(row.head_frame)];
-  switch (row.kind) {
-    case ClosureKind::meet:
-      return Frames::force(Plain::Unit(direction), head.point(row.head_point));
-    case ClosureKind::along:
-      return Frames::force(tail.direction(row.tail), head.point(row.head_point));
-    case ClosureKind::across:
-      return Frames::couple_across(head.direction(row.head), tail.direction(row.tail));
-    case ClosureKind::screw: {
-      const Plain axis = tail.direction(row.tail);
-      return Frames::force(axis, head.point(row.head_point)) - row.value * Frames::couple(axis);
-    }
-    case ClosureKind::reach: {
-      const Plain to = head.point(row.head_point);
-      const Plain between = to - tail.point(row.tail_point);
-      return Frames::force(between / between.norm(), to);
-    }
-    case ClosureKind::cable: {
-      const Span<double> span = span_of<double>(row, frames_);
-      return Frames::force(span.along, span.from);
-    }
-  }
-  return Frames::Screw::Zero();
-}
-
-template <class Frames>
-void ClosureSystem<Frames>::write_gradient(const Row& row,
-                                           int r,
-                                           const typename Frames::Screw& wrench) {
+void ClosureSystem<Frames>::write_gradient(const Row& row, int r, const Screw<double>& wrench) {
   for (std::size_t i = 0; i < row.rates.size(); ++i) {
     const int rate = row.rates[i];
     jacobian_[at(rate * row_count_ + r)] = row.signs[i] * wrench.dot(screws_[at(rate)]);
@@ -308,11 +208,11 @@ void ClosureSystem<Frames>::evaluate(std::span<const double> coordinates,
                             frames_[at(row.tail_frame)].point(row.tail_point);
       for (int i = 0; i < Frames::kDirections; ++i) {
         residuals_[at(row.first + i)] = between[i];
-        write_gradient(row, row.first + i, gradient(row, i));
+        write_gradient(row, row.first + i, gradient(row, i, frames_));
       }
     } else {
       residuals_[at(row.first)] = scalar_residual<double>(row, frames_, angles);
-      write_gradient(row, row.first, gradient(row, 0));
+      write_gradient(row, row.first, gradient(row, 0, frames_));
     }
   }
   int r = row_count_ - static_cast<int>(rollings_.size());
@@ -450,6 +350,19 @@ std::vector<double> ClosureSystem<Frames>::residual_bends(const std::vector<Fram
       }
     } else {
       result[at(row.first)] = scalar_residual<Jet>(row, frames, angles).second;
+    }
+  }
+  // Turns about the axis of a linear row leave it alone: what derivatives make of them is rounding.
+  for (const Row& row : rows_) {
+    const int count = row.kind == ClosureKind::meet ? Frames::kDirections : 1;
+    for (int i = 0; i < count; ++i) {
+      if (row.is_linear[at(i)]) {
+        double& bend = result[at(row.first + i)];
+        bend = 0.0;
+        for (const int rate : row.rates) {
+          bend += jacobian_[at(rate * row_count_ + row.first + i)] * rate_rates[at(rate)];
+        }
+      }
     }
   }
   int r = row_count_ - static_cast<int>(rollings_.size());

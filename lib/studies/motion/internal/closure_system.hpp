@@ -43,12 +43,8 @@ class ClosureSystem {
 
   std::vector<RatesOfRow> rates_of_rows() const;
 
-  /// In sizes: no joint is farther from the origin, in the last evaluation; at least 1.
+  /// In sizes, at least 1: now no joint is farther from the origin, and no pitch longer.
   double reach() const;
-
-  /// No two points about which joints turn, or at which the closure is taken, are farther from each
-  /// other now, in sizes; at least 1.
-  double spread() const;
 
   /// Which rows miss a length, the others an angle.
   const std::vector<bool>& is_length() const { return is_length_; }
@@ -67,6 +63,9 @@ class ClosureSystem {
       std::span<const double> coordinates,
       std::span<const double> rates,
       std::span<const double> rate_rates) const;
+
+  /// Of frames that move.
+  ClosureLevers levers(const std::vector<typename Frames::template Frame<Jet>>& frames) const;
 
   /// Second derivatives of the residuals.
   std::vector<double> residual_bends(
@@ -94,6 +93,8 @@ class ClosureSystem {
   using Frame = typename Frames::template Frame<S>;
   template <class S>
   using Vector = typename Frames::template Vector<S>;
+  template <class S>
+  using Screw = typename Frames::template Screw<S>;
   using Plain = Vector<double>;
 
   using Row = FramedRow<Plain>;
@@ -109,7 +110,6 @@ class ClosureSystem {
 
   void add_row(const ClosureRow& closure);
   void add_path(int from, int to, Row& row) const;
-  void add_steady(int frame, const Vec3& centre, Row& row) const;
   TurnAxis axis_between(int tail_frame, int head_frame) const;
   std::array<bool, 3> find_linear(const ClosureCondition& condition, const TurnAxis& turns) const;
   void place_rolling(const MotionNetwork& network);
@@ -119,8 +119,14 @@ class ClosureSystem {
   S scalar_residual(const Row& row,
                     const std::vector<Frame<S>>& frames,
                     std::span<const double> angles) const;
-  typename Frames::Screw gradient(const Row& row, int direction) const;
-  void write_gradient(const Row& row, int r, const typename Frames::Screw& wrench);
+  template <class S>
+  Screw<S> gradient(const Row& row, int direction, const std::vector<Frame<S>>& frames) const;
+  void write_gradient(const Row& row, int r, const Screw<double>& wrench);
+  template <class S>
+  void find_screws(const ClosureJoint& joint,
+                   int frame,
+                   const std::vector<Frame<S>>& frames,
+                   std::vector<Screw<S>>& screws) const;
   void find_frames(std::span<const double> coordinates);
 
   double length_ = 1.0;
@@ -136,7 +142,7 @@ class ClosureSystem {
   std::vector<bool> is_length_;
   std::vector<double> first_angles_;
   std::vector<Frame<double>> frames_;
-  std::vector<typename Frames::Screw> screws_;
+  std::vector<Screw<double>> screws_;
   std::vector<double> residuals_;
   std::vector<double> jacobian_;
 };

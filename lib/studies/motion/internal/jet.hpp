@@ -90,6 +90,16 @@ inline double value_of(const Jet& a) {
   return a.value;
 }
 
+/// Of vectors of numbers or jets.
+template <class V>
+auto dot(const V& a, const V& b) {
+  typename V::Scalar sum = a[0] * b[0];
+  for (Eigen::Index i = 1; i < a.size(); ++i) {
+    sum += a[i] * b[i];
+  }
+  return sum;
+}
+
 }  // namespace kinestat
 
 template <>

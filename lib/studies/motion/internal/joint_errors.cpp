@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <iterator>
-#include <numeric>
 
 #include "core/index.hpp"
 #include "core/tolerance.hpp"
@@ -14,319 +11,383 @@ namespace kinestat {
 
 namespace {
 
-// A frame follows from the one before by some ten operations.
-constexpr double kRoundingOfFrame = 8.0 * kEpsilon;
-
-int count_of_rates(const MotionJoint& joint) {
-  return joint.coordinate < 0 ? 0 : joint.motion.kind == ElementaryKind::ball ? 3 : 1;
-}
-
 double unit_of_motion(const MotionNetwork& network, bool is_turn) {
   return is_turn ? 1.0 : network.length;
 }
 
-}  // namespace
-
-// Along a path of joints: how far places and rates are off together, and how large they are.
-struct JointErrors::Sums {
-  double joints = 0.0;               // of where the joints stand
-  double frames = kRoundingOfFrame;  // of the frames that are made from these
-  double rate = 0.0;
-  double rate_error = 0.0;
-  double bend = 0.0;
-  double bend_error = 0.0;
-
-  double place() const { return joints + frames; }
-};
-
-JointErrors::JointErrors(const FactoredClosure& closure,
-                         std::span<const double> coordinates,
-                         bool is_singular)
-    : closure_(closure), rows_(static_cast<int>(closure.residuals.size())) {
-  const std::size_t count = at(closure.network.rate_count);
-  for (auto* list : {&coordinates_, &places_, &rates_, &rate_errors_, &bends_, &bend_errors_}) {
-    list->assign(count, 0.0);
-  }
-  invert();
-  find_places(coordinates, is_singular);
-}
-
-bool JointErrors::is_rolling(int row) const {
-  return row >= rows_ - static_cast<int>(closure_.network.rollings.size());
-}
-
-void JointErrors::invert() {
-  const std::size_t columns = closure_.unknown.size();
-  inverse_.assign(columns * at(rows_), 0.0);
-  if (columns == 0) {
+void add_product(double factor, const double* values, double* sums, std::size_t count) {
+  if (factor == 0.0) {
     return;
   }
-  std::vector<double> unit(std::max(at(rows_), columns), 0.0);
-  for (int r = 0; r < rows_; ++r) {
-    unit[at(r)] = 1.0;
-    const std::span<double> column(inverse_.data() + at(r) * columns, columns);
-    closure_.qr.solve(unit, column);
-    unit[at(r)] = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    sums[i] += factor * values[i];
   }
 }
 
-// What rows that are off by so much leave uncertain of the unknown, one a rate.
-std::vector<double> JointErrors::carried(const std::vector<double>& rows) const {
-  std::vector<double> result(places_.size(), 0.0);
-  const std::size_t columns = closure_.unknown.size();
-  for (int r = 0; r < rows_; ++r) {
-    for (std::size_t i = 0; i < columns; ++i) {
-      result[at(closure_.unknown[i])] += std::abs(inverse_[at(r) * columns + i]) * rows[at(r)];
+}  // namespace
+
+JointErrors::JointErrors(const MotionNetwork& network)
+    : network_(network), screw_(network.space == Space::planar ? 3 : 6), paths_(1) {
+  is_turn_.assign(at(network.rate_count), true);
+  for (const MotionJoint& joint : network.joints) {
+    for (int i = 0; i < count_of_rates(joint); ++i) {
+      is_turn_[at(joint.rate + i)] = joint.motion.kind != ElementaryKind::slide;
     }
+    FramePath path;
+    path.rounding += paths_[at(joint.parent)].rounding;
+    paths_.push_back(path);
+  }
+}
+
+void JointErrors::stand_in(const FactoredClosure& closure,
+                           std::span<const double> coordinates,
+                           bool is_singular) {
+  closure_.emplace(closure);
+  rows_ = closure.residuals.size();
+  sizes_.assign(is_turn_.size(), 0.0);
+  for (const MotionJoint& joint : network_.joints) {
+    const bool is_ball = joint.motion.kind == ElementaryKind::ball;
+    for (int i = 0; i < count_of_rates(joint); ++i) {
+      sizes_[at(joint.rate + i)] = is_ball ? 1.0 : std::abs(coordinates[at(joint.coordinate)]);
+    }
+  }
+  find_shares(is_singular);
+  find_places(is_singular);
+}
+
+void JointErrors::move_frames(const JointMotion& motion) {
+  const std::size_t block = screw_ * columns_;
+  for (std::size_t rate = 0; rate < sizes_.size(); ++rate) {
+    shares_[rate * columns_ + sources_] = motion.rates[rate];
+    shares_[rate * columns_ + sources_ + 1] = motion.bends[rate];
+  }
+  for (std::vector<double>& moved : moved_) {
+    moved.resize(paths_.size() * block);
+    std::fill_n(moved.begin(), block, 0.0);
+  }
+  for (std::size_t j = 0; j < network_.joints.size(); ++j) {
+    const MotionJoint& joint = network_.joints[j];
+    const FramePath& before = paths_[at(joint.parent)];
+    FramePath& path = paths_[j + 1];
+    path.all = before.all;
+    path.turns = before.turns;
+    for (std::size_t order = 0; order < orders_; ++order) {
+      std::vector<double>& moved = moved_[order];
+      std::copy_n(&moved[at(joint.parent) * block], block, &moved[(j + 1) * block]);
+    }
+    for (int k = 0; k < count_of_rates(joint); ++k) {
+      const std::size_t rate = at(joint.rate + k);
+      path.all.add(motion.rates[rate], motion.bends[rate]);
+      if (is_turn_[rate]) {
+        path.turns.add(motion.rates[rate], motion.bends[rate]);
+      }
+      for (std::size_t i = 0; i < screw_; ++i) {
+        const Jet& lever = motion.levers.screws[rate * screw_ + i];
+        const Orders factors = {lever.value, lever.first, lever.second};
+        for (std::size_t order = 0; order < orders_; ++order) {
+          add_product(factors[order],
+                      &shares_[rate * columns_],
+                      &moved_[order][(j + 1) * block + i * columns_],
+                      columns_);
+        }
+      }
+    }
+  }
+}
+
+// What a wrench between two frames measures of each source.
+void JointErrors::measure(const Jet* wrench, int tail_frame, int head_frame) {
+  const std::size_t block = screw_ * columns_;
+  for (std::size_t order = 0; order < orders_; ++order) {
+    measured_[order].assign(sources_, 0.0);
+  }
+  apart_.resize(sources_);
+  for (std::size_t i = 0; i < screw_; ++i) {
+    const Jet& w = wrench[i];
+    // (w g)'' = w'' g + 2 w' g' + w g''
+    const std::array<Orders, kOrders> factors = {
+        {{w.value, w.first, w.second}, {w.value, 2.0 * w.first, 0.0}, {w.value, 0.0, 0.0}}};
+    for (std::size_t order = 0; order < orders_; ++order) {
+      const double* tail = &moved_[order][at(tail_frame) * block + i * columns_];
+      const double* head = &moved_[order][at(head_frame) * block + i * columns_];
+      for (std::size_t s = 0; s < sources_; ++s) {
+        apart_[s] = head[s] - tail[s];
+      }
+      for (std::size_t more = 0; order + more < orders_; ++more) {
+        add_product(factors[order][more], apart_.data(), measured_[order + more].data(), sources_);
+      }
+    }
+  }
+}
+
+// Of a position and its derivatives that change with the sources so: by g, g' and g''. The errors
+// of rates count for the second derivative by g', twice.
+JointErrors::Orders JointErrors::sum(const Changes& changes) const {
+  using Values = Eigen::Map<const Eigen::ArrayXd>;
+  const auto count = static_cast<Eigen::Index>(sources_);
+  const auto of = [&](std::size_t order) { return Values(changes[order], count).abs(); };
+  const auto amount = [&](std::size_t order) { return Values(amounts_[order].data(), count); };
+  Orders result = {};
+  result[0] = (of(0) * amount(0)).sum();
+  if (orders_ > 1) {
+    result[1] = (of(1) * amount(0) + of(0) * amount(1)).sum();
+  }
+  if (orders_ > 2) {
+    const Values again(changes[3], count);
+    result[2] = (of(2) * amount(0) + (Values(changes[1], count) + again).abs() * amount(1) +
+                 of(0) * amount(2))
+                    .sum();
   }
   return result;
 }
 
-void JointErrors::find_places(std::span<const double> coordinates, bool is_singular) {
-  for (const MotionJoint& joint : closure_.network.joints) {
-    const bool is_ball = joint.motion.kind == ElementaryKind::ball;
-    for (int i = 0; i < count_of_rates(joint); ++i) {
-      coordinates_[at(joint.rate + i)] =
-          is_ball ? 1.0 : std::abs(coordinates[at(joint.coordinate)]);
-    }
-  }
-  std::vector<double> rounding(at(rows_), 0.0);
-  for (int r = 0; r < rows_; ++r) {
-    const RatesOfRow& rates = closure_.rates_of_rows[at(r)];
-    for (const int rate : rates.all) {
-      const double factor = std::ranges::count(rates.steady, rate) > 0
-                                ? std::abs(closure_.jacobian[at(rate * rows_ + r)])
-                                : closure_.spread;
-      const double frame = is_rolling(r) ? 0.0 : closure_.reach * kRoundingOfFrame;
-      rounding[at(r)] += factor * 2.0 * kEpsilon * coordinates_[at(rate)] + frame;
-    }
-  }
-  places_ = carried(rounding);
-  const std::size_t columns = closure_.unknown.size();
-  std::vector<double> correction(columns, 0.0);
-  for (int r = 0; r < rows_; ++r) {
-    for (std::size_t i = 0; i < columns; ++i) {
-      correction[i] += inverse_[at(r) * columns + i] * closure_.residuals[at(r)];
-    }
-  }
-  for (std::size_t i = 0; i < columns; ++i) {
-    double& place = places_[at(closure_.unknown[i])];
-    place += std::abs(correction[i]) + (is_singular ? std::sqrt(kEpsilon) : 0.0);
-  }
-  for (std::size_t rate = 0; rate < places_.size(); ++rate) {
-    places_[rate] += 2.0 * kEpsilon * coordinates_[rate];
-  }
-}
-
-// Of the joints that change the levers of a row.
-JointErrors::Sums JointErrors::sums_of(const RatesOfRow& rates) const {
-  Sums sums;
-  for (const int rate : rates.all) {
-    if (std::ranges::count(rates.steady, rate) > 0) {
-      continue;
-    }
-    sums.joints += places_[at(rate)];
-    sums.frames += kRoundingOfFrame;
-    sums.rate += rates_[at(rate)];
-    sums.rate_error += rate_errors_[at(rate)];
-    sums.bend += bends_[at(rate)];
-    sums.bend_error += bend_errors_[at(rate)];
-  }
-  return sums;
-}
-
-// What rounds where the levers are constant: of teeth they are given, of pulleys found in frames.
-double JointErrors::steady_part(int row, const std::vector<double>& values) const {
-  const double frame = is_rolling(row) ? 0.0 : closure_.reach;
-  double sum = 0.0;
-  for (const int rate : closure_.rates_of_rows[at(row)].steady) {
-    sum += (std::abs(closure_.jacobian[at(rate * rows_ + row)]) + frame) * values[at(rate)];
-  }
-  return kRoundingOfFrame * sum;
-}
-
-// How far the levers of a row are off.
-double JointErrors::misplaced(const Sums& sums) const {
-  return closure_.spread * sums.joints + closure_.reach * sums.frames;
-}
-
 // Open motions are found by reflections that mix the rows: what all of them round may be in each.
-double JointErrors::mixed(const std::vector<double>& sizes) const {
-  if (closure_.qr.rank() == closure_.qr.columns()) {
+double JointErrors::mixed(std::span<const double> sizes) const {
+  if (closure_->qr.rank() == closure_->qr.columns()) {
     return 0.0;
   }
   double sum = 0.0;
   for (std::size_t rate = 0; rate < sizes.size(); ++rate) {
-    for (const double factor : closure_.jacobian.subspan(rate * at(rows_), at(rows_))) {
-      sum += std::abs(factor) * sizes[rate];
-    }
+    sum += sum_of_sizes(closure_->jacobian.subspan(rate * rows_, rows_)) * std::abs(sizes[rate]);
   }
   return kRoundingOfFrame * sum;
 }
 
-// J φ = 0 and J ψ = -dJ/dt φ, whose coefficients are off as far as the joints between the sides of
-// a row are; those of steady rates are constant.
-void JointErrors::follow(std::span<const double> rates,
-                         std::span<const double> bends,
-                         std::span<const double> driven_errors,
-                         std::span<const double> driven_bend_errors) {
-  const auto sizes = [](std::span<const double> values, std::vector<double>& result) {
-    std::ranges::transform(values, result.begin(), [](double x) { return std::abs(x); });
-  };
-  sizes(rates, rates_);
-  sizes(bends, bends_);
-  const auto driven_part = [&](int r, std::span<const double> errors) {
-    double sum = 0.0;
-    for (std::size_t d = 0; d < errors.size(); ++d) {
-      sum +=
-          errors[d] * std::abs(closure_.jacobian[at(closure_.network.driven_rates[d] * rows_ + r)]);
+// What rounds in a row where rates or their derivatives are found.
+double JointErrors::rounding(std::size_t r, const JointMotion& motion, int order) const {
+  const RatesOfRow& row = closure_->rates_of_rows[r];
+  const std::span<const double> values = order == 1 ? motion.rates : motion.bends;
+  const double solved = 2.0 * kEpsilon * sum_of_sizes(values);
+  if (row.rounds == 0.0) {
+    double sum = solved;
+    for (const int rate : row.all) {
+      sum += kRoundingOfFrame * std::abs(factor(r, at(rate)) * values[at(rate)]);
     }
     return sum;
-  };
-  std::vector<double> of_rows(at(rows_));
-  const double mixed_rates = mixed(rates_);
-  for (int r = 0; r < rows_; ++r) {
-    const Sums sums = sums_of(closure_.rates_of_rows[at(r)]);
-    of_rows[at(r)] = mixed_rates + driven_part(r, driven_errors) + steady_part(r, rates_) +
-                     misplaced(sums) * sums.rate;
   }
-  rate_errors_ = carried(of_rows);
-  add_open(rate_errors_, rates_);
-  for (std::size_t d = 0; d < driven_errors.size(); ++d) {
-    rate_errors_[at(closure_.network.driven_rates[d])] = driven_errors[d];
+  const FramePath& tail = paths_[at(row.tail_frame)];
+  const FramePath& head = paths_[at(row.head_frame)];
+  Speeds between;
+  double place = 0.0;
+  double rate_error = 0.0;
+  for (const int rate : row.all) {
+    if (is_turn_[at(rate)] || !row.is_angle) {
+      between.add(motion.rates[at(rate)], motion.bends[at(rate)]);
+    }
+    place += joints_[0][at(rate)];
+    rate_error += joints_[1][at(rate)];
   }
-  const double mixed_bends = mixed(bends_);
-  std::vector<double> squares;
-  std::ranges::transform(rates_, std::back_inserter(squares), [](double x) { return x * x; });
-  for (int r = 0; r < rows_; ++r) {
-    const Sums sums = sums_of(closure_.rates_of_rows[at(r)]);
-    of_rows[at(r)] = mixed_bends + driven_part(r, driven_bend_errors) + steady_part(r, bends_) +
-                     (is_rolling(r) ? 0.0 : steady_part(r, squares)) +
-                     misplaced(sums) * (sums.bend + sums.rate * sums.rate) +
-                     closure_.spread * 2.0 * sums.rate * sums.rate_error;
+  const double factors = tail.rounding + head.rounding;
+  if (row.is_linear) {
+    return row.rounds * (solved + factors * (order == 1 ? between.rate : between.bend));
   }
-  bend_errors_ = carried(of_rows);
-  add_open(bend_errors_, bends_);
-  for (std::size_t d = 0; d < driven_bend_errors.size(); ++d) {
-    bend_errors_[at(closure_.network.driven_rates[d])] = driven_bend_errors[d];
+  const double second = place * place * between.of_order(order);
+  if (order == 1) {
+    return row.rounds * (solved + factors * between.rate + second);
+  }
+  return row.rounds *
+         (solved + tail.rounded(order, row.is_angle) + head.rounded(order, row.is_angle) + second +
+          2.0 * place * rate_error * between.rate + rate_error * rate_error);
+}
+
+// The errors of the joints balance in the row, as it stands, what they leave by its changes.
+void JointErrors::find_rates(const JointMotion& motion) {
+  for (std::size_t order = 0; order < orders_; ++order) {
+    changes_[order].assign(rows_ * sources_, 0.0);
+  }
+  for (std::size_t r = 0; orders_ > 1 && r < rows_; ++r) {
+    const RatesOfRow& row = closure_->rates_of_rows[r];
+    if (row.rounds > 0.0 && !row.is_linear) {
+      measure(&motion.levers.rows[r * screw_], row.tail_frame, row.head_frame);
+      for (std::size_t order = 1; order < orders_; ++order) {
+        std::ranges::copy(measured_[order], &changes_[order][r * sources_]);
+      }
+    }
+  }
+  for (std::size_t order = 1; order < orders_; ++order) {
+    const std::span<const double> values = order == 1 ? motion.rates : motion.bends;
+    std::vector<double>& amounts = amounts_[order];
+    std::fill(amounts.begin(), amounts.end(), 0.0);
+    std::ranges::copy(order == 1 ? motion.driven_errors : motion.driven_bend_errors,
+                      amounts.begin() + static_cast<std::ptrdiff_t>(drives_));
+    const double mixed_rows = mixed(values);
+    for (std::size_t r = 0; r < rows_; ++r) {
+      const std::size_t first = r * sources_;
+      const Orders left = sum(at_place(changes_, first));
+      amounts[r] = mixed_rows + rounding(r, motion, static_cast<int>(order)) + left[order];
+    }
+    find_joints(static_cast<int>(order), values);
+    add_open(static_cast<int>(order), values);
   }
 }
 
 // An open motion that meets given speeds is off by what these are off where it moves.
-void JointErrors::add_open(std::vector<double>& errors, const std::vector<double>& sizes) const {
-  const std::size_t columns = closure_.unknown.size();
-  const std::vector<double>& open = closure_.qr.null_vectors();
-  std::vector<double> more(errors.size(), 0.0);
-  for (std::size_t first = 0; first < open.size(); first += columns) {
+void JointErrors::add_open(int order, std::span<const double> values) {
+  for (std::size_t s = open_; s < roots_; ++s) {
     double share = 0.0;
-    for (std::size_t i = 0; i < columns; ++i) {
-      const std::size_t rate = at(closure_.unknown[i]);
-      share += std::abs(open[first + i]) * (errors[rate] + kRoundingOfFrame * sizes[rate]);
+    for (const int rate : closure_->unknown) {
+      share += std::abs(shares_[at(rate) * columns_ + s]) *
+               (joints_[at(order)][at(rate)] + kRoundingOfFrame * std::abs(values[at(rate)]));
     }
-    for (std::size_t i = 0; i < columns; ++i) {
-      more[at(closure_.unknown[i])] += std::abs(open[first + i]) * share;
+    amounts_[at(order)][s] = share;
+  }
+  find_joints(order, values);
+}
+
+// x += the part of the bracket of two screws, the first of which is given.
+void JointErrors::add_bracket(std::span<const double> screw,
+                              const double* sources,
+                              double* sums) const {
+  const auto add = [&](std::size_t i, std::size_t j, double factor) {
+    add_product(factor, sources + j * columns_, sums + i * columns_, sources_);
+  };
+  if (screw_ == 3) {
+    add(1, 0, screw[2]);
+    add(1, 2, -screw[0]);
+    add(2, 0, -screw[1]);
+    add(2, 1, screw[0]);
+    return;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    add(i, k, screw[j]);
+    add(i, j, -screw[k]);
+    add(i + 3, k + 3, screw[j]);
+    add(i + 3, j + 3, -screw[k]);
+    add(i + 3, k, screw[j + 3]);
+    add(i + 3, j, -screw[k + 3]);
+  }
+}
+
+// With X the change of the pose of a body, its twist V changes by X' - V x X, and the derivative A
+// of that by X'' - A x X - V x X'.
+BodyBounds JointErrors::bounds_of(int frame) {
+  const std::size_t block = screw_ * columns_;
+  const std::size_t begin = at(frame) * block;
+  std::array<double, 6> against = {};
+  std::array<double, 6> bent_against = {};
+  for (std::size_t i = 0; i < screw_ && orders_ > 1; ++i) {
+    const std::size_t rates = begin + i * columns_ + sources_;
+    against[i] = -moved_[0][rates];
+    bent_against[i] = -moved_[1][rates] - moved_[0][rates + 1];
+  }
+  for (std::size_t order = 1; order < orders_; ++order) {
+    changes_[order].assign(&moved_[order][begin], &moved_[order][begin] + block);
+    add_bracket(against, &moved_[order - 1][begin], changes_[order].data());
+  }
+  if (orders_ > 2) {
+    add_bracket(bent_against, &moved_[0][begin], changes_[2].data());
+  }
+  std::array<Orders, 2> errors = {};  // of angles and lengths
+  for (std::size_t i = 0; i < screw_; ++i) {
+    const std::size_t first = i * columns_;
+    const Orders here = sum({&moved_[0][begin + first],
+                             changes_[1].data() + first,
+                             changes_[2].data() + first,
+                             moved_[1].data() + begin + first});
+    for (std::size_t order = 0; order < kOrders; ++order) {
+      double& error = errors[i < screw_ / 2 ? 0 : 1][order];
+      error = std::max(error, here[order]);
     }
   }
-  std::ranges::transform(errors, more, errors.begin(), std::plus());
+  const auto& [turn, shift] = errors;
+  const auto rounded = [&](int order) { return paths_[at(frame)].rounded(order, false); };
+  const auto length_of = [&](int order) {
+    return network_.length * (shift[at(order)] + closure_->reach * rounded(order));
+  };
+  return {.turn = turn[0] + rounded(0),
+          .shift = length_of(0),
+          .angular = turn[1] + rounded(1),
+          .linear = length_of(1),
+          .angular_rate = turn[2] + rounded(2),
+          .linear_rate = length_of(2)};
 }
 
-std::vector<JointErrors::Sums> JointErrors::sums_of_frames() const {
-  std::vector<Sums> frames(1);
-  for (const MotionJoint& joint : closure_.network.joints) {
-    Sums sums = frames[at(joint.parent)];
-    sums.frames += kRoundingOfFrame;
-    for (int i = 0; i < count_of_rates(joint); ++i) {
-      const std::size_t rate = at(joint.rate + i);
-      sums.joints += places_[rate];
-      sums.rate += rates_[rate];
-      sums.rate_error += rate_errors_[rate];
-      sums.bend += bends_[rate];
-      sums.bend_error += bend_errors_[rate];
-    }
-    frames.push_back(sums);
+StateBounds JointErrors::bounds(const JointMotion& motion, const Topology& topology) {
+  const bool moves = sum_of_sizes(motion.rates) + sum_of_sizes(motion.driven_errors) > 0.0;
+  orders_ = motion.is_bent ? 3 : moves ? 2 : 1;
+  for (std::size_t order = 1; order < kOrders; ++order) {
+    std::ranges::fill(joints_[order], 0.0);
   }
-  return frames;
-}
-
-// In the plane axes do not turn.
-BodyBounds JointErrors::bounds_of(const Sums& sums) const {
-  const bool is_planar = closure_.network.space == Space::planar;
-  const double place = sums.place();
-  const double axes = is_planar ? kRoundingOfFrame : place;
-  const double lever = closure_.reach * closure_.network.length;
-  const double squared = is_planar ? 0.0 : sums.rate * sums.rate;
-  const double cross = is_planar ? 0.0 : 2.0 * sums.rate * sums.rate_error;
-  return {.turn = place,
-          .shift = lever * place,
-          .angular = sums.rate_error + axes * sums.rate,
-          .linear = lever * (sums.rate_error + place * sums.rate),
-          .angular_rate = sums.bend_error + cross + axes * (sums.bend + squared),
-          .linear_rate = lever * (sums.bend_error + 2.0 * sums.rate * sums.rate_error +
-                                  place * (sums.bend + sums.rate * sums.rate))};
-}
-
-StateBounds JointErrors::bounds(const Topology& topology) const {
+  move_frames(motion);
+  find_rates(motion);
   StateBounds result;
   for (auto* list : {&result.positions, &result.rates, &result.rate_rates}) {
     list->assign(topology.freedoms.size(), 0.0);
   }
-  const double rates = std::accumulate(rates_.begin(), rates_.end(), 0.0);
-  const double bends = std::accumulate(bends_.begin(), bends_.end(), 0.0);
+  const double rates = sum_of_sizes(motion.rates);
+  const double bends = sum_of_sizes(motion.bends);
   result.rate_rounding = kRoundingOfRates * rates;
   result.rate_rate_rounding = kRoundingOfRates * (bends + rates * rates);
-  result.reach = closure_.reach * closure_.network.length;
-  const std::vector<Sums> frames = sums_of_frames();
-  for (const int frame : closure_.network.frame_of_body) {
-    result.bodies.push_back(bounds_of(frames[at(frame)]));
-    result.place = std::max(result.place, closure_.reach * frames[at(frame)].place());
+  result.reach = closure_->reach * network_.length;
+  for (const int frame : network_.frame_of_body) {
+    const BodyBounds one = bounds_of(frame);
+    result.bodies.push_back(one);
+    result.place = std::max(result.place, one.shift / network_.length + closure_->reach * one.turn);
   }
-  fill_joints(result);
-  fill_measures(frames, topology, result);
+  fill_joints(motion, topology, result);
+  fill_measures(motion, result);
   return result;
 }
 
-void JointErrors::fill_joints(StateBounds& result) const {
-  for (const MotionJoint& joint : closure_.network.joints) {
-    if (joint.freedom < 0 || joint.coordinate < 0 || joint.motion.kind == ElementaryKind::ball) {
-      continue;
+void JointErrors::fill_joints(const JointMotion& motion,
+                              const Topology& topology,
+                              StateBounds& result) const {
+  const auto add = [&](std::size_t freedom, std::size_t rate, double unit) {
+    result.positions[freedom] += unit * joints_[0][rate];
+    result.rates[freedom] += unit * joints_[1][rate];
+    result.rate_rates[freedom] += unit * joints_[2][rate];
+  };
+  for (const MotionJoint& joint : network_.joints) {
+    if (joint.freedom >= 0 && joint.coordinate >= 0 && joint.motion.kind != ElementaryKind::ball) {
+      add(at(joint.freedom),
+          at(joint.rate),
+          unit_of_motion(network_, joint.motion.kind != ElementaryKind::slide));
     }
-    const double unit =
-        unit_of_motion(closure_.network, joint.motion.kind != ElementaryKind::slide);
-    result.positions[at(joint.freedom)] = unit * places_[at(joint.rate)];
-    result.rates[at(joint.freedom)] = unit * rate_errors_[at(joint.rate)];
-    result.rate_rates[at(joint.freedom)] = unit * bend_errors_[at(joint.rate)];
+  }
+  for (const RollingRow& rolling : network_.rollings) {
+    const CouplingTopology& coupling = topology.coupling(rolling.coupling);
+    for (std::size_t i = 0; coupling.freedom_count == 1 && i < rolling.rates.size(); ++i) {
+      const double size = std::abs(rolling.freedom_factors[i]);
+      const std::size_t rate = at(rolling.rates[i]);
+      const std::size_t freedom = at(coupling.first_freedom);
+      add(freedom, rate, size);
+      result.positions[freedom] += size * kRoundingOfFrame * sizes_[rate];
+      result.rates[freedom] += size * kRoundingOfFrame * std::abs(motion.rates[rate]);
+      result.rate_rates[freedom] += size * kRoundingOfFrame * std::abs(motion.bends[rate]);
+    }
   }
 }
 
-void JointErrors::fill_measures(const std::vector<Sums>& frames,
-                                const Topology& topology,
-                                StateBounds& result) const {
-  const MotionNetwork& network = closure_.network;
-  for (const RollingRow& rolling : network.rollings) {
-    const CouplingTopology& coupling = topology.coupling(rolling.coupling);
-    for (std::size_t i = 0; coupling.freedom_count == 1 && i < rolling.rates.size(); ++i) {
-      const double factor = std::abs(rolling.freedom_factors[i]);
-      const std::size_t rate = at(rolling.rates[i]);
-      const std::size_t freedom = at(coupling.first_freedom);
-      result.positions[freedom] += factor * (places_[rate] + kEpsilon * coordinates_[rate]);
-      result.rates[freedom] += factor * (rate_errors_[rate] + kRoundingOfFrame * rates_[rate]);
-      result.rate_rates[freedom] += factor * (bend_errors_[rate] + kRoundingOfFrame * bends_[rate]);
+void JointErrors::fill_measures(const JointMotion& motion, StateBounds& result) {
+  for (std::size_t m = 0; m < network_.measures.size(); ++m) {
+    const MeasuredFreedom& one = network_.measures[m];
+    measure(&motion.levers.measures[m * screw_], one.tail_frame, one.head_frame);
+    Orders errors = sum(at_place(measured_, 0));
+    const double arm = one.measure.is_turn ? 1.0 : closure_->reach;
+    const double unit = unit_of_motion(network_, one.measure.is_turn);
+    for (int order = 0; order < kOrders; ++order) {
+      const auto rounded = [&](int frame) {
+        return paths_[at(frame)].rounded(order, one.measure.is_turn);
+      };
+      errors[at(order)] =
+          unit * (errors[at(order)] + arm * (rounded(one.tail_frame) + rounded(one.head_frame)));
     }
-  }
-  // Distances change with both ends, and with the axis along which they are measured.
-  for (const MeasuredFreedom& one : network.measures) {
-    const BodyBounds tail = bounds_of(frames[at(one.tail_frame)]);
-    const BodyBounds head = bounds_of(frames[at(one.head_frame)]);
     const std::size_t f = at(one.freedom);
-    const bool is_turn = one.measure.is_turn;
-    result.positions[f] = is_turn ? tail.turn + head.turn : 2.0 * (tail.shift + head.shift);
-    result.rates[f] = is_turn ? tail.angular + head.angular : 2.0 * (tail.linear + head.linear);
-    result.rate_rates[f] = is_turn ? tail.angular_rate + head.angular_rate
-                                   : 2.0 * (tail.linear_rate + head.linear_rate);
+    result.positions[f] = errors[0];
+    result.rates[f] = errors[1];
+    result.rate_rates[f] = errors[2];
   }
-  for (const BallFreedoms& ball : network.balls) {
-    const BodyBounds tail = bounds_of(frames[at(ball.tail_frame)]);
-    const BodyBounds head = bounds_of(frames[at(ball.head_frame)]);
+  const auto body_of = [&](int frame) {
+    const auto body = std::ranges::find(network_.frame_of_body, frame);
+    return body == network_.frame_of_body.end()
+               ? bounds_of(frame)
+               : result.bodies[static_cast<std::size_t>(body - network_.frame_of_body.begin())];
+  };
+  for (const BallFreedoms& ball : network_.balls) {
+    const BodyBounds tail = body_of(ball.tail_frame);
+    const BodyBounds head = body_of(ball.head_frame);
     for (int i = 0; i < 3; ++i) {
       const std::size_t f = at(ball.first_freedom + i);
       result.rates[f] = tail.angular + head.angular;

@@ -54,9 +54,9 @@ inline constexpr double kMostTurnInStep = 3.0;
 inline constexpr double kTurnRoundings = 8.0;
 
 /// A bound of a rate below this share of all rates of the joints together is rounding of the sums
-/// that it is made of, which lose half of their digits at most; above, a singular position is near
-/// and enlarges it. Likewise of derivatives, beside all of these and the squares of rates.
-inline constexpr double kRoundingOfRates = 0x1p26 * kEpsilon;
+/// that it is made of, which lose a third of their digits at most; above, a singular position is
+/// near and enlarges it. Likewise of derivatives, beside all of these and the squares of rates.
+inline constexpr double kRoundingOfRates = 0x1p18 * kEpsilon;
 
 /// How far a freedom is tried at first.
 inline constexpr double kTrialStep = 0.01;

@@ -14,7 +14,8 @@ struct PlanarFrames {
   static constexpr int kDirections = 2;
   template <class S>
   using Vector = Eigen::Matrix<S, 2, 1>;
-  using Screw = Eigen::Matrix<double, 3, 1>;
+  template <class S>
+  using Screw = Eigen::Matrix<S, 3, 1>;
 
   template <class S>
   struct Frame {
@@ -63,25 +64,33 @@ struct PlanarFrames {
     return f;  // there are no balls in the plane
   }
 
-  static Screw turn_screw(const Frame<double>& f, const Vec3& axis, const Vec3& at, double) {
-    const Vector<double> p = f.point(vector(at));
-    return {axis[2], axis[2] * p[1], -axis[2] * p[0]};
+  template <class S>
+  static Screw<S> turn_screw(const Frame<S>& f, const Vec3& axis, const Vec3& at, double) {
+    const Vector<S> p = f.point(vector(at));
+    const S sense = axis[2];
+    return {sense, sense * p[1], -(sense * p[0])};
   }
 
-  static Screw slide_screw(const Frame<double>& f, const Vec3& direction) {
-    const Vector<double> d = f.direction(vector(direction));
-    return {0.0, d[0], d[1]};
+  template <class S>
+  static Screw<S> slide_screw(const Frame<S>& f, const Vec3& direction) {
+    const Vector<S> d = f.direction(vector(direction));
+    return {S(0.0), d[0], d[1]};
   }
 
-  static Screw force(const Vector<double>& d, const Vector<double>& at) {
+  template <class S>
+  static Screw<S> force(const Vector<S>& d, const Vector<S>& at) {
     return {at[0] * d[1] - at[1] * d[0], d[0], d[1]};
   }
 
-  static Screw couple_across(const Vector<double>& head, const Vector<double>& tail) {
-    return {head[0] * tail[1] - head[1] * tail[0], 0.0, 0.0};
+  template <class S>
+  static Screw<S> couple_across(const Vector<S>& head, const Vector<S>& tail) {
+    return {head[0] * tail[1] - head[1] * tail[0], S(0.0), S(0.0)};
   }
 
-  static Screw couple(const Vector<double>&) { return Screw::Zero(); }
+  template <class S>
+  static Screw<S> couple(const Vector<S>&) {
+    return {S(1.0), S(0.0), S(0.0)};  // of a unit moment: there is but one axis
+  }
 
   static BodyPose pose(const Frame<double>& f) {
     BodyPose result;

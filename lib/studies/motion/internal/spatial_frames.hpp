@@ -14,8 +14,8 @@ struct SpatialFrames {
   static constexpr int kDirections = 3;
   template <class S>
   using Vector = Eigen::Matrix<S, 3, 1>;
-  using Screw = Vec6;
-
+  template <class S>
+  using Screw = Eigen::Matrix<S, 6, 1>;
   template <class S>
   using Matrix = Eigen::Matrix<S, 3, 3>;
 
@@ -88,32 +88,37 @@ struct SpatialFrames {
     return result;
   }
 
-  static Screw turn_screw(const Frame<double>& f, const Vec3& axis, const Vec3& at, double pitch) {
-    const Vec3 a = f.direction(axis);
-    Screw result;
-    result << a, f.point(at).cross(a) + pitch * a;
+  template <class S>
+  static Screw<S> turn_screw(const Frame<S>& f, const Vec3& axis, const Vec3& at, double pitch) {
+    const Vector<S> a = f.direction(axis);
+    Screw<S> result;
+    result << a, f.point(at).cross(a) + S(pitch) * a;
     return result;
   }
 
-  static Screw slide_screw(const Frame<double>& f, const Vec3& direction) {
-    Screw result;
-    result << Vec3::Zero(), f.direction(direction);
+  template <class S>
+  static Screw<S> slide_screw(const Frame<S>& f, const Vec3& direction) {
+    Screw<S> result;
+    result << Vector<S>(Vector<S>::Zero()), f.direction(direction);
     return result;
   }
 
-  static Screw force(const Vec3& d, const Vec3& at) {
-    Screw result;
+  template <class S>
+  static Screw<S> force(const Vector<S>& d, const Vector<S>& at) {
+    Screw<S> result;
     result << at.cross(d), d;
     return result;
   }
 
-  static Screw couple_across(const Vec3& head, const Vec3& tail) {
-    return couple(head.cross(tail));
+  template <class S>
+  static Screw<S> couple_across(const Vector<S>& head, const Vector<S>& tail) {
+    return couple<S>(head.cross(tail));
   }
 
-  static Screw couple(const Vec3& moment) {
-    Screw result;
-    result << moment, Vec3::Zero();
+  template <class S>
+  static Screw<S> couple(const Vector<S>& moment) {
+    Screw<S> result;
+    result << moment, Vector<S>(Vector<S>::Zero());
     return result;
   }
 

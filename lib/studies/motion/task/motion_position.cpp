@@ -29,18 +29,15 @@ bool meets(const Case& which, const MotionState& state) {
   });
 }
 
-// What turns steadily on the ground, or slides there, has no angular acceleration by definition.
-void hold_body(const CouplingTopology& coupling, MotionState& state) {
+// The body that turns on the ground, or slides there, by this coupling alone.
+std::optional<std::size_t> guided_body(const CouplingTopology& coupling) {
   const BodyId ground{0};
   const bool is_guided =
       (coupling.type == CouplingType::revolute || coupling.type == CouplingType::prismatic) &&
       (coupling.tail == ground || coupling.head == ground);
-  const auto body =
-      static_cast<std::size_t>((coupling.tail == ground ? coupling.head : coupling.tail).value);
-  if (is_guided && body < state.twist_rates.size()) {
-    state.twist_rates[body].angular = Vec3::Zero();
-    state.bounds.bodies[body].angular_rate = 0.0;
-  }
+  return is_guided ? std::optional(static_cast<std::size_t>(
+                         (coupling.tail == ground ? coupling.head : coupling.tail).value))
+                   : std::nullopt;
 }
 
 }  // namespace
@@ -150,18 +147,29 @@ MotionPosition MotionPositions::at(const Configuration& configuration,
   return position;
 }
 
-// What the case knows speeds up as it says, by definition.
+// What the case knows moves and speeds up as it says, by definition, and a body with it; one that
+// turns steadily has no angular acceleration.
 void MotionPositions::hold_known(const Case& which, MotionState& state) const {
   for (const Primary& known : which.motions) {
     const auto freedom = static_cast<std::size_t>(known.index);
     const bool is_driven =
         std::ranges::find(plan_.drives, known.index, &PlannedDrive::freedom) != plan_.drives.end();
-    if (!is_driven && freedom < state.rate_rates.size() && state.rate_rates[freedom]) {
+    if (is_driven || freedom >= state.rates.size() || !state.rates[freedom]) {
+      continue;
+    }
+    const auto body =
+        guided_body(mechanism_.topology.coupling(mechanism_.topology.freedoms[freedom].coupling));
+    if (body && *state.rates[freedom] != 0.0) {
+      state.twists[*body] = (known.value / *state.rates[freedom]) * state.twists[*body];
+    }
+    state.rates[freedom] = known.value;
+    state.bounds.rates[freedom] = 0.0;
+    if (freedom < state.rate_rates.size() && state.rate_rates[freedom]) {
       state.rate_rates[freedom] = acceleration_of(which, known.index);
       state.bounds.rate_rates[freedom] = 0.0;
-      if (state.rate_rates[freedom] == 0.0) {
-        hold_body(mechanism_.topology.coupling(mechanism_.topology.freedoms[freedom].coupling),
-                  state);
+      if (body && state.rate_rates[freedom] == 0.0 && *body < state.twist_rates.size()) {
+        state.twist_rates[*body].angular = Vec3::Zero();
+        state.bounds.bodies[*body].angular_rate = 0.0;
       }
     }
   }
