@@ -99,13 +99,22 @@ double unreported_power(const Mechanism& mechanism, const Wrench& wrench, const 
          (twist.linear.norm() / length + twist.angular.norm());
 }
 
+// What the place of a load was rounded by: a coordinate as 100 mm cos(90 deg) is off by a share of
+// what it is made of, not of itself.
+double misread_power(const Load& load, const Twist& twist) {
+  const double apart =
+      2.0 * std::numeric_limits<double>::epsilon() * load.point.value_or(Vec3::Zero()).norm();
+  return apart * load.acts.wrench.force.norm() * twist.angular.norm();
+}
+
 // With rounding, and where the bodies may be off in a moved position.
 BoundedNumber load_power(const Mechanism& mechanism,
-                         const BodyWrench& acts,
+                         const Load& load,
                          const KinematicSolution& motion) {
+  const BodyWrench& acts = load.acts;
   BoundedNumber found = power(written(acts.wrench), bounded_body(motion, acts.body));
   const Twist& twist = motion.bodies[static_cast<std::size_t>(acts.body.value)];
-  found.bound += misplaced_power(mechanism, acts.wrench, twist);
+  found.bound += misplaced_power(mechanism, acts.wrench, twist) + misread_power(load, twist);
   return found;
 }
 
@@ -191,7 +200,7 @@ PowerFlow find_power(const Mechanism& mechanism,
   }
   for (const Load& load : which.loads) {
     const auto body = static_cast<std::size_t>(load.acts.body.value);
-    const BoundedNumber found = load_power(mechanism, load.acts, motion);
+    const BoundedNumber found = load_power(mechanism, load, motion);
     flow.loads.push_back(found.zeroed());
     sum = sum + found;
     const Wrench& acts = load.acts.wrench;

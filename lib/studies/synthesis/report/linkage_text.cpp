@@ -1,6 +1,7 @@
 #include "studies/synthesis/report/linkage_text.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -148,7 +149,7 @@ Table verdict_table(const SynthesisTask& task, const PlaneText& plane) {
                phrase_of(candidate.defects),
                best.working_arc ? plane.angle(candidate.margin()) : "",
                best.turns_fully ? "yes" : "no",
-               format_short(candidate.ratio),
+               PlaneText::shown(candidate.ratio),
                candidate.grashof ? hyphenated(word_of(candidate.grashof->kind)) : "",
                candidate.circuit ? std::string(word_of(*candidate.circuit)) : ""});
   }

@@ -1,6 +1,7 @@
 // Points, lengths and angles of the plane of a synthesis task for people.
 #pragma once
 
+#include <cmath>
 #include <string>
 
 #include <fmt/format.h>
@@ -17,12 +18,17 @@ class PlaneText {
  public:
   explicit PlaneText(const FileUnits& units) : in_(units) {}
 
-  std::string length(double value) const { return format_short(in_.length(value)); }
+  std::string length(double value) const { return shown(in_.length(value)); }
 
-  std::string angle(double value) const { return format_short(in_.angle(value)); }
+  std::string angle(double value) const { return shown(in_.angle(value)); }
 
   std::string point(const Point& p) const {
     return fmt::format("({}, {})", length(p.real()), length(p.imag()));
+  }
+
+  /// A dash where there is no number, as of a linkage whose dyads are one.
+  static std::string shown(double value) {
+    return std::isfinite(value) ? format_short(value) : "-";
   }
 
   /// The file's unit of angle [rad].

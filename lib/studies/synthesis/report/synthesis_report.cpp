@@ -1,5 +1,7 @@
 #include "studies/synthesis/report/synthesis_report.hpp"
 
+#include <cmath>
+
 #include "report/report_parts.hpp"
 #include "studies/synthesis/report/synthesis_record.hpp"
 #include "studies/synthesis/report/synthesis_text.hpp"
@@ -39,7 +41,9 @@ std::optional<LimitsNeeded> find_limits_needed(const LinkageCandidate& candidate
   }
   needed.transmission = unless_kept(Defect::transmission, candidate.margin());
   needed.full_transmission = unless_kept(Defect::full_transmission, candidate.best().full.margin());
-  needed.ratio = unless_kept(Defect::ratio, candidate.ratio);
+  if (std::isfinite(candidate.ratio)) {  // a link without a length is within no limit
+    needed.ratio = unless_kept(Defect::ratio, candidate.ratio);
+  }
   needed.size = unless_kept(Defect::size, candidate.longest);
   return needed;
 }
