@@ -46,6 +46,9 @@ class PeakClimb {
 
   const PeakSample& best() const { return best_; }
 
+  /// Whether nothing but a polynomial speaks for it.
+  bool is_guess() const { return is_between_steps_; }
+
  private:
   // What the best position is below the fold, how fast that changes, and on which side the fold is
   // thought to be.

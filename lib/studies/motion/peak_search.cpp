@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace kinestat {
 
@@ -89,12 +90,34 @@ std::optional<PeakSample> top_at_end(std::span<const PeakSample> run, bool is_fi
   const double best = slope(kMostPoints);
   const double rise =
       std::copysign(1.0, way) * best + 2.0 * std::abs(best - slope(kMostPoints - 2));
-  return rise > 0.0 ? std::optional(PeakSample{.share = end.share + way,
-                                               .value = end.value + rise * std::abs(way)})
-                    : std::nullopt;
+  const PeakSample& third = is_first ? run[2] : run[run.size() - 3];
+  const double bend = end.value - 2.0 * next.value + third.value;
+  const double most = end.value + 0.5 * std::abs(end.value - next.value) + 0.125 * std::abs(bend);
+  return rise > 0.0
+             ? std::optional(PeakSample{.share = end.share + way,
+                                        .value = std::min(end.value + rise * std::abs(way), most)})
+             : std::nullopt;
 }
 
-// Of what a climb promises beside a sample: twice of what a cubic says differs by.
+// How high lines through two samples on either side of one meet, as at a kink.
+double kink_above(std::span<const PeakSample> run, std::size_t at) {
+  if (at < 2 || at + 2 >= run.size()) {
+    return run[at].value;
+  }
+  const auto line = [&](std::size_t one, std::size_t other) {
+    const double slope = (run[other].value - run[one].value) / (run[other].share - run[one].share);
+    return std::pair(slope, run[one].value - slope * (run[one].share - run[at].share));
+  };
+  const auto [rise, low] = line(at - 2, at - 1);
+  const auto [fall, high] = line(at + 1, at + 2);
+  const double way = (high - low) / (rise - fall);
+  const bool is_inside =
+      way > run[at - 1].share - run[at].share && way < run[at + 1].share - run[at].share;
+  return is_inside ? low + rise * way : run[at].value;
+}
+
+// Of what a climb promises beside a sample: what the lines of a kink promise more, or twice of what
+// a cubic says differs by.
 double error_of(const PeakClimb& climb, std::span<const PeakSample> run, std::size_t at) {
   const std::optional<PeakSample>& promise = climb.promise();
   if (!promise) {
@@ -102,7 +125,8 @@ double error_of(const PeakClimb& climb, std::span<const PeakSample> run, std::si
   }
   const std::size_t piece = promise->share < run[at].share ? at - 1 : at;
   const Interpolant cubic(around(run, piece, 4), run[piece].share);
-  return 2.0 * std::abs(cubic.at(promise->share - run[piece].share) - promise->value);
+  const double bent = 2.0 * std::abs(cubic.at(promise->share - run[piece].share) - promise->value);
+  return std::max(bent, kink_above(run, at) - promise->value);
 }
 
 }  // namespace
@@ -130,8 +154,13 @@ void PeakSearch::add(const PeakClimb& climb, double error) {
   if (!promise || !is_higher(promise->value + error, found_.value)) {
     return;
   }
+  // What steps show goes before guesses, which may be wild beside a pole.
+  const auto comes_before = [&](const PeakClimb& other) {
+    return climb.is_guess() == other.is_guess() ? is_higher(promise->value, other.promise()->value)
+                                                : other.is_guess();
+  };
   std::size_t at = count_;
-  while (at > 0 && is_higher(promise->value, climbs_[at - 1].promise()->value)) {
+  while (at > 0 && comes_before(climbs_[at - 1])) {
     --at;
   }
   if (at == kMostClimbs) {

@@ -89,23 +89,27 @@ void PeakSearch::add_run(std::size_t count, const Height& height, const SampleAt
   };
   // Rises from one step to the next; a top is where they change their sign.
   double before = 0.0;
-  // What falls inwards rises before by half as much at most.
-  const auto may_be_at = [&](std::size_t end, std::size_t next) {
+  // A parabola rises from an end by no more than half of what it falls then and an eighth of the
+  // second difference.
+  const auto may_be_at = [&](std::size_t end, std::size_t next, std::size_t third) {
     const double there = sample(end).value;
-    return there + 0.5 * (there - sample(next).value) > found_.value;
+    const double fall = there - sample(next).value;
+    const double bend = fall - (sample(next).value - sample(third).value);
+    return there + 0.5 * std::abs(fall) + 0.125 * std::abs(bend) > found_.value;
   };
   for (std::size_t i = 0; count > 2 && i + 1 < count; ++i) {
     const double here = height(i);
     const double rise = height(i + 1) - here;
     const double behind = i + 2 < count ? height(i + 2) - height(i + 1) : 0.0;
-    if (i > 0 && before >= 0.0 && rise < 0.0) {
+    const bool is_level_end = i + 2 == count && rise == 0.0 && before > 0.0;
+    if (i > 0 && ((before >= 0.0 && rise < 0.0) || is_level_end)) {
       add_top(window(first_of(i, 2, 5), 5, i));
     } else if (i == 0 && rise < 0.0) {
-      if (may_be_at(0, 1)) {
+      if (may_be_at(0, 1, 2)) {
         add_at_end(window(0, Window::kMost, 0));
       }
     } else if (i + 2 == count && rise > 0.0) {
-      if (may_be_at(i + 1, i)) {
+      if (may_be_at(i + 1, i, i - 1)) {
         add_at_end(window(first_of(i + 1, Window::kMost - 1, Window::kMost), Window::kMost, i + 1));
       }
     } else if (rise > 0.0 ? before > 2.0 * rise && behind >= 0.0

@@ -192,8 +192,8 @@ double JointErrors::rounding(std::size_t r, const JointMotion& motion, int order
 
 // The errors of the joints balance in the row, as it stands, what they leave by its changes.
 void JointErrors::find_rates(const JointMotion& motion) {
-  for (std::size_t order = 0; order < orders_; ++order) {
-    changes_[order].assign(rows_ * sources_, 0.0);
+  for (std::vector<double>& changes : changes_) {  // those of no order that is asked for stay zero
+    changes.assign(rows_ * sources_, 0.0);
   }
   for (std::size_t r = 0; orders_ > 1 && r < rows_; ++r) {
     const RatesOfRow& row = closure_->rates_of_rows[r];
@@ -279,13 +279,17 @@ BodyBounds JointErrors::bounds_of(int frame) {
   if (orders_ > 2) {
     add_bracket(bent_against, &moved_[0][begin], changes_[2].data());
   }
+  // Null of an order that is not asked for.
+  const auto piece = [&](const std::vector<double>& values, std::size_t order, std::size_t first) {
+    return order < orders_ ? values.data() + first : nullptr;
+  };
   std::array<Orders, 2> errors = {};  // of angles and lengths
   for (std::size_t i = 0; i < screw_; ++i) {
     const std::size_t first = i * columns_;
     const Orders here = sum({&moved_[0][begin + first],
-                             changes_[1].data() + first,
-                             changes_[2].data() + first,
-                             moved_[1].data() + begin + first});
+                             piece(changes_[1], 1, first),
+                             piece(changes_[2], 2, first),
+                             piece(moved_[1], 2, begin + first)});
     for (std::size_t order = 0; order < kOrders; ++order) {
       double& error = errors[i < screw_ / 2 ? 0 : 1][order];
       error = std::max(error, here[order]);

@@ -58,8 +58,7 @@ class MotionCsv {
                                .quantity = "event/" + event.kind + "/uncertainty",
                                .unit = motion_.drives[0].unit};
       line(width, event.uncertainty, event.kind, event.step, event.drive[0]);
-      add_side(event, "before", event.before);
-      add_side(event, "after", event.after);
+      add_jumps(event);
     }
     add_gaps(motion_.drawn_gaps, "drawn_gap");
     add_corrections();
@@ -86,17 +85,19 @@ class MotionCsv {
                                                   cell(drive)});
   }
 
-  // Of friction that turns round: what the columns come to.
-  void add_side(const MotionEvent& event,
-                std::string_view side,
-                const std::vector<std::optional<double>>& values) {
-    for (std::size_t c = motion_.drives.size(); c < values.size(); ++c) {
-      if (values[c]) {
+  // Of friction that turns round: what columns come to on either side.
+  void add_jumps(const MotionEvent& event) {
+    for (std::size_t c = motion_.drives.size(); c < motion_.columns.size(); ++c) {
+      const auto side = [&](const char* which, const std::optional<double>& value) {
         const MotionColumn column{
             .element = event.element,
-            .quantity = fmt::format("event/{}/{}/{}", event.kind, side, motion_.columns[c].name()),
+            .quantity = fmt::format("event/{}/{}/{}", event.kind, which, motion_.columns[c].name()),
             .unit = motion_.columns[c].unit};
-        line(column, values[c], event.kind, event.step, event.drive[0]);
+        line(column, value, event.kind, event.step, event.drive[0]);
+      };
+      if (event.is_jump_of(c)) {
+        side("before", event.value_before(c));
+        side("after", event.value_after(c));
       }
     }
   }

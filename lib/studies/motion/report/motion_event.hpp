@@ -34,6 +34,17 @@ struct MotionEvent {
   /// values; empty where the motion does not go on.
   std::vector<std::optional<double>> before = {};
   std::vector<std::optional<double>> after = {};
+
+  std::optional<double> value_before(std::size_t column) const {
+    return column < before.size() ? before[column] : std::nullopt;
+  }
+
+  std::optional<double> value_after(std::size_t column) const {
+    return column < after.size() ? after[column] : std::nullopt;
+  }
+
+  /// Whether the column has another value after it than before: by more than beside a smooth place.
+  bool is_jump_of(std::size_t column) const;
 };
 
 /// The rows before and behind; one between the two rests. The same at an end.

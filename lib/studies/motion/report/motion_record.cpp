@@ -201,16 +201,12 @@ const Record<JumpView>& jump_record() {
 }
 
 void emit_jumps(const EventView& v, const Each<JumpView>& each) {
-  const auto side = [](const std::vector<std::optional<double>>& values, std::size_t column) {
-    return column < values.size() ? values[column] : std::nullopt;
-  };
-  const std::size_t count = std::max(v.event.before.size(), v.event.after.size());
-  for (std::size_t c = v.motion.drives.size(); c < count; ++c) {
-    const JumpView jump = {.column = v.motion.columns[c],
-                           .before = side(v.event.before, c),
-                           .after = side(v.event.after, c)};
-    if (jump.before || jump.after) {
-      each(jump.column.name(), jump);
+  for (std::size_t c = v.motion.drives.size(); c < v.motion.columns.size(); ++c) {
+    if (v.event.is_jump_of(c)) {
+      each(v.motion.columns[c].name(),
+           {.column = v.motion.columns[c],
+            .before = v.event.value_before(c),
+            .after = v.event.value_after(c)});
     }
   }
 }

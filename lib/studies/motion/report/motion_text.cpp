@@ -323,20 +323,19 @@ TextBlocks motion_extremes(const MotionTable& motion) {
 }
 
 std::string jump_text(const MotionTable& motion, const MotionEvent& event) {
-  const auto side = [](const std::vector<std::optional<double>>& values, std::size_t column) {
-    return shown(column < values.size() ? values[column] : std::nullopt);
-  };
   std::string text;
   for (std::size_t c = motion.drives.size(); c < motion.columns.size(); ++c) {
     const MotionColumn& column = motion.columns[c];
     const bool is_of_drive =
         std::ranges::find(motion.drives, column.element, &DriveTravel::name) != motion.drives.end();
-    if (column.quantity == kActionColumn && is_of_drive && event.kind == kFrictionReversalEvent) {
+    const std::optional<double> before = event.value_before(c);
+    const std::optional<double> after = event.value_after(c);
+    if (column.quantity == kActionColumn && is_of_drive && (before || after)) {
       text += fmt::format("{}{} {}, then {}{}",
                           text.empty() ? "" : "; ",
                           column.element,
-                          side(event.before, c),
-                          side(event.after, c),
+                          shown(before),
+                          shown(after),
                           column.unit.empty() ? "" : " " + column.unit);
     }
   }

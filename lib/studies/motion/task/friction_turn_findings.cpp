@@ -11,9 +11,12 @@ namespace kinestat {
 
 namespace {
 
+// That of the first turn; a longer rest has none.
 const MotionEvent* first_event(const FrictionTurn& turn, const MotionTable& table) {
   const auto event = std::ranges::find_if(table.events, [&](const MotionEvent& one) {
-    return one.kind == kFrictionReversalEvent && one.element == turn.coupling;
+    return one.kind == kFrictionReversalEvent && one.element == turn.coupling &&
+           one.row >= static_cast<double>(turn.turns.front().before) &&
+           one.row <= static_cast<double>(turn.turns.front().after);
   });
   return event == table.events.end() ? nullptr : &*event;
 }

@@ -16,7 +16,7 @@ constexpr double kFarthestTurn = 0.25;
 constexpr int kMostLooks = 20'000;
 
 // Values of a column in a step beside those of its parts.
-constexpr int kMostClimbs = 40;
+constexpr int kMostClimbs = 200;
 
 bool is_more_by_far(double value, double than) {
   return value - than > kSameValue * std::max(std::abs(value), std::abs(than));

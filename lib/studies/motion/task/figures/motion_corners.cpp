@@ -293,6 +293,19 @@ class CornerFinder {
     }
   }
 
+  // Without what grows towards it.
+  static std::vector<std::optional<double>> limits_at(const FigurePlace& place) {
+    constexpr double kGrows = 0.01;
+    std::vector<std::optional<double>> limits = place.of.values;
+    for (std::size_t c = 0; c < limits.size() && !place.farther.empty(); ++c) {
+      const std::optional<double>& middle = place.farther[1][c];
+      const bool is_limit =
+          limits[c] && middle && std::abs(*limits[c] - *middle) <= kGrows * std::abs(*middle);
+      limits[c] = is_limit || limits[c] == 0.0 ? limits[c] : std::nullopt;
+    }
+    return limits;
+  }
+
   void add_reversal(const FrictionTurn& turn, const RowsAround& rows, Corners& found) {
     const std::optional<double> step = step_of(turn, rows);
     if (!step) {
@@ -301,7 +314,7 @@ class CornerFinder {
     FrictionReversal reversal{.coupling = turn.coupling, .step = *step};
     for (const FigurePlace& place : found.places) {
       if (place.is_approach && std::abs(place.beside - *step) < kSameStep) {
-        (place.step < place.beside ? reversal.before : reversal.after) = place.of.values;
+        (place.step < place.beside ? reversal.before : reversal.after) = limits_at(place);
       }
     }
     found.reversals.push_back(std::move(reversal));
@@ -427,8 +440,9 @@ void add_reversals(const FoundMotion& motion,
                    MotionTable& table) {
   for (const FrictionReversal& one : reversals) {
     const double beside = one.step > kSameStep ? one.step - kSameStep : one.step + kSameStep;
-    const std::vector<double> drive = drives_at(share_at_step(motion, one.step));
+    std::vector<double> drive = drives_at(share_at_step(motion, one.step));
     const double apart = drives_at(share_at_step(motion, beside)).front() - drive.front();
+    drive.front() = zero_within_bound(drive.front(), std::abs(apart));
     const auto behind = std::ranges::find_if(
         table.events, [&](const MotionEvent& event) { return event.row > one.step; });
     table.events.insert(behind,
