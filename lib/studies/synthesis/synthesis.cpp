@@ -47,7 +47,9 @@ std::optional<LinkageCircuit> circuit_of(const LinkageCandidate& candidate, std:
   if (by == nullptr || !by->same_circuit) {
     return std::nullopt;
   }
-  if (by->mirror == 0) {
+  // At a change point the circuits meet.
+  const bool meet = candidate.grashof && candidate.grashof->kind == GrashofClass::change_point;
+  if (by->mirror == 0 || meet) {
     return single;
   }
   if (candidate.lengths && !by->turns_fully) {

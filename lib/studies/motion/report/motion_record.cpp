@@ -253,12 +253,12 @@ const Record<EventView>& event_record() {
                 [](const View& v) { return v.event.uncertainty; })
         .at_least(0)
         .not_compared();
-    keys.map(
-            "jumps",
-            jump_record(),
-            "Of a friction reversal, by columns: what they come to on either side. At the reversal "
-            "itself actions are undetermined.",
-            emit_jumps)
+    keys.map("jumps",
+             jump_record(),
+             "Of a friction reversal: the columns that jump, and what they come to on either side. "
+             "At "
+             "the reversal itself actions are undetermined.",
+             emit_jumps)
         .only_if([](const View& v) { return v.event.kind == kFrictionReversalEvent; });
   });
   return record;
