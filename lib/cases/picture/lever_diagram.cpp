@@ -260,7 +260,8 @@ class LeverDrawing {
     const CouplingTopology& coupling =
         topology().coupling(topology().freedoms[static_cast<std::size_t>(one.freedom)].coupling);
     const std::string text = sign + one.name;
-    const bool is_here = coupling.tail == body || coupling.head == body;
+    // On the ground acts what everything acts on.
+    const bool is_here = body.value != 0 && (coupling.tail == body || coupling.head == body);
     const auto is_same = [&text](const NodeTag& tag) { return tag.text == text; };
     if (is_here && std::ranges::none_of(tags, is_same)) {
       const bool is_at_ground = coupling.tail.value == 0 || coupling.head.value == 0;
