@@ -122,7 +122,7 @@ class FourBars(MotionTest):
                    lambda t: 2 * derivative(linkage.rocker, t, 1).real, 1e-8)
         self.check(motion, "d.wz/acceleration",
                    lambda t: 4 * derivative(linkage.rocker, t, 2).real, 1e-6)
-        velocities = motion.point("coupler.1", "velocity")
+        velocities = motion.point("coupler.1", "linear")
         accelerations = motion.point("coupler.1", "acceleration")
 
         def path(t: float) -> complex:

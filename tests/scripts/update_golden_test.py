@@ -83,18 +83,18 @@ class UpdateGolden(unittest.TestCase):
 
     def test_a_change_of_any_kind_is_shown(self) -> None:
         changes = {
-            "a value in the sixth digit": ("a.wz | rate | 2.07692", "a.wz | rate | 2.07693"),
+            "a value in the sixth digit": ("a.wz | velocity | 2.07692", "a.wz | velocity | 2.07693"),
             "a value of a motion": (" | 2.34849893905 ", " | 2.34850893905 "),
             "no value": ("recirculation/factor | none", "recirculation/factor | 0"),
             "a line less": ("spatial | net_constraint | 3\n", ""),
             "a line more": ("spatial | order | 6\n", "spatial | order | 6\nspatial | size | 6\n"),
             "another status": ("[power of 'known output']", "[power of 'known output', locked]"),
-            "another unit": ("d.wz | rate | 1 | rad/s", "d.wz | rate | 1 | rpm"),
-            "another dimension": ("d.wz | rate | 1 | rad/s", "d.wz | rate | 1 | m/s"),
+            "another unit": ("d.wz | velocity | 1 | rad/s", "d.wz | velocity | 1 | rpm"),
+            "another dimension": ("d.wz | velocity | 1 | rad/s", "d.wz | velocity | 1 | m/s"),
             "another word": ("motion | status | complete", "motion | status | blocked"),
             "another finding": ("[mobility]\n", "[findings]\nW0601 | count | 1\n[mobility]\n"),
             "another name": ("Four-bar linkage\n", "Five-bar linkage\n"),
-            "a damaged line": ("d.wz | rate | 1 | rad/s", "d.wz | rate"),
+            "a damaged line": ("d.wz | velocity | 1 | rad/s", "d.wz | velocity"),
         }
         self.update(NAME)
         text = self.golden.read_text("utf-8")
@@ -110,7 +110,7 @@ class UpdateGolden(unittest.TestCase):
 
     def test_what_differs_is_said_and_rewritten(self) -> None:
         self.update(NAME)
-        self.change("d.wz | rate | 1 |", "d.wz | rate | 1.001 |")
+        self.change("d.wz | velocity | 1 |", "d.wz | velocity | 1.001 |")
         self.change("motion | status | complete", "motion | status | blocked")
 
         complaint = self.check()[1]

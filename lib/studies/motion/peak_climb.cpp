@@ -92,7 +92,9 @@ void PeakClimb::aim() {
 void PeakClimb::aim_at_vertex() {
   constexpr double kGolden = 0.3819660112501051;
   promise_.reset();
-  const auto& [before, middle, behind] = by_;
+  const PeakSample& before = by_[0];
+  const PeakSample& middle = by_[1];
+  const PeakSample& behind = by_[2];
   const double width = behind.share - before.share;
   if (trials_ >= (height_ ? kMostFoldTrials : kMostTrials) || !(width > 0.0)) {
     return;

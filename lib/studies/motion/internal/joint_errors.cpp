@@ -295,7 +295,8 @@ BodyBounds JointErrors::bounds_of(int frame) {
       error = std::max(error, here[order]);
     }
   }
-  const auto& [turn, shift] = errors;
+  const Orders& turn = errors[0];
+  const Orders& shift = errors[1];
   const auto rounded = [&](int order) { return paths_[at(frame)].rounded(order, false); };
   const auto length_of = [&](int order) {
     return network_.length * (shift[at(order)] + closure_->reach * rounded(order));
