@@ -123,7 +123,7 @@ class FourBars(MotionTest):
         self.check(motion, "d.wz/acceleration",
                    lambda t: 4 * derivative(linkage.rocker, t, 2).real, 1e-6)
         velocities = motion.point("coupler.1", "linear")
-        accelerations = motion.point("coupler.1", "acceleration")
+        accelerations = motion.point("coupler.1", "linear_acceleration")
 
         def path(t: float) -> complex:
             return linkage.coupler_point(point, t)

@@ -94,8 +94,9 @@ TEST(BarMap, PutsManyCasesBelowEachOther) {
 // Names of 40 px and 12 beside them leave 314 px of 366: room for two cells of 138, the last
 // without the 14 to the next. The larger value, in another part, fills the scale of 56 px.
 TEST(BarMap, ComesInPartsOfOneScaleThatFitATelephone) {
-  const std::vector<Picture> parts =
-      draw_bar_map_in_parts(map_of({{.name = "a", .values = {8.0, 4.0, 2.0}}}, {"M1", "M2", "M3"}));
+  const std::vector<Picture> parts = draw_bar_map_in_parts(
+      map_of({{.name = "a", .values = {8.0, 4.0, 2.0}}, {.name = "b", .values = {1.0, 1.0, 4.0}}},
+             {"M1", "M2", "M3"}));
 
   ASSERT_EQ(parts.size(), 2U);
   EXPECT_EQ(parts[0].title, "t, M1, M2: m");
@@ -109,8 +110,8 @@ TEST(BarMap, ComesInPartsOfOneScaleThatFitATelephone) {
 
 // A single case has room for longer bars.
 TEST(BarMap, IsOnePartOfOneCase) {
-  const std::vector<Picture> parts =
-      draw_bar_map_in_parts(map_of({{.name = "a", .values = {8.0}}}, {"M1"}));
+  const std::vector<Picture> parts = draw_bar_map_in_parts(
+      map_of({{.name = "a", .values = {8.0}}, {.name = "b", .values = {4.0}}}, {"M1"}));
 
   ASSERT_EQ(parts.size(), 1U);
   EXPECT_EQ(parts[0].title, "t: m");
