@@ -8,7 +8,7 @@ namespace kinestat {
 
 namespace {
 
-constexpr std::size_t kMostPoints = 6;
+constexpr std::size_t kMostPoints = PeakSearch::kMostPoints;
 
 // The polynomial through some samples: its powers about a share.
 class Interpolant {
@@ -35,16 +35,14 @@ class Interpolant {
 
   double slope() const { return powers_[1]; }
 
-  // Of a cubic the way from there to where it is greatest, on the side to which it rises; empty
-  // where it is so nowhere.
+  // Of a cubic that rises there the way ahead to where it is greatest; empty of others.
   std::optional<double> way_to_top() const {
-    const double slope = std::abs(powers_[1]);
+    const double slope = powers_[1];
     const double bend = powers_[2];
-    const double cube = std::copysign(powers_[3], powers_[3] * powers_[1]);
-    const double root = bend * bend - 3.0 * cube * slope;
+    const double root = bend * bend - 3.0 * powers_[3] * slope;
     const double divisor = -bend + std::sqrt(std::max(root, 0.0));
-    return root > 0.0 && divisor > 0.0 ? std::optional(std::copysign(slope / divisor, powers_[1]))
-                                       : std::nullopt;
+    return slope > 0.0 && root > 0.0 && divisor > 0.0 ? std::optional(slope / divisor)
+                                                      : std::nullopt;
   }
 
   double at(double way) const {
@@ -72,7 +70,7 @@ std::span<const PeakSample> around(std::span<const PeakSample> run,
 std::optional<PeakSample> top_behind(std::span<const PeakSample> run, std::size_t at) {
   const Interpolant cubic(around(run, at, 4), run[at].share);
   const std::optional<double> way = cubic.way_to_top();
-  return way && *way > 0.0 && *way < run[at + 1].share - run[at].share
+  return way && *way < run[at + 1].share - run[at].share
              ? std::optional(PeakSample{.share = run[at].share + *way, .value = cubic.at(*way)})
              : std::nullopt;
 }

@@ -14,6 +14,9 @@ namespace kinestat {
 /// The most promising climbs of one value, one after the other.
 class PeakSearch {
  public:
+  /// Of the polynomials that say where a peak may be.
+  static constexpr std::size_t kMostPoints = 6;
+
   /// `found`: the greatest value that is known; `fold`: at which the value is folded, none is
   /// above.
   PeakSearch(double found, std::optional<double> fold)
@@ -48,9 +51,7 @@ class PeakSearch {
 
   // Some steps of a run, and which of them is meant.
   struct Window {
-    static constexpr std::size_t kMost = 6;
-
-    std::array<PeakSample, kMost> steps = {};
+    std::array<PeakSample, kMostPoints> steps = {};
     std::size_t count = 0;
     std::size_t at = 0;
 
@@ -106,11 +107,11 @@ void PeakSearch::add_run(std::size_t count, const Height& height, const SampleAt
       add_top(window(first_of(i, 2, 5), 5, i));
     } else if (i == 0 && rise < 0.0) {
       if (may_be_at(0, 1, 2)) {
-        add_at_end(window(0, Window::kMost, 0));
+        add_at_end(window(0, kMostPoints, 0));
       }
     } else if (i + 2 == count && rise > 0.0) {
       if (may_be_at(i + 1, i, i - 1)) {
-        add_at_end(window(first_of(i + 1, Window::kMost - 1, Window::kMost), Window::kMost, i + 1));
+        add_at_end(window(first_of(i + 1, kMostPoints - 1, kMostPoints), kMostPoints, i + 1));
       }
     } else if (rise > 0.0 ? before > 2.0 * rise && behind >= 0.0
                           : behind < 2.0 * rise && before <= 0.0) {

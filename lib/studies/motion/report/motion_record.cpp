@@ -255,9 +255,8 @@ const Record<EventView>& event_record() {
         .not_compared();
     keys.map("jumps",
              jump_record(),
-             "Of a friction reversal: the columns that jump, and what they come to on either side. "
-             "At "
-             "the reversal itself actions are undetermined.",
+             "Of a friction reversal: the columns that jump, and what they come to on either "
+             "side. At the reversal itself actions are undetermined.",
              emit_jumps)
         .only_if([](const View& v) { return v.event.kind == kFrictionReversalEvent; });
   });

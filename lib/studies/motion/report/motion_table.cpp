@@ -1,10 +1,5 @@
 #include "studies/motion/report/motion_table.hpp"
 
-#include <algorithm>
-#include <cmath>
-
-#include "core/motion_tolerance.hpp"
-
 namespace kinestat {
 
 std::string_view word_of(MotionEnd end) {
@@ -21,15 +16,6 @@ std::string_view word_of(MotionEnd end) {
       return "not_assembled";
   }
   return "";
-}
-
-bool MotionEvent::is_jump_of(std::size_t column) const {
-  const std::optional<double> from = value_before(column);
-  const std::optional<double> to = value_after(column);
-  if (!from || !to) {
-    return from || to;
-  }
-  return std::abs(*to - *from) > kJump * std::max(std::abs(*from), std::abs(*to));
 }
 
 }  // namespace kinestat

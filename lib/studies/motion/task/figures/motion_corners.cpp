@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include "core/motion_tolerance.hpp"
@@ -262,7 +263,16 @@ class CornerFinder {
     }
   }
 
+  // Sought once for the places beside it and for its event.
   double turn_between(std::size_t friction, const Vec3& before, double row) {
+    const auto [at, is_new] = turns_.try_emplace(std::pair(friction, row));
+    if (is_new) {
+      at->second = find_turn(friction, before, row);
+    }
+    return at->second;
+  }
+
+  double find_turn(std::size_t friction, const Vec3& before, double row) {
     return root_between(
         [&](double step) {
           const std::optional<MotionPosition> position = position_at(step, seeking_);
@@ -385,7 +395,8 @@ class CornerFinder {
   MotionPositions reading_;
   FollowedConfigurations& configurations_;
   std::vector<double> steps_;
-  std::vector<double> jumps_;  // of springs
+  std::vector<double> jumps_;                               // of springs
+  std::map<std::pair<std::size_t, double>, double> turns_;  // steps, by friction and row before
 };
 
 }  // namespace
