@@ -105,7 +105,7 @@ CaseBlocks case_blocks(const Analysis& analysis, const CaseAnalysis& one) {
   const InUnits in(analysis.description.units);
   CaseBlocks blocks;
   blocks.known = known_text(mechanism.topology, one.which, in);
-  blocks.results = results_text(mechanism, one, in);
+  blocks.results = results_text(analysis, one);
   if (one.motion) {
     blocks.motion = motion_blocks(mechanism, *one.motion, in);
   }

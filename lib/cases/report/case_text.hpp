@@ -33,9 +33,12 @@ TextBlocks statics_blocks(const Mechanism& mechanism, const CaseAnalysis& one, c
 /// The largest of the forces or moments of a case, and the couplings that bear it.
 struct LargestAction {
   bool is_couple = false;
-  double size = 0.0;     ///< [N or N*m]
-  bool is_open = false;  ///< equilibrium leaves others open, which may be larger
+  double size = 0.0;      ///< [N or N*m]
+  bool is_open = false;   ///< equilibrium leaves others open, which may be larger
+  bool is_borne = false;  ///< by any coupling whose wrench is determined
   std::vector<std::string> couplings = {};
+
+  bool is_known() const { return is_borne && !is_open; }
 };
 
 struct LargestActions {
@@ -56,11 +59,13 @@ TextBlocks overview_blocks(const Analysis& analysis);
 
 /// What people ask first: ratio and torque ratio, or why there is none; efficiencies, and what the
 /// inputs or outputs take or give with the losses of meshes; the power of the inputs and the
-/// balance of all powers; the largest force and moment, and in which couplings.
-std::string results_text(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in);
+/// balance of all powers; why it lacks what other cases have; the largest force and moment, and in
+/// which couplings.
+std::string results_text(const Analysis& analysis, const CaseAnalysis& one);
 
 /// Cells of a table with a line a case, "-" where there is no number: the ratio with its unit; the
-/// efficiency with the losses of meshes where there are any, by the model that the file chooses;
+/// efficiency with the losses of meshes where there are any, by the model that the file chooses, or
+/// that the case is self-locking;
 /// the input power with them, which the model of what rolls knows.
 std::string ratio_cell(const CaseAnalysis& one, const Mechanism& mechanism, const InUnits& in);
 std::string efficiency_cell(const CaseAnalysis& one, const Mechanism& mechanism);

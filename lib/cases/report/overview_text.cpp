@@ -23,31 +23,41 @@ TextBlocks overview_blocks(const Analysis& analysis) {
   const auto with_unit = [&](const char* what, QuantityKind kind) {
     return fmt::format("{} [{}]", what, units.text(kind));
   };
+  std::vector<LargestActions> largest;
+  for (const CaseAnalysis& one : analysis.cases) {
+    largest.push_back(largest_actions(analysis.mechanism, one));
+  }
   std::vector<TextColumn> columns = {
       {.head = in_drawn_position(analysis.description).empty() ? "Case" : "Case, as drawn",
        .cells = {}},
       {.head = "ratio", .cells = {}},
       {.head = "efficiency", .cells = {}},
-      {.head = with_unit("input power", QuantityKind::power), .cells = {}},
-      {.head = with_unit("largest force", QuantityKind::force), .cells = {}},
-      {.head = with_unit("largest moment", QuantityKind::moment), .cells = {}}};
-  const auto action_cell = [&](const LargestAction& one) {
-    return one.size > 0.0 && !one.is_open ? format_short(in.action(one.size, one.is_couple))
-                                          : kNoNumber;
-  };
+      {.head = with_unit("input power", QuantityKind::power), .cells = {}}};
   for (const CaseAnalysis& one : analysis.cases) {
-    const LargestActions largest = largest_actions(analysis.mechanism, one);
     columns[0].cells.push_back(printable(one.which.label));
     columns[1].cells.push_back(ratio_cell(one, analysis.mechanism, in));
     columns[2].cells.push_back(efficiency_cell(one, analysis.mechanism));
     columns[3].cells.push_back(input_power_cell(one, analysis.mechanism, in));
-    columns[4].cells.push_back(action_cell(largest.force));
-    columns[5].cells.push_back(action_cell(largest.moment));
   }
   std::erase_if(columns, [](const TextColumn& column) {
     return std::ranges::all_of(column.cells,
                                [](const std::string& cell) { return cell == kNoNumber; });
   });
+  const auto add = [&](const char* what, QuantityKind kind, LargestAction LargestActions::*member) {
+    TextColumn column{.head = with_unit(what, kind), .cells = {}};
+    bool has_any = false;
+    for (const LargestActions& all : largest) {
+      const LargestAction& one = all.*member;
+      column.cells.push_back(one.is_known() ? format_short(in.action(one.size, one.is_couple))
+                                            : kNoNumber);
+      has_any = has_any || (one.is_known() && one.size > 0.0);
+    }
+    if (has_any) {
+      columns.push_back(std::move(column));
+    }
+  };
+  add("largest force", QuantityKind::force, &LargestActions::force);
+  add("largest moment", QuantityKind::moment, &LargestActions::moment);
   return columns.size() > 1 ? TextBlocks(std::move(columns)) : TextBlocks();
 }
 

@@ -126,6 +126,62 @@ std::string lossy_ends_text(const Mechanism& mechanism,
   return fmt::format("  with mesh losses: {}\n", fmt::join(parts, ", "));
 }
 
+// Why a case has no power, or "".
+std::string_view lack_of_power(const CaseAnalysis& one) {
+  return !one.which.asks_motions   ? "no velocities are given"
+         : !one.which.asks_actions ? "no actions or loads are given"
+                                   : "";
+}
+
+std::string_view lack_of_ratio(const CaseAnalysis& one) {
+  return !one.which.asks_motions        ? "no velocities are given"
+         : !one.which.names_both_ends() ? "the case does not name both an input and an output"
+                                        : "";
+}
+
+std::string_view lack_of_efficiency(const CaseAnalysis& one) {
+  const std::string_view lack = lack_of_power(one);
+  return lack.empty() ? lack_of_ratio(one) : lack;
+}
+
+// "  no ratio, no efficiency: no velocities are given": why the case has dashes in the overview
+// where others have numbers. Empty where they have none either, or lines of their own tell.
+std::string lacks_text(const Analysis& analysis, const CaseAnalysis& one) {
+  const auto any_has = [&](auto has) { return std::ranges::any_of(analysis.cases, has); };
+  std::vector<std::pair<std::string_view, std::vector<std::string_view>>> lacks;
+  const auto add = [&](std::string_view what, std::string_view reason) {
+    if (!reason.empty()) {
+      const auto same =
+          std::ranges::find(lacks, reason, [](const auto& lack) { return lack.first; });
+      (same != lacks.end() ? same->second
+                           : lacks.emplace_back(reason, std::vector<std::string_view>()).second)
+          .push_back(what);
+    }
+  };
+  if (!one.ratios && any_has([](const CaseAnalysis& other) {
+        return other.ratios && other.ratios->ratio.has_value();
+      })) {
+    add("no ratio", lack_of_ratio(one));
+  }
+  if (any_has([&](const CaseAnalysis& other) {
+        return case_efficiency(other, analysis.mechanism).value.has_value();
+      })) {
+    add("no efficiency", lack_of_efficiency(one));
+  }
+  if (!one.power && any_has([](const CaseAnalysis& other) { return other.power.has_value(); })) {
+    add("no power", lack_of_power(one));
+  }
+  if (!one.action && !one.which.asks_actions &&
+      any_has([](const CaseAnalysis& other) { return other.action.has_value(); })) {
+    add("no forces", "no actions or loads are given");
+  }
+  std::string text;
+  for (const auto& [reason, what] : lacks) {
+    text += fmt::format("  {}: {}\n", fmt::join(what, ", "), reason);
+  }
+  return text;
+}
+
 bool bears_force(const Topology& topology, const CouplingTopology& coupling) {
   const auto first = topology.actions.begin() + coupling.first_action;
   return std::any_of(
@@ -133,6 +189,7 @@ bool bears_force(const Topology& topology, const CouplingTopology& coupling) {
 }
 
 void count(double size, const std::string& coupling, LargestAction& largest) {
+  largest.is_borne = true;
   const double same = kSameValue * std::max(size, largest.size);
   if (size > largest.size + same) {
     largest.size = size;
@@ -268,8 +325,10 @@ std::string ratio_cell(const CaseAnalysis& one, const Mechanism& mechanism, cons
 }
 
 std::string efficiency_cell(const CaseAnalysis& one, const Mechanism& mechanism) {
-  const std::optional<double> value = case_efficiency(one, mechanism).value;
-  return value ? format_short(*value) : "-";
+  const Efficiency efficiency = case_efficiency(one, mechanism);
+  return efficiency.is_self_locking ? "self-locking"
+         : efficiency.value         ? format_short(*efficiency.value)
+                                    : "-";
 }
 
 // With the losses that the efficiency has.
@@ -284,7 +343,9 @@ std::string input_power_cell(const CaseAnalysis& one,
   return format_short(in.power(has_losses ? one.efficiency->state->input : one.power->input));
 }
 
-std::string results_text(const Mechanism& mechanism, const CaseAnalysis& one, const InUnits& in) {
+std::string results_text(const Analysis& analysis, const CaseAnalysis& one) {
+  const Mechanism& mechanism = analysis.mechanism;
+  const InUnits in(analysis.description.units);
   std::string text;
   if (one.ratios) {
     text += ratio_text(one, mechanism, in.units());
@@ -292,7 +353,7 @@ std::string results_text(const Mechanism& mechanism, const CaseAnalysis& one, co
   if (one.power) {
     text += losses_text(mechanism, one, in) + balance_text(one, in);
   }
-  return text + largest_text(mechanism, one, in);
+  return text + lacks_text(analysis, one) + largest_text(mechanism, one, in);
 }
 
 }  // namespace kinestat

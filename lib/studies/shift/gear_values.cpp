@@ -100,9 +100,10 @@ class GearReader {
       if (!bears) {
         return std::nullopt;
       }
+      most = most.value_or(LoadedCoupling{});
       const double force = bears->norm() * most_loaded_share(gear_.mechanism, coupling);
       // Of equal ones the first: rounding decides nothing.
-      if (force > (most ? most->force * (1.0 + kSameValue) : 0.0)) {
+      if (force > most->force * (1.0 + kSameValue)) {
         most = {.name = coupling.name, .force = force};
       }
     }

@@ -13,7 +13,7 @@ namespace kinestat {
 
 /// A coupling and the force that it bears [N].
 struct LoadedCoupling {
-  std::string name;
+  std::string name;  ///< empty where none bears any
   double force = 0.0;
 };
 
@@ -24,7 +24,7 @@ struct GearValues {
   std::vector<std::optional<double>> lossy_torques;  ///< likewise with losses of meshes
   std::vector<std::optional<double>> slips;          ///< of each element, head minus tail [rad/s]
   std::optional<LoadedCoupling> bearing;             ///< the one with the largest force; empty
-                                                     ///< where that of any bearing is open
+                                                     ///< without any, or where that of one is open
   std::optional<LoadedCoupling> mesh;                ///< likewise
   std::vector<LimitUse> limits;                      ///< what it takes of those of the plan
 };

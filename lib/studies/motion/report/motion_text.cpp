@@ -71,6 +71,9 @@ class MotionWriter {
                                      {"range", {}},
                                      {"mean", {}},
                                      {"RMS", {}}};
+    std::vector<TextColumn> constants = {{"Does not change", {}}, {"value", {}}};
+    std::vector<std::string> with_gaps;
+    std::vector<std::string> with_poles;
     for (std::size_t c = motion_.drives.size(); c < column_count(); ++c) {
       const auto& [least, greatest, mean, rms, poles] = motion_.figures[c];
       const bool is_time = motion_.duration && motion_.columns[c].quantity == kTimeColumn;
@@ -79,18 +82,27 @@ class MotionWriter {
       if (is_time || !has_values(c) || (is_constant && least->value == 0.0)) {
         continue;
       }
+      const std::string name = with_unit(motion_.columns[c].name(), motion_.columns[c].unit);
+      if (is_constant) {
+        constants[0].cells.push_back(name);
+        constants[1].cells.push_back(format_short(least->value));
+        continue;
+      }
+      if (!mean) {
+        (is_bounded ? with_gaps : with_poles).push_back(motion_.columns[c].name());
+      }
       const auto place_of = [&](const std::optional<ColumnExtreme>& one) {
-        return !one || is_constant ? std::nullopt
-               : by_time           ? time_at_row(motion_, one->row)
-                                   : std::optional(one->drive);
+        return !one      ? std::nullopt
+               : by_time ? time_at_row(motion_, one->row)
+                         : std::optional(one->drive);
       };
       const std::array cells = {
-          with_unit(motion_.columns[c].name(), motion_.columns[c].unit),
+          name,
           least ? format_short(least->value) : "-" + infinite,
           shown(place_of(least)),
           greatest ? format_short(greatest->value) : infinite,
           shown(place_of(greatest)),
-          is_bounded ? format_short(is_constant ? 0.0 : greatest->value - least->value) : infinite,
+          is_bounded ? format_short(greatest->value - least->value) : infinite,
           shown(mean),
           shown(rms)};
       for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -100,10 +112,26 @@ class MotionWriter {
     if (!motion_.duration) {
       table.pop_back();
     }
-    return table[0].cells.empty() ? TextBlocks() : TextBlocks(std::move(table));
+    TextBlocks blocks;
+    for (std::vector<TextColumn>* one : {&table, &constants}) {
+      if (!one->front().cells.empty()) {
+        blocks += TextBlocks(std::move(*one));
+      }
+    }
+    const std::string lacks = no_mean_text(with_gaps, "some positions have no value") +
+                              no_mean_text(with_poles, "becomes infinite");
+    if (!lacks.empty()) {
+      blocks += lacks + "\n";
+    }
+    return blocks;
   }
 
  private:
+  static std::string no_mean_text(const std::vector<std::string>& columns, std::string_view why) {
+    return columns.empty() ? ""
+                           : fmt::format("  no mean of {}: {}\n", fmt::join(columns, ", "), why);
+  }
+
   // One without extremes has none because it becomes infinite on the way.
   bool has_values(std::size_t column) const {
     return std::ranges::any_of(

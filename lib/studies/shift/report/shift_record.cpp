@@ -92,7 +92,9 @@ Shape by_output(Shape shape) {
 
 auto fill_loaded() {
   return [](Record<LoadedCoupling>& keys) {
-    keys.text("coupling", "Name of the coupling.", [](const LoadedCoupling& v) { return v.name; });
+    keys.text("coupling",
+              "Name of the coupling, empty where none bears any force.",
+              [](const LoadedCoupling& v) { return v.name; });
     keys.quantity("force",
                   QuantityKind::force,
                   "Magnitude of its force.",

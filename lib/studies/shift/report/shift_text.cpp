@@ -357,22 +357,24 @@ class ShiftTables {
   TextBlocks loads_blocks() const {
     const std::string unit = in_.units().text(QuantityKind::force);
     std::vector<TextColumn> columns = {names("Most loaded", 0, gears_.size())};
-    bool has_any = false;
     const auto add = [&](const char* kind, std::optional<LoadedCoupling> GearValues::*member) {
       TextColumn name{.head = kind, .cells = {}};
       TextColumn force{.head = fmt::format("force [{}]", unit), .cells = {}};
+      bool has_any = false;
       for (const ShownGear& gear : gears_) {
         const std::optional<LoadedCoupling>& one = gear.values.*member;
-        name.cells.push_back(one ? one->name : "-");
+        name.cells.push_back(!one ? "open" : one->name.empty() ? "none" : one->name);
         force.cells.push_back(one ? format_short(in_.force(one->force)) : "-");
         has_any = has_any || one.has_value();
       }
-      columns.push_back(std::move(name));
-      columns.push_back(std::move(force));
+      if (has_any) {
+        columns.push_back(std::move(name));
+        columns.push_back(std::move(force));
+      }
     };
     add("bearing", &GearValues::bearing);
     add("mesh", &GearValues::mesh);
-    return has_any ? TextBlocks(std::move(columns)) : TextBlocks();
+    return columns.size() > 1 ? TextBlocks(std::move(columns)) : TextBlocks();
   }
 
   // What each gear takes most of.

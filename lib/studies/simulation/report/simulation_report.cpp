@@ -35,9 +35,7 @@ class SimulationText {
       blocks.end += TextBlocks(events());
     }
     if (!v_.solution.rows.empty()) {
-      if (Table table = extremes(); !table.rows().empty()) {
-        blocks.extremes = TextBlocks(std::move(table));
-      }
+      blocks.extremes = extremes();
       blocks.rows = TextBlocks(rows());
     }
     return blocks;
@@ -126,32 +124,38 @@ class SimulationText {
   }
 
   // But for energies, and what is always 0.
-  Table extremes() const {
+  TextBlocks extremes() const {
     const std::string at = fmt::format("at [{}]", units_.text(QuantityKind::time));
     Table table({v_.solution.looks_between_rows ? "Extremes" : "Extremes of rows and events",
                  "least",
                  at,
                  "greatest",
                  at});
+    Table constants({"Does not change", "value"});
     for (const SimulationColumn& column : columns_) {
       if (!column.extremes || !column.extremes->least || column.quantity.starts_with(kEnergyWord)) {
         continue;
       }
       const SimulationExtreme& least = *column.extremes->least;
       const SimulationExtreme& greatest = *column.extremes->greatest;
-      const bool is_constant = least.value == greatest.value;
-      const auto time_of = [&](const SimulationExtreme& one) {
-        return is_constant ? std::string("-") : number(QuantityKind::time, one.time);
-      };
-      if (!is_constant || least.value != 0.0) {
-        table.add({fmt::format("{} [{}]", column.name(), units_.text(column.kind)),
+      const std::string name = fmt::format("{} [{}]", column.name(), units_.text(column.kind));
+      if (least.value != greatest.value) {
+        table.add({name,
                    number(column.kind, least.value),
-                   time_of(least),
+                   number(QuantityKind::time, least.time),
                    number(column.kind, greatest.value),
-                   time_of(greatest)});
+                   number(QuantityKind::time, greatest.time)});
+      } else if (least.value != 0.0) {
+        constants.add({name, number(column.kind, least.value)});
       }
     }
-    return table;
+    TextBlocks blocks;
+    for (Table* one : {&table, &constants}) {
+      if (!one->is_empty()) {
+        blocks += TextBlocks(std::move(*one));
+      }
+    }
+    return blocks;
   }
 
   // Coordinates, energies, and what is asked for by its name.
