@@ -215,7 +215,7 @@ void draw_data(const Chart& chart,
   }
   data.open_group({}, plot_marks(frame));
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
-    const std::vector<PixelPoint> points = visible_points(frame, drawn_series(chart, i));
+    const std::vector<PixelPoint> points = visible_points(frame, drawn_series(chart.series[i]));
     draw_series(chart.series[i], i, look_of(chart, i), points, data);
   }
   NamePlacer placer(frame.box.grown(-2.0));
@@ -250,20 +250,6 @@ double draw_chart(const Chart& chart, double top, Svg& svg) {
   return frame.box.bottom + 40.0;
 }
 
-// The only point of the line that ends a piece over there; none where a drive comes back.
-std::optional<std::size_t> piece_over(const Series& line, double x) {
-  std::optional<std::size_t> found;
-  for (std::size_t i = 1; i < line.x.size(); ++i) {
-    if ((line.x[i - 1] - x) * (line.x[i] - x) < 0.0) {
-      if (found) {
-        return std::nullopt;
-      }
-      found = i;
-    }
-  }
-  return found;
-}
-
 }  // namespace
 
 std::string axis_title(const ChartAxis& axis, int exponent) {
@@ -280,33 +266,22 @@ std::string mark_text(const ChartMark& mark, int exponent) {
              : mark.label;
 }
 
-Series drawn_series(const Chart& chart, std::size_t series) {
-  const Series& of = chart.series[series];
-  Series drawn = {.name = of.name, .style = of.style, .look = of.look};
+Series drawn_series(const Series& series) {
+  Series drawn = {.name = series.name, .style = series.style, .look = series.look};
   const auto add = [&drawn](double x, double y) {
     drawn.x.push_back(x);
     drawn.y.push_back(y);
   };
-  std::map<std::size_t, std::vector<const ChartMark*>> before;
-  for (const ChartMark& mark : chart.marks) {
-    const auto piece = mark.on != series ? std::nullopt
-                       : mark.before     ? mark.before
-                                         : piece_over(of, mark.x);
-    if (piece) {
-      before[*piece].push_back(&mark);
-    }
-  }
-  for (std::size_t i = 0; i < of.x.size(); ++i) {
-    if (std::ranges::binary_search(of.breaks, i)) {
+  auto between = series.between.begin();
+  for (std::size_t i = 0; i < series.x.size(); ++i) {
+    if (std::ranges::binary_search(series.breaks, i)) {
       constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
       add(kGap, kGap);
     }
-    std::ranges::sort(
-        before[i], {}, [&](const ChartMark* mark) { return std::abs(mark->x - of.x[i - 1]); });
-    for (const ChartMark* mark : before[i]) {
-      add(mark->x, mark->y);
+    for (; between != series.between.end() && between->before <= i; ++between) {
+      add(between->x, between->y);
     }
-    add(of.x[i], of.y[i]);
+    add(series.x[i], series.y[i]);
   }
   return drawn;
 }

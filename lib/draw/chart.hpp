@@ -28,6 +28,13 @@ struct ChartAxis {
 
 enum class SeriesStyle { line, points };
 
+/// A point of a line that is none of the points of its series.
+struct PointBetween {
+  std::size_t before = 0;  ///< which of those it stands before; at least 1
+  double x = 0.0;
+  double y = 0.0;
+};
+
 /// A value that is not a number is a gap. No line leads to a break: a point behind a pole.
 struct Series {
   std::string name;
@@ -35,7 +42,8 @@ struct Series {
   std::vector<double> y = {};
   SeriesStyle style = SeriesStyle::line;
   std::optional<int> look = {};  ///< of its colour and marker; empty: its place among the series
-  std::vector<std::size_t> breaks = {};  ///< indices of points, ascending
+  std::vector<std::size_t> breaks = {};    ///< indices of points, ascending
+  std::vector<PointBetween> between = {};  ///< in the order of the line: peaks, and sides of jumps
 };
 
 /// A point that is worth words.
@@ -43,9 +51,7 @@ struct ChartMark {
   double x = 0.0;
   double y = 0.0;
   std::string label;
-  bool tells_value = false;            ///< its y follows the label, in powers of ten of the axis
-  std::optional<std::size_t> on = {};  ///< the series whose line leads through it
-  std::optional<std::size_t> before = {};  ///< the point of that line behind it; empty: by its x
+  bool tells_value = false;  ///< its y follows the label, in powers of ten of the axis
 };
 
 /// A value of x that is worth words.
@@ -74,9 +80,8 @@ struct Figure {
   std::vector<Chart> charts;
 };
 
-/// As it is drawn: with the points of marks on its line that lie between others, and its breaks as
-/// gaps.
-Series drawn_series(const Chart& chart, std::size_t series);
+/// As it is drawn: with the points between others, and its breaks as gaps.
+Series drawn_series(const Series& series);
 
 /// "max 4.5", of an axis in units of 10^exponent.
 std::string mark_text(const ChartMark& mark, int exponent);

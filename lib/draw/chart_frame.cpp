@@ -29,14 +29,15 @@ struct Range {
   bool is_empty() const { return low > high; }
 };
 
-// Of the series and of the points worth words, which may lie between theirs.
+// Of the lines as they are drawn, and of the points worth words.
 Range range_of(const Chart& chart,
                const ChartAxis& axis,
                std::vector<double> Series::*values,
                double ChartMark::*value_of_mark) {
   Range range;
   for (const Series& series : chart.series) {
-    for (const double value : series.*values) {
+    const Series drawn = drawn_series(series);
+    for (const double value : drawn.*values) {
       range.add(value, axis.scale);
     }
   }

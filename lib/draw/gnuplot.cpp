@@ -176,7 +176,7 @@ std::string gnuplot_text(const Figure& figure) {
   std::string text = head_text(figure.title, figure.description);
   for (std::size_t c = 0; c < figure.charts.size(); ++c) {
     for (std::size_t s = 0; s < figure.charts[c].series.size(); ++s) {
-      text += data_text(drawn_series(figure.charts[c], s), block_name(c, s));
+      text += data_text(drawn_series(figure.charts[c].series[s]), block_name(c, s));
     }
   }
   text += layout_text(figure.charts.size());

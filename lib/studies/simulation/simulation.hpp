@@ -94,6 +94,14 @@ struct SimulationExtremes {
   std::optional<SimulationExtreme> greatest = {};
 };
 
+/// What columns come to from either side of a moment at which the integration begins anew, as
+/// where friction sticks or something is struck: actions and accelerations jump there.
+struct SimulationSides {
+  double time = 0.0;                               ///< [s]
+  std::vector<std::optional<double>> before = {};  ///< one of each of `wanted_readings` [SI]
+  std::vector<std::optional<double>> after = {};
+};
+
 struct SimulationSolution {
   SimulationEnd end = SimulationEnd::complete;
   SimulationObstacle obstacle;
@@ -101,6 +109,7 @@ struct SimulationSolution {
   std::vector<int> coordinates;  ///< freedoms that it begins with
   std::vector<SimulationRow> rows;
   std::vector<SimulationEvent> events;
+  std::vector<SimulationSides> sides;        ///< in the order of time
   std::vector<SimulationExtremes> extremes;  ///< of each of `wanted_readings`, also between rows
   bool looks_between_rows = true;     ///< false: it turned so often that some were left out there
   std::vector<CouplingId> unchecked;  ///< cables and contacts whose force nothing determines

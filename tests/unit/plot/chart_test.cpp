@@ -76,39 +76,24 @@ TEST(Chart, LeavesGapsWhereThereIsNoValue) {
   EXPECT_EQ(picture.elements.find("nan"), std::string::npos);
 }
 
-TEST(Chart, LeadsNoLineThroughAPoleAndLinesThroughMarks) {
-  Chart chart = line_chart();
-  chart.series.front() = {
+TEST(Chart, LeadsNoLineThroughAPoleAndLinesThroughPointsBetween) {
+  Series series = {
       .name = "s", .x = {0.0, 60.0, 120.0, 180.0}, .y = {1.0, 9.0, -9.0, -1.0}, .breaks = {2}};
-  chart.marks = {{.x = 150.0, .y = -0.5, .label = "max", .tells_value = true, .on = 0},
-                 {.x = 30.0, .y = 7.0, .label = "elsewhere"}};
+  series.between = {{.before = 3, .x = 140.0, .y = -0.7}, {.before = 3, .x = 150.0, .y = -0.5}};
 
-  const Series drawn = drawn_series(chart, 0);
+  const Series drawn = drawn_series(series);
 
-  ASSERT_EQ(drawn.x.size(), 6U);
+  ASSERT_EQ(drawn.x.size(), 7U);
   EXPECT_TRUE(std::isnan(drawn.x[2]) && std::isnan(drawn.y[2]));
-  EXPECT_EQ(drawn.x[4], 150.0);
-  EXPECT_EQ(drawn.y[4], -0.5);
-}
-
-// Where a drive comes back, two pieces of the line stand over the mark.
-TEST(Chart, LeavesLinesAsTheyAreWhereAMarkMayBeOnSeveralPieces) {
-  Chart chart = line_chart();
-  chart.series.front() = {.name = "s", .x = {0.0, 90.0, 0.0}, .y = {1.0, 2.0, 3.0}};
-  chart.marks = {{.x = 45.0, .y = 4.0, .label = "max", .on = 0}};
-
-  EXPECT_EQ(drawn_series(chart, 0).x.size(), 3U);
-
-  chart.marks.front().before = 2;
-  const Series drawn = drawn_series(chart, 0);
-  ASSERT_EQ(drawn.x.size(), 4U);
-  EXPECT_EQ(drawn.y[2], 4.0);
+  EXPECT_EQ(drawn.x[4], 140.0);
+  EXPECT_EQ(drawn.x[5], 150.0);
+  EXPECT_EQ(drawn.y[5], -0.5);
 }
 
 TEST(Chart, TellsMarksInTheUnitOfItsAxis) {
   Chart chart = line_chart();
   chart.series.front().y = {0.0, 41190.0, -80880.0};
-  chart.marks = {{.x = 90.0, .y = 41190.0, .label = "max", .tells_value = true, .on = 0}};
+  chart.marks = {{.x = 90.0, .y = 41190.0, .label = "max", .tells_value = true}};
 
   const Picture picture = draw_figure(figure_of(chart));
 

@@ -171,10 +171,53 @@ TEST(MotionCharts, StandOverTimeWhereTheDriveComesBack) {
   EXPECT_EQ(speed.series.at(0).x, (std::vector<double>{0.0, 0.25, 0.5, 0.75, 1.0}));
   ASSERT_EQ(speed.marks.size(), 1U);
   EXPECT_DOUBLE_EQ(speed.marks[0].x, 0.375);
-  EXPECT_EQ(speed.marks[0].before, 2U);
+  ASSERT_EQ(speed.series[0].between.size(), 1U);
+  EXPECT_EQ(speed.series[0].between[0].before, 2U);
+  EXPECT_DOUBLE_EQ(speed.series[0].between[0].x, 0.375);
+  EXPECT_DOUBLE_EQ(speed.series[0].between[0].y, 8.0);
   ASSERT_EQ(speed.guides.size(), 1U);
   EXPECT_DOUBLE_EQ(speed.guides[0].x, 0.625);
   EXPECT_EQ(speed.guides[0].label, "dead point of d.vx at 0.625");
+}
+
+TEST(MotionCharts, LeadTheLineToEitherSideOfAJump) {
+  MotionTable table = there_and_back();
+  MotionEvent& event = table.events[0];
+  event.kind = kFrictionReversalEvent;
+  event.before = {std::nullopt, std::nullopt, -1.0};
+  event.after = {std::nullopt, std::nullopt, -2.5};
+
+  const Figure figure = motion_figure(table, "");
+
+  const std::vector<PointBetween>& between = figure.charts.at(1).series.at(0).between;
+  ASSERT_EQ(between.size(), 4U);  // the first is the peak
+  EXPECT_DOUBLE_EQ(between[1].x, 0.625);
+  EXPECT_EQ(between[1].y, -1.0);
+  EXPECT_TRUE(std::isnan(between[2].y));
+  EXPECT_DOUBLE_EQ(between[3].x, 0.625);
+  EXPECT_EQ(between[3].y, -2.5);
+  EXPECT_EQ(between[3].before, 3U);
+}
+
+TEST(MotionCharts, LeadTheLineToEitherSideOfARowOnAJump) {
+  MotionTable table = there_and_back();
+  MotionEvent& event = table.events[0];
+  event.kind = kFrictionReversalEvent;
+  event.row = 3.0;
+  event.drive = {45.0};
+  event.before = {std::nullopt, std::nullopt, -1.0};
+  event.after = {std::nullopt, std::nullopt, -2.5};
+  table.rows[3].values[2] = std::nullopt;
+
+  const Figure figure = motion_figure(table, "");
+
+  const Series drawn = drawn_series(figure.charts.at(1).series.at(0));
+  ASSERT_EQ(drawn.x.size(), 8U);  // the peak, and either side of row 3
+  EXPECT_EQ(drawn.y[4], -1.0);
+  EXPECT_TRUE(std::isnan(drawn.y[5]));
+  EXPECT_EQ(drawn.y[6], -2.5);
+  EXPECT_DOUBLE_EQ(drawn.x[4], 0.75);
+  EXPECT_DOUBLE_EQ(drawn.x[6], 0.75);
 }
 
 TEST(MotionCharts, StandOverAnyColumn) {

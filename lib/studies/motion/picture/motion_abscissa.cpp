@@ -84,7 +84,7 @@ std::optional<double> MotionAbscissa::place_of(const MotionEvent& event) const {
       column.quantity == "velocity") {
     return 0.0;
   }
-  return column.quantity == kTimeColumn ? between_rows(event.row) : std::nullopt;
+  return is_time() ? between_rows(event.row) : std::nullopt;
 }
 
 std::optional<double> MotionAbscissa::place_of(const ColumnExtreme& extreme) const {

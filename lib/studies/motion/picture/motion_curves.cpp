@@ -15,6 +15,7 @@
 #include "core/text.hpp"
 #include "core/tolerance.hpp"
 #include "studies/motion/picture/motion_abscissa.hpp"
+#include "studies/motion/picture/motion_line.hpp"
 
 namespace kinestat {
 
@@ -107,11 +108,7 @@ std::optional<ChartMark> extreme_of(const MotionTable& motion,
   if (!x || extreme->row == 0.0 || extreme->row == static_cast<double>(series.x.size() - 1)) {
     return std::nullopt;
   }
-  ChartMark mark = {.x = *x, .y = extreme->value, .label = {}};
-  if (extreme->row != std::floor(extreme->row)) {
-    mark.before = static_cast<std::size_t>(extreme->row) + 1;
-  }
-  return mark;
+  return ChartMark{.x = *x, .y = extreme->value, .label = {}};
 }
 
 void mark_extremes(const MotionTable& motion,
@@ -128,7 +125,6 @@ void mark_extremes(const MotionTable& motion,
       if (mark && has_changes(series.y)) {
         mark->label = largest ? "max" : "min";
         mark->tells_value = true;
-        mark->on = i;
         chart.marks.push_back(std::move(*mark));
       }
     }
@@ -212,11 +208,7 @@ Chart chart_of(const Group& group, const MotionTable& motion, const MotionAbscis
                  .y = {.label = quantity_words(group.quantity), .unit = group.unit},
                  .series = {}};
   for (const std::size_t c : group.columns) {
-    chart.series.push_back(
-        {.name = motion.columns[c].element, .x = over.values(), .y = column_values(motion, c)});
-    if (c < motion.figures.size()) {
-      chart.series.back().breaks = motion.figures[c].poles;
-    }
+    chart.series.push_back(motion_line(motion, over, c));
   }
   if (chart.series.size() == 1 && !chart.series.front().name.empty()) {
     chart.y.label += " of " + chart.series.front().name;
@@ -270,9 +262,8 @@ Chart path_chart(const MotionTable& motion, char up, std::size_t PlaceColumns::*
     if (place.x == none || place.*vertical == none) {
       continue;
     }
-    Series series = {.name = place.element,
-                     .x = column_values(motion, place.x),
-                     .y = column_values(motion, place.*vertical)};
+    const MotionAbscissa over(motion, place.x);
+    Series series = motion_line(motion, over, place.*vertical);
     // A point that rests has no path.
     if (has_changes(series.x) || has_changes(series.y)) {
       chart.series.push_back(std::move(series));

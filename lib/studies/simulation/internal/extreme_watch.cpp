@@ -135,9 +135,17 @@ void ExtremeWatch::look(const Step& step, const SimulationRow& first, const RowA
   }
   row_at_ = &row_at;
   first_ = &first;
-  const bool goes_on = last_ && last_->time == step.begin && regime_ == step.regime;
   std::vector<Sample> samples;
-  samples.push_back(goes_on ? *std::move(last_) : sample_at(step.begin));
+  if (last_ && regime_ == step.regime && last_->time == step.begin) {
+    samples.push_back(*std::move(last_));
+  } else {
+    samples.push_back(sample_at(step.begin));
+    if (last_) {
+      sides_.push_back({.time = step.begin,
+                        .before = std::move(last_->values),
+                        .after = samples.front().values});
+    }
+  }
   Sample end = sample_at(step.end);
   const int parts = parts_of(samples.front(), end);
   for (int k = 1; k < parts; ++k) {

@@ -1,4 +1,5 @@
-// Where columns of a simulation are least and greatest, in its steps.
+// Where columns of a simulation are least and greatest, in its steps, and what they jump from and
+// to between them.
 #pragma once
 
 #include <functional>
@@ -22,7 +23,8 @@ class ExtremeWatch {
   /// Positions and speeds of the freedom that it is of.
   void take(const SimulationEvent& event);
 
-  /// A step, up to where something happens in it. In one regime nothing jumps from step to step.
+  /// A step, up to just before something happens in it, where the next one begins. In one regime
+  /// nothing jumps from step to step.
   struct Step {
     double begin = 0.0;
     double end = 0.0;
@@ -36,6 +38,8 @@ class ExtremeWatch {
 
   /// Of each of the readings that are wanted.
   std::vector<SimulationExtremes> extremes() const { return extremes_; }
+
+  std::vector<SimulationSides> sides() const { return sides_; }
 
   /// False where some steps were too long to look everywhere.
   bool sees_all() const { return sees_all_; }
@@ -59,6 +63,7 @@ class ExtremeWatch {
   std::vector<SimulationReading> readings_;
   std::vector<SimulationExtremes> extremes_;  // of each
   std::map<QuantityKind, double> largest_;    // of a kind so far
+  std::vector<SimulationSides> sides_;
   std::optional<Sample> last_;
   int regime_ = -1;  // of the last
   int looks_ = 0;    // that long steps took

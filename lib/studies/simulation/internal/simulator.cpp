@@ -349,6 +349,7 @@ SimulationSolution Simulator::finish() {
   for (const SimulationEvent& event : result_.events) {
     watch_.take(event);
   }
+  result_.sides = watch_.sides();
   result_.extremes = watch_.extremes();
   result_.looks_between_rows = watch_.sees_all();
   for (const SimulationRow& row : result_.rows) {

@@ -1,11 +1,12 @@
 #include "studies/simulation/picture/simulation_curves.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <optional>
 #include <string_view>
 #include <utility>
 
 #include "studies/motion/picture/motion_curves.hpp"
+#include "studies/motion/picture/motion_line.hpp"
 
 namespace kinestat {
 
@@ -19,18 +20,10 @@ constexpr std::string_view kUnexplained = "error";
 // More events than these crowd a chart, which then has none.
 constexpr std::size_t kMostGuides = 4;
 
-MotionTable with_few_events(const MotionTable& simulation) {
-  MotionTable table = simulation;
-  if (table.events.size() > kMostGuides) {
-    table.events.clear();
-  }
-  return table;
-}
-
 }  // namespace
 
 Figure simulation_figure(const MotionTable& simulation, const std::string& title) {
-  MotionTable table = with_few_events(simulation);
+  MotionTable table = simulation;
   for (std::size_t c = table.columns.size(); c-- > 1;) {
     if (!table.columns[c].quantity.starts_with(kEnergy)) {
       continue;
@@ -39,11 +32,26 @@ Figure simulation_figure(const MotionTable& simulation, const std::string& title
     if (c < table.figures.size()) {
       table.figures.erase(table.figures.begin() + static_cast<std::ptrdiff_t>(c));
     }
+    const auto erase = [c](std::vector<std::optional<double>>& values) {
+      if (c < values.size()) {
+        values.erase(values.begin() + static_cast<std::ptrdiff_t>(c));
+      }
+    };
     for (MotionRow& row : table.rows) {
-      row.values.erase(row.values.begin() + static_cast<std::ptrdiff_t>(c));
+      erase(row.values);
+    }
+    for (MotionEvent& event : table.events) {
+      erase(event.places);
+      erase(event.before);
+      erase(event.after);
     }
   }
   Figure figure = motion_figure(table, title);
+  if (table.events.size() > kMostGuides) {
+    for (Chart& chart : figure.charts) {
+      chart.guides.clear();
+    }
+  }
   figure.name = "simulation";
   figure.description = "What the rows of the simulation have, over time; a few events are marked.";
   return figure;
@@ -65,11 +73,8 @@ Figure energy_figure(const MotionTable& simulation, const std::string& title) {
     if (!is_energy || column.quantity.ends_with(kUnexplained)) {
       continue;
     }
-    Series series = {.name = column.quantity.substr(kEnergy.size())};
-    for (const MotionRow& row : simulation.rows) {
-      series.x.push_back(*row.values.front());
-      series.y.push_back(row.values[c].value_or(std::numeric_limits<double>::quiet_NaN()));
-    }
+    Series series = motion_line(simulation, MotionAbscissa(simulation, 0), c);
+    series.name = column.quantity.substr(kEnergy.size());
     chart.y.unit = column.unit;
     chart.series.push_back(std::move(series));
   }

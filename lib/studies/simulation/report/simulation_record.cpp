@@ -41,8 +41,10 @@ std::vector<SimulationColumn> make_columns(const SimulationReportView& v) {
   const std::vector<SimulationReading> readings = wanted_readings(v.mechanism, v.plan);
   for (std::size_t c = 0; c < readings.size(); ++c) {
     const SimulationReading& reading = readings[c];
-    SimulationColumn column{
-        .element = reading.element, .quantity = reading.quantity, .kind = reading.kind};
+    SimulationColumn column{.element = reading.element,
+                            .quantity = reading.quantity,
+                            .kind = reading.kind,
+                            .reading = c};
     for (const SimulationRow& row : v.solution.rows) {
       column.values.emplace_back(reading.value(row, v.solution.rows.front()));
     }

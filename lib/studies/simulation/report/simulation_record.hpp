@@ -28,6 +28,7 @@ struct SimulationColumn {
   std::string quantity;
   QuantityKind kind = QuantityKind::dimensionless;
   std::vector<std::optional<double>> values = {};   ///< one a row [SI]
+  std::size_t reading = 0;                          ///< which of `wanted_readings` it is
   bool is_coordinate = false;                       ///< of a freedom that the simulation began with
   std::optional<SimulationExtremes> extremes = {};  ///< of those for which they are sought
 

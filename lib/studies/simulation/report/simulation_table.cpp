@@ -31,6 +31,33 @@ std::optional<ColumnExtreme> placed(const std::optional<SimulationExtreme>& extr
                        .row = row_at(view.solution.rows, extreme->time)};
 }
 
+// With what the columns come to from either side.
+MotionEvent placed(const SimulationEvent& event,
+                   const std::vector<SimulationColumn>& columns,
+                   const SimulationReportView& view) {
+  const FileUnits& units = view.description.units;
+  const std::vector<SimulationSides>& sides = view.solution.sides;
+  MotionEvent placed{.kind = std::string(word_of(event.kind)),
+                     .element = event.element,
+                     .step = 0,
+                     .drive = {units.from_si(QuantityKind::time, event.time)},
+                     .uncertainty = 0.0,
+                     .row = row_at(view.solution.rows, event.time),
+                     .places = {}};
+  const auto of_event = std::ranges::lower_bound(sides, event.time, {}, &SimulationSides::time);
+  if (of_event == sides.end() || of_event->time != event.time) {
+    return placed;
+  }
+  const auto in_unit = [&](const std::optional<double>& si, QuantityKind kind) {
+    return si ? std::optional(units.from_si(kind, *si)) : std::nullopt;
+  };
+  for (const SimulationColumn& column : columns) {
+    placed.before.push_back(in_unit(of_event->before[column.reading], column.kind));
+    placed.after.push_back(in_unit(of_event->after[column.reading], column.kind));
+  }
+  return placed;
+}
+
 }  // namespace
 
 MotionTable simulation_table(const SimulationReportView& view) {
@@ -47,7 +74,8 @@ MotionTable simulation_table(const SimulationReportView& view) {
                           .to = in_time(view.plan.duration),
                           .reached = in_time(end)});
   table.rows.resize(solution.rows.size());
-  for (const SimulationColumn& column : simulation_columns(view)) {
+  const std::vector<SimulationColumn> columns = simulation_columns(view);
+  for (const SimulationColumn& column : columns) {
     table.columns.push_back(
         {.element = column.element, .quantity = column.quantity, .unit = units.text(column.kind)});
     const SimulationExtremes extremes = column.extremes.value_or(SimulationExtremes{});
@@ -63,12 +91,7 @@ MotionTable simulation_table(const SimulationReportView& view) {
     }
   }
   for (const SimulationEvent& one : solution.events) {
-    table.events.push_back({.kind = std::string(word_of(one.kind)),
-                            .element = one.element,
-                            .step = 0,
-                            .drive = {in_time(one.time)},
-                            .uncertainty = 0.0,
-                            .places = {}});
+    table.events.push_back(placed(one, columns, view));
   }
   return table;
 }
