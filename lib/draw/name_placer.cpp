@@ -169,7 +169,7 @@ double NamePlacer::line_cost(PixelPoint from, PixelPoint to) const {
 }
 
 PlacedName NamePlacer::take(const PixelBox& box, double cost, const TextStyle& style) {
-  labels_.push_back(box.grown(1.0));
+  labels_.push_back(with_word_gap(box));
   const double base = box.top + kAscentShare * box.height();
   const double x = style.anchor == Anchor::start    ? box.left
                    : style.anchor == Anchor::middle ? box.centre().x
@@ -265,6 +265,14 @@ PlacedName NamePlacer::place_at(const std::vector<PixelPoint>& middles,
     best = find_around(anchors, text, style, 4.0, best);
   }
   return take(best, style);
+}
+
+PixelBox with_word_gap(const PixelBox& text) {
+  constexpr double kWordGap = 4.0;
+  PixelBox box = text.grown(1.0);
+  box.left = text.left - kWordGap;
+  box.right = text.right + kWordGap;
+  return box;
 }
 
 void write_label(Svg& svg, const PlacedName& label, std::string_view text, TextStyle style) {

@@ -98,6 +98,10 @@ class NamePlacer {
   bool prices_crossings_ = false;
 };
 
+/// The box of a text with the room around it into which no other may reach: nearer side by side
+/// they would read as one.
+PixelBox with_word_gap(const PixelBox& text);
+
 /// Writes the label, and the line from its anchor if it needs one.
 void write_label(Svg& svg, const PlacedName& label, std::string_view text, TextStyle style);
 

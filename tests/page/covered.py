@@ -2,8 +2,9 @@
 
 # A function of the picture of a figure: how many texts it has, and which of them are covered. What
 # counts of a text are its letters, without descenders and the room above them; it covers another, or
-# is covered by what is painted full or as a line. What is drawn in the grey of a grid is meant to lie
-# behind, and the cursor of a chart moves.
+# is covered by what is painted full or as a line, or stands so near to the next in its row that both
+# read as one. What is drawn in the grey of a grid is meant to lie behind, and the cursor of a chart
+# moves.
 COVERED = """
 const piecesOf = (shape) => {  // of its outline, straight, as pairs of points
   const number = (name) => Number(shape.getAttribute(name) ?? 0);
@@ -82,7 +83,8 @@ const coveredOf = (svg) => {
   });
   const found = [];
   texts.forEach((a, i) => texts.slice(0, i).forEach((b) => {
-    if (a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom)
+    const gap = 3;  // [px] side by side
+    if (a.left < b.right + gap && b.left < a.right + gap && a.top < b.bottom && b.top < a.bottom)
       found.push(a.text + ' and ' + b.text);
   }));
   for (const shape of seen('line, path, polygon, circle, rect')) {

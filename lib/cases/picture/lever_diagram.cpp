@@ -143,7 +143,7 @@ class LeverDrawing {
         const std::string name = fitting_text(node.name, kTextSize, kPanelWidth, Weight::bold);
         PixelPoint at = {.x = left_of(l) + node.share * kPanelWidth, .y = 12.0};
         const auto covers = [&](const PixelBox& box) {
-          return box.overlaps(text_box(at, name, style).grown(2.0));
+          return box.overlaps(with_word_gap(text_box(at, name, style)));
         };
         while (std::ranges::any_of(taken, covers)) {
           at.y += 16.0;

@@ -105,9 +105,10 @@ class BurmesterWriter {
       return exponent == 0 ? std::string() : power_of_ten(exponent) + " ";
     };
     const std::string& text = units.text(QuantityKind::length);
-    svg_.text({.x = corner.x + 8, .y = 15},
-              fmt::format("x [{}{}]", power(across.exponent), text),
-              kSmall);
+    TextStyle at_end = kSmall;
+    at_end.anchor = Anchor::end;
+    svg_.text(
+        {.x = corner.x, .y = 30}, fmt::format("x [{}{}]", power(across.exponent), text), at_end);
     svg_.text(
         {.x = 0, .y = corner.y - 8}, fmt::format("y [{}{}]", power(up.exponent), text), kSmall);
   }
