@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/text.hpp"
 #include "pages/chart_figure.hpp"
 #include "pages/figures.hpp"
 #include "pages/tables.hpp"
@@ -17,6 +18,23 @@ namespace {
 // Of the frame of a chart [px]: with the words at its axes it fits a telephone, so that one drawing
 // serves every screen, and three stand beside each other on a wide one.
 constexpr double kChartWidth = 300.0;
+
+// What it shows; where others of the figure show the same, also of what.
+std::string shown_in(const Chart& chart, const Figure& figure) {
+  constexpr std::size_t kMostNames = 3;
+  const std::string shown = chart.title.empty() ? chart.y.label : chart.title;
+  const auto is_same = [&](const Chart& other) {
+    return other.title == chart.title && other.y.label == chart.y.label;
+  };
+  if (std::ranges::count_if(figure.charts, is_same) < 2) {
+    return shown;
+  }
+  std::vector<std::string> names;
+  for (const Series& one : chart.series) {
+    names.push_back(one.name);
+  }
+  return fmt::format("{} of {}", shown, plain_list(names, kMostNames));
+}
 
 // How high blocks stand on a page [px]: tables side by side.
 double height_of(const TextBlocks& blocks) {
@@ -145,8 +163,8 @@ void SectionWriter::add_charts(const Figure& figure, const std::string& what, Ch
   for (Chart chart : figure.charts) {
     chart.width = kChartWidth;
     // The caption has the title, which may be wider than the chart.
-    const std::string shown = chart.title.empty() ? chart.y.label : std::exchange(chart.title, {});
-    const std::string caption = fmt::format("{}: {}", what, shown);
+    const std::string caption = fmt::format("{}: {}", what, shown_in(chart, figure));
+    chart.title.clear();
     ++figures_;
     add_chart_figure({.name = figure.name,
                       .title = fmt::format("{}, {}", caption, page_title(page_)),

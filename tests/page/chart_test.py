@@ -379,7 +379,7 @@ class ChartTest(PageCase):
     def test_a_synthesis_meets_its_positions(self) -> None:
         self.open(self.page("synthesis/crank_rocker.yaml"), prefers_reduced_motion="reduce")
         labels = self.ask("return JSON.parse(document.querySelector('[id$=-poses]').textContent).labels;")
-        self.assertEqual(sum("near position" in one for one in labels), 5)
+        self.assertEqual(sum(", position " in one for one in labels), 5)
         # Its crank is as long as the file says, 1, and turns about the origin.
         first, other = self.ask(
             "const places = [];"

@@ -64,32 +64,57 @@ class Panel {
   }
 
  private:
-  static constexpr double kRim = 16.0;
+  static constexpr double kRim = 22.0;  // as far as supports reach
 
   Point shown(const Pose& pose) const { return pose.place(linkage_.tracer()); }
 
-  // Positions, joints and fixed pivots.
-  void find_window() {
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    Point low(kInfinity, kInfinity);
+  struct Window {
+    Point low = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
     Point high = -low;
-    const auto add = [&](const Point& p) {
+
+    void add(const Point& p) {
       low = {std::min(low.real(), p.real()), std::min(low.imag(), p.imag())};
       high = {std::max(high.real(), p.real()), std::max(high.imag(), p.imag())};
-    };
+    }
+
+    double longer() const {
+      const Point size = high - low;
+      return std::max(size.real(), size.imag());
+    }
+  };
+
+  // Positions, joints and fixed pivots; and the path, if that leaves them large enough to be seen.
+  void find_window() {
+    constexpr int kSteps = 240;
+    constexpr double kMostGrowth = 1.6;
+    Window window;
     for (const Dyad* dyad : {&linkage_.linkage.one, &linkage_.linkage.other}) {
       for (const Pose& pose : poses_) {
-        add(shown(pose));
-        add(joint_of(*dyad, pose));
+        window.add(shown(pose));
+        window.add(joint_of(*dyad, pose));
       }
       if (dyad->kind == DyadKind::crank) {
-        add(dyad->centre_point);
+        window.add(dyad->centre_point);
       }
     }
-    const Point size = high - low;
-    const double longer = std::max(size.real(), size.imag());
-    scale_ = longer > 0.0 ? (kPanel - 2.0 * kRim) / longer : 1.0;
-    middle_ = 0.5 * (low + high);
+    const LinkageMotion motion = trace_circuit(linkage_.linkage,
+                                               linkage_.best_drive,
+                                               poses_.front(),
+                                               kSteps,
+                                               kMostGrowth * window.longer());
+    path_ = coupler_curve(motion, linkage_.tracer());
+    if (motion.is_closed && !path_.empty()) {
+      path_.push_back(path_.front());
+    }
+    Window with_path = window;
+    for (const Point& p : path_) {
+      with_path.add(p);
+    }
+    if (with_path.longer() <= kMostGrowth * window.longer()) {
+      window = with_path;
+    }
+    scale_ = window.longer() > 0.0 ? (kPanel - 2.0 * kRim) / window.longer() : 1.0;
+    middle_ = 0.5 * (window.low + window.high);
   }
 
   PixelPoint at(const Point& p) const {
@@ -108,17 +133,11 @@ class Panel {
   }
 
   void draw_path() {
-    constexpr int kSteps = 240;
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-    const LinkageMotion motion = trace_circuit(
-        linkage_.linkage, linkage_.best_drive, poses_.front(), kSteps, kPanel / scale_);
     std::vector<PixelPoint> points;
-    for (const Point& p : coupler_curve(motion, linkage_.tracer())) {
+    for (const Point& p : path_) {
       const PixelPoint place = at(p);
       points.push_back(holds(place) ? place : PixelPoint{.x = kNone, .y = kNone});
-    }
-    if (motion.is_closed && !points.empty()) {
-      points.push_back(points.front());
     }
     svg_.polyline(points, {.stroke = Ink::blue, .width = 1.1, .dash = "5 3"});
   }
@@ -201,7 +220,8 @@ class Panel {
   PixelPoint corner_;
   Svg svg_;
   std::vector<Pose> poses_;
-  double scale_ = 1.0;  // [px/m]
+  std::vector<Point> path_;  // of the watched point
+  double scale_ = 1.0;       // [px/m]
   Point middle_;
 };
 
@@ -260,6 +280,7 @@ std::vector<LinkagePlace> find_best_linkages(const SynthesisAnalysis& analysis) 
 Picture draw_best_linkages(const SynthesisAnalysis& analysis) {
   const std::vector<LinkagePlace> places = find_best_linkages(analysis);
   KINESTAT_EXPECTS(!places.empty());
+  const LinkageCandidate& best = analysis.tasks[places[0].task].linkages[places[0].number];
   Svg svg;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const auto column = static_cast<double>(i % kColumns);
@@ -281,7 +302,10 @@ Picture draw_best_linkages(const SynthesisAnalysis& analysis) {
   }
   return make_picture(
       "synthesis",
-      fmt::format("The best linkages: {}", shown_name(analysis.file, analysis.description)),
+      fmt::format(
+          "{}: {}",
+          best.is_usable() ? "The best linkages" : "The nearest linkage, which is not usable",
+          shown_name(analysis.file, analysis.description)),
       fmt::format("{} in the first position, with the others faint and the path of {}.",
                   counted(places.size(), "linkage"),
                   traced_text(analysis)),

@@ -313,17 +313,20 @@ class BurmesterWriter {
     }
   }
 
+  void draw_cross(PixelPoint p) {
+    for (const double side : {-1.0, 1.0}) {
+      const PixelPoint half = {.x = 4.5, .y = 4.5 * side};
+      svg_.line(p - half, p + half, {.stroke = Ink::ink, .width = 1.5});
+    }
+  }
+
   void draw_poles() {
     for (const NamedPoint& pole : plane_.poles) {
       if (!plane_.window.holds(pole.at)) {
         continue;
       }
-      const PixelPoint p = at(pole.at);
       svg_.open_group(pole.name);
-      for (const double side : {-1.0, 1.0}) {
-        const PixelPoint half = {.x = 4.5, .y = 4.5 * side};
-        svg_.line(p - half, p + half, {.stroke = Ink::ink, .width = 1.5});
-      }
+      draw_cross(at(pole.at));
       svg_.close_group();
       name(pole.name, pole.at);
     }
@@ -370,6 +373,12 @@ class BurmesterWriter {
     }
     if (plane_.circle) {
       legend_line({.stroke = Ink::pink, .width = 1.3, .dash = "10 3 2 3"}, plane_.circle_name, y);
+    }
+    if (std::ranges::any_of(plane_.poles,
+                            [&](const NamedPoint& pole) { return plane_.window.holds(pole.at); })) {
+      draw_cross({.x = 14.0, .y = y});
+      svg_.text({.x = 36.0, .y = y + 4.0}, "poles of the moving plane", kSmall);
+      y += 17.0;
     }
     std::string reasons;
     for (const auto& [reason, count] : rejected_) {

@@ -69,25 +69,31 @@ class LinkageMover {
       size = std::max(size, std::abs(shown(pose) - shown(first_)));
     }
     motion_ = trace_circuit(best_.linkage, best_.best_drive, first_, kSteps, 2.0 * size);
+    pass_through_positions();
     find_scale();
   }
 
   MovingLinkage run() {
-    MovingLinkage result{.picture = draw(),
-                         .bodies = {},
-                         .steps = {},
-                         .labels = {},
-                         .is_closed = motion_.is_closed,
-                         .input = fmt::format("{0}0{0}", input().letter)};
+    const auto first = std::ranges::find(at_position_, 0);
+    MovingLinkage result{
+        .picture = draw(),
+        .bodies = {},
+        .steps = {},
+        .labels = {},
+        .first = first != at_position_.end() ? static_cast<int>(first - at_position_.begin()) : -1,
+        .is_closed = motion_.is_closed,
+        .input = fmt::format("{0}0{0}", input().letter)};
     result.bodies = {"plane", "dyad-A", "dyad-B"};
-    for (const Pose& pose : motion_.poses) {
+    for (std::size_t s = 0; s < motion_.poses.size(); ++s) {
+      const Pose& pose = motion_.poses[s];
       const double angle = pose.angle - first_.angle;
       const PlanePose plane{.shift = pose.origin - std::polar(1.0, angle) * first_.origin,
                             .angle = angle};
       result.steps.push_back({plane, dyads_[0].moved(first_, pose), dyads_[1].moved(first_, pose)});
-      result.labels.push_back(input_text(pose));
+      result.labels.push_back(
+          input_text(pose) +
+          (at_position_[s] < 0 ? "" : fmt::format(", position {}", at_position_[s] + 1)));
     }
-    name_positions(result);
     return result;
   }
 
@@ -145,8 +151,8 @@ class LinkageMover {
                                              {"data-y0", fmt::format("{}", y0_)}}};
     svg_.keep_lines();
     svg_.open_group({}, marks);
+    draw_paths();
     draw_asked();
-    draw_path();
     for (const DyadBody& one : dyads_) {
       draw_ground(one);
     }
@@ -158,9 +164,12 @@ class LinkageMover {
     svg_.close_group();
     return make_picture(
         "synthesis-motion",
-        fmt::format("Linkage through its positions: {}",
+        fmt::format("{}: {}",
+                    best_.is_usable()
+                        ? "The best linkage through its positions"
+                        : "The nearest linkage, which is not usable, and the positions",
                     shown_name(analysis_.file, analysis_.description)),
-        fmt::format("The best linkage in the first of {} positions, and the path of {}.",
+        fmt::format("The linkage in the first of {} positions, and the path of {}.",
                     asked_.size(),
                     traced_text(analysis_)),
         svg_);
@@ -184,15 +193,26 @@ class LinkageMover {
     }
   }
 
-  void draw_path() {
+  // Those of the joints behind, so that the picture is as large as the motion.
+  void draw_paths() {
+    for (const DyadBody& one : dyads_) {
+      draw_path([&](const Pose& pose) { return one.joint(pose); },
+                {.stroke = Ink::grid, .width = 1.0});
+    }
+    draw_path([&](const Pose& pose) { return shown(pose); },
+              {.stroke = Ink::blue, .width = 1.4, .dash = "7 3"});
+  }
+
+  template <class PointOf>
+  void draw_path(const PointOf& point_of, const Paint& paint) {
     std::vector<PixelPoint> points;
     for (const Pose& pose : motion_.poses) {
-      points.push_back(at(shown(pose)));
+      points.push_back(at(point_of(pose)));
     }
     if (motion_.is_closed) {
       points.push_back(points.front());
     }
-    svg_.polyline(points, {.stroke = Ink::blue, .width = 1.4, .dash = "7 3"});
+    svg_.polyline(points, paint);
   }
 
   void draw_ground(const DyadBody& one) {
@@ -257,9 +277,9 @@ class LinkageMover {
     svg_.close_group();
   }
 
-  // The linkage at the first step, where a page shows it.
+  // The linkage at the step that a page shows first.
   void keep_off_begin(NamePlacer& placer) const {
-    const Pose& begin = motion_.poses.front();
+    const Pose& begin = std::ranges::count(at_position_, 0) > 0 ? first_ : motion_.poses.front();
     const auto keep_off = [&](std::span<const Round> rounds) {
       const std::vector<PixelPoint> rim = rounded_hull(rounds);
       for (std::size_t i = 0; i < rim.size(); ++i) {
@@ -315,27 +335,28 @@ class LinkageMover {
     return text(QuantityKind::angle, std::arg(one.joint(pose) - one.dyad.centre_point));
   }
 
-  // The step nearest to each position has its number, if it comes as near as a step goes.
-  void name_positions(MovingLinkage& result) const {
+  // Where all that is drawn of it goes from one pose to the other.
+  double way_between(const Pose& from, const Pose& to) const {
+    return std::abs(shown(to) - shown(from)) +
+           std::abs(dyads_[0].joint(to) - dyads_[0].joint(from)) +
+           std::abs(dyads_[1].joint(to) - dyads_[1].joint(from));
+  }
+
+  // The step nearest to each position is put there, if it comes as near as a step goes.
+  void pass_through_positions() {
+    at_position_.assign(motion_.poses.size(), -1);
     for (std::size_t i = 0; i < asked_.size(); ++i) {
-      const auto far = [&](const Pose& pose) {
-        double sum = std::abs(shown(pose) - shown(asked_[i]));
-        for (const DyadBody& one : dyads_) {
-          sum += std::abs(one.joint(pose) - one.joint(asked_[i]));
-        }
-        return sum;
-      };
-      const auto nearest =
-          std::ranges::min_element(motion_.poses, {}, [&](const Pose& pose) { return far(pose); });
+      const auto nearest = std::ranges::min_element(
+          motion_.poses, {}, [&](const Pose& pose) { return way_between(pose, asked_[i]); });
       const auto step = static_cast<std::size_t>(nearest - motion_.poses.begin());
-      const std::size_t count = motion_.poses.size();
-      const double stride = far(motion_.poses[step]);
-      const Pose& next = motion_.poses[(step + 1) % count];
-      const double way = std::abs(shown(next) - shown(*nearest)) +
-                         std::abs(dyads_[0].joint(next) - dyads_[0].joint(*nearest)) +
-                         std::abs(dyads_[1].joint(next) - dyads_[1].joint(*nearest));
-      if (stride <= 2.0 * way) {
-        result.labels[step] += fmt::format(", near position {}", i + 1);
+      const Pose& next = motion_.poses[(step + 1) % motion_.poses.size()];
+      if (at_position_[step] < 0 &&
+          way_between(*nearest, asked_[i]) <= 2.0 * way_between(*nearest, next)) {
+        at_position_[step] = static_cast<int>(i);
+        const double turns =
+            std::round((nearest->angle - asked_[i].angle) / (2 * std::numbers::pi));
+        *nearest = asked_[i];
+        nearest->angle += 2 * std::numbers::pi * turns;
       }
     }
   }
@@ -346,7 +367,8 @@ class LinkageMover {
   std::array<DyadBody, 2> dyads_;
   std::vector<Pose> asked_;
   LinkageMotion motion_;
-  double scale_ = 1.0;  // [px/m]
+  std::vector<int> at_position_;  // of each step: which position it is, or -1
+  double scale_ = 1.0;            // [px/m]
   double x0_ = 0.0;
   double y0_ = 0.0;
   Svg svg_;

@@ -23,9 +23,10 @@ struct MovingLinkage {
   Picture picture;
   std::vector<std::string> bodies;
   std::vector<std::vector<PlanePose>> steps;  ///< of each body
-  std::vector<std::string> labels;  ///< of each step: the input, and a position that it meets
-  bool is_closed = false;           ///< the last step leads back to the first
-  std::string input;                ///< "A0A": what is driven
+  std::vector<std::string> labels;            ///< of each step: the input, and which position it is
+  int first = -1;          ///< the step in the first position, as drawn; -1: none
+  bool is_closed = false;  ///< the last step leads back to the first
+  std::string input;       ///< "A0A": what is driven
 };
 
 /// Of the task the first linkage, over all of the circuit that holds the first position; the other
