@@ -11,6 +11,7 @@
 #include "core/index.hpp"
 #include "description/simulation_report_words.hpp"
 #include "mechanism/label_kind.hpp"
+#include "report/column_table.hpp"
 #include "report/csv.hpp"
 #include "report/number_format.hpp"
 #include "report/report_parts.hpp"
@@ -32,7 +33,7 @@ class SimulationText {
     SimulationBlocks blocks;
     blocks.end += head();
     if (!v_.solution.events.empty()) {
-      blocks.end += TextBlocks(events());
+      blocks.end += events();
     }
     if (!v_.solution.rows.empty()) {
       blocks.extremes = extremes();
@@ -101,26 +102,34 @@ class SimulationText {
     return text + "\n";
   }
 
-  Table events() const {
-    Table table({"Event",
-                 "of",
-                 fmt::format("time [{}]", units_.text(QuantityKind::time)),
-                 "position",
-                 "speed",
-                 "after"});
+  // Only impacts have a speed after them.
+  TextBlocks events() const {
+    std::vector<TextColumn> columns = {
+        {"Event", {}},
+        {"of", {}},
+        {fmt::format("time [{}]", units_.text(QuantityKind::time)), {}},
+        {"position", {}},
+        {"speed", {}},
+        {"speed after", {}}};
     for (const SimulationEvent& one : v_.solution.events) {
       const auto cell = [&](QuantityKind kind, const std::optional<double>& si) {
         return si ? with_unit(kind, *si) : "-";
       };
       const QuantityKind rate = rate_kind(one.is_rotation);
-      table.add({std::string(word_of(one.kind)),
-                 one.element,
-                 number(QuantityKind::time, one.time),
-                 cell(position_kind(one.is_rotation), one.position),
-                 cell(rate, one.speed),
-                 cell(rate, one.speed_after)});
+      const std::array<std::string, 6> cells = {std::string(word_of(one.kind)),
+                                                one.element,
+                                                number(QuantityKind::time, one.time),
+                                                cell(position_kind(one.is_rotation), one.position),
+                                                cell(rate, one.speed),
+                                                cell(rate, one.speed_after)};
+      for (std::size_t i = 0; i < cells.size(); ++i) {
+        columns[i].cells.push_back(cells[i]);
+      }
     }
-    return table;
+    std::erase_if(columns, [](const TextColumn& column) {
+      return std::ranges::all_of(column.cells, [](const std::string& cell) { return cell == "-"; });
+    });
+    return TextBlocks(std::move(columns));
   }
 
   // But for energies, and what is always 0.
