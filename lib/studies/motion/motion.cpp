@@ -51,6 +51,7 @@ class MotionSolver {
     if (tracker_.is_beside_change_point()) {
       tracker_ = PathTracker<Frames>(network_);  // There the last way would go on.
     }
+    tracker_.leave_out_touches();
     PathPoint now = tracker_.make_point();
     now.coordinates = start.coordinates;
     now.angles = start.angles;

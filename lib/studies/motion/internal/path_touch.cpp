@@ -11,6 +11,9 @@ namespace kinestat {
 // it goes on to fall as in the step before, and rises as fast.
 template <class Frames>
 void PathTracker<Frames>::look_for_touch(const PathPoint& before, const PathPoint& now) {
+  if (!looks_for_touches_) {
+    return;
+  }
   const double way = now.share - before.share;
   const double fell =
       std::exchange(flattening_, (before.reciprocal_condition - now.reciprocal_condition) / way);

@@ -64,6 +64,9 @@ class PathTracker {
   /// Whether the last way arrived so near a change point that the next one begins before it.
   bool is_beside_change_point() const { return resumption_.has_value(); }
 
+  /// From now on: for ways whose double change points are known.
+  void leave_out_touches() { looks_for_touches_ = false; }
+
   ClosureSystem<Frames>& system() { return system_; }
 
  private:
@@ -133,6 +136,7 @@ class PathTracker {
   bool is_square_ = false;            ///< as many conditions as unknowns, and none is passive
   std::vector<ClosureBlock> blocks_;  ///< empty where the closure is one
   HermitePredictor trail_;
+  bool looks_for_touches_ = true;
   double flattening_ =
       0.0;  ///< how fast the reciprocal condition number fell in the step before, by the share
   std::vector<SpecialPosition> special_;
