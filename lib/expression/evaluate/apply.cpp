@@ -9,6 +9,7 @@
 #include "core/tolerance.hpp"
 #include "expression/evaluate/arithmetic.hpp"
 #include "expression/evaluate/settled_whole.hpp"
+#include "math/numbers/typed_angle.hpp"
 
 namespace kinestat {
 
@@ -47,9 +48,9 @@ Outcome apply_to_angle(Function function, const Quantity& a) {
     return value_fault("'tan' of an odd multiple of 90 deg does not exist",
                        "check the values that the angle is made of");
   }
-  const double value = function == sin   ? std::sin(a.value)
-                       : function == cos ? std::cos(a.value)
-                                         : std::tan(a.value);
+  const double value = function == sin   ? sine(a.value)
+                       : function == cos ? cosine(a.value)
+                                         : tangent(a.value);
   return checked({value, {}});
 }
 

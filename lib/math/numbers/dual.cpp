@@ -7,6 +7,7 @@
 
 #include "core/contract.hpp"
 #include "core/tolerance.hpp"
+#include "math/numbers/typed_angle.hpp"
 
 namespace kinestat {
 
@@ -124,15 +125,15 @@ Dual operator/(const Dual& a, const Dual& b) {
 }
 
 Dual sin(const Dual& a) {
-  return chain(std::sin(a.value), std::cos(a.value), a);
+  return chain(sine(a.value), cosine(a.value), a);
 }
 
 Dual cos(const Dual& a) {
-  return chain(std::cos(a.value), -std::sin(a.value), a);
+  return chain(cosine(a.value), -sine(a.value), a);
 }
 
 Dual tan(const Dual& a) {
-  const double value = std::tan(a.value);
+  const double value = tangent(a.value);
   return chain(value, 1.0 + value * value, a);
 }
 

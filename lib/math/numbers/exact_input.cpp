@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/tolerance.hpp"
+#include "math/numbers/typed_angle.hpp"
 
 namespace kinestat {
 
@@ -255,14 +256,14 @@ ExactInput sqrt(const ExactInput& a) {
 }
 
 ExactInput sin(const ExactInput& a) {
-  return made(std::sin(a.value),
+  return made(sine(a.value),
               applied(a, [](const BigFloat& x) { return BigFloat(sin(x)); }),
               exact_sine(a),
               0);
 }
 
 ExactInput cos(const ExactInput& a) {
-  return made(std::cos(a.value),
+  return made(cosine(a.value),
               applied(a, [](const BigFloat& x) { return BigFloat(cos(x)); }),
               exact_cosine(a),
               0);
@@ -270,7 +271,7 @@ ExactInput cos(const ExactInput& a) {
 
 ExactInput tan(const ExactInput& a) {
   ExactInput result = sin(a) / cos(a);
-  result.value = std::tan(a.value);
+  result.value = tangent(a.value);
   return result;
 }
 

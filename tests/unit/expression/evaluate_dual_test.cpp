@@ -50,6 +50,11 @@ TEST_P(Derivatives, AreThoseOfTheTextbook) {
   EXPECT_NEAR(derivative(number, 1), GetParam().by_y, kTight);
 }
 
+TEST(DualExpression, HasNoSlopeWhereASineTurns) {
+  EXPECT_EQ(derivative(with_derivatives("sin(x*30 deg)").value, 0), 0.0);
+  EXPECT_EQ(derivative(with_derivatives("cos(x*60 deg)").value, 0), 0.0);
+}
+
 // By hand, at x = 3 and y = 4 m.
 INSTANTIATE_TEST_SUITE_P(
     Table,
@@ -67,6 +72,8 @@ INSTANTIATE_TEST_SUITE_P(
                     DerivativeCase{"power_with_variable_exponent", "2^x", 8 * std::log(2), 0},
                     DerivativeCase{
                         "sine_of_degrees", "sin(x*10 deg)", kPi / 18 * std::cos(kPi / 6), 0},
+                    DerivativeCase{"cosine_that_is_zero", "cos(x*30 deg)", -kPi / 6, 0},
+                    DerivativeCase{"sine_that_is_zero", "sin(x*60 deg)", -kPi / 3, 0},
                     DerivativeCase{"tangent", "tan(x*15 deg)", kPi / 6, 0},
                     DerivativeCase{"arcsine", "asin(x/5)", 0.25, 0},
                     DerivativeCase{"angle", "atan2(y, x*1 m)", -0.16, 0.12},
