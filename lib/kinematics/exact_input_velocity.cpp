@@ -77,7 +77,7 @@ std::optional<KinematicSolution> solve_velocity_of_exact_input(
                              .body_bounds = {},
                              .couplings = {}};
   const std::vector<bool> counts(static_cast<std::size_t>(solved->x.size()), true);
-  solution.answer.error_bound = worst_relative_error(solved->x, solved->bound, counts);
+  solution.answer.error_bound = worst_relative_error(solved->x, solved->bound, counts, 0.0);
   fill(mechanism, basis, *solved, solution);
   return solution;
 }

@@ -75,7 +75,7 @@ AnswerEvidence evidence_of(const Topology& topology,
   if (!solved.bound) {
     return result;
   }
-  result.error_bound = worst_relative_error(solved.solution.x, *solved.bound, counts);
+  result.error_bound = worst_relative_error(solved.solution.x, *solved.bound, counts, 0.0);
   result.bounds.reserve(topology.freedoms.size());
   for (int f = 0; f < topology.freedom_count(); ++f) {
     result.bounds.push_back(rate_unit(topology, basis, f) *

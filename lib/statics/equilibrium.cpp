@@ -224,8 +224,8 @@ EquilibriumActions Equilibrium::solve_to(const AccuracyRequest& request,
   for (std::size_t i = 0; i < known.size(); ++i) {
     in_units.push_back(known[i] / units_[static_cast<std::size_t>(primaries_[i])]);
   }
-  const BoundedSolution solved = solve_to_digits(
-      elimination_, in_units, load_vector(body_count_, basis_, loads), request, counts);
+  const std::vector<double> right = load_vector(body_count_, basis_, loads);
+  const BoundedSolution solved = solve_to_digits(elimination_, in_units, right, request, counts);
   const Eigen::Map<const VecX> units(units_.data(), static_cast<Eigen::Index>(units_.size()));
   VecX x = solved.solution.x;
   if (is_moved_) {
@@ -243,7 +243,8 @@ EquilibriumActions Equilibrium::solve_to(const AccuracyRequest& request,
   if (solved.bound) {
     VecX bounds = units.cwiseProduct(*solved.bound);
     tie(bounds);
-    result.answer.error_bound = worst_relative_error(solved.solution.x, *solved.bound, counts);
+    result.answer.error_bound =
+        worst_relative_error(solved.solution.x, *solved.bound, counts, largest_size(right));
     result.answer.bounds.assign(bounds.begin(), bounds.end());
   }
   return result;

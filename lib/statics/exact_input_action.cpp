@@ -1,6 +1,7 @@
 #include "statics/exact_input_action.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "math/elimination/bounded_solve.hpp"
@@ -27,6 +28,7 @@ bool agrees(const ExactInputElimination& elimination, const StaticSolution& roun
 void fill(const Mechanism& mechanism,
           const CoordinateBasis& basis,
           const ExactInputSolution& solved,
+          double largest_load,
           StaticSolution& solution) {
   const int count = mechanism.topology.action_count();
   std::vector<bool> counts(static_cast<std::size_t>(count), true);
@@ -40,7 +42,7 @@ void fill(const Mechanism& mechanism,
       solution.magnitudes[i] = unit * solved.x[a];
     }
   }
-  solution.answer.error_bound = worst_relative_error(solved.x, solved.bound, counts);
+  solution.answer.error_bound = worst_relative_error(solved.x, solved.bound, counts, largest_load);
   make_wrenches(mechanism, solution);
 }
 
@@ -90,7 +92,11 @@ std::optional<StaticSolution> solve_action_of_exact_input(
                      .bounds = {},
                      .is_exact_input = true,
                      .is_exact = solved->is_exact};
-  fill(mechanism, basis, *solved, solution);
+  double largest_load = 0.0;
+  for (const ExactInput& one : right) {
+    largest_load = std::max(largest_load, std::abs(one.value));
+  }
+  fill(mechanism, basis, *solved, largest_load, solution);
   return solution;
 }
 

@@ -39,10 +39,19 @@ VecX rounded(const std::vector<DoubleDouble>& x, std::optional<VecX>& bound) {
 
 }  // namespace
 
+double largest_size(std::span<const double> numbers) {
+  double largest = 0.0;
+  for (const double number : numbers) {
+    largest = std::max(largest, std::abs(number));
+  }
+  return largest;
+}
+
 double worst_relative_error(const VecX& values,
                             const VecX& bounds,
-                            const std::vector<bool>& counts) {
-  double largest = 0.0;
+                            const std::vector<bool>& counts,
+                            double largest_right) {
+  double largest = largest_right;
   for (Eigen::Index i = 0; i < values.size(); ++i) {
     largest = at_index(counts, i) ? std::max(largest, std::abs(values[i])) : largest;
   }
@@ -70,9 +79,12 @@ BoundedSolution solve_to_digits(const Elimination& elimination,
   const bool only_if_needed = request.accuracy == Accuracy::automatic;
   const double asked = only_if_needed ? std::pow(10.0, -request.digits) : kEpsilon;
   RefinedSolve refined(elimination, known, rhs);
+  const auto worst_error = [&, largest_right = largest_size(rhs)] {
+    return worst_relative_error(result.solution.x, *result.bound, counts, largest_right);
+  };
   if (only_if_needed) {
     result.bound = refined.error_bound();
-    if (result.bound && worst_relative_error(result.solution.x, *result.bound, counts) <= asked) {
+    if (result.bound && worst_error() <= asked) {
       make_zeros(result.bound, result.solution.x);
       return result;
     }
@@ -81,7 +93,7 @@ BoundedSolution solve_to_digits(const Elimination& elimination,
     refined.refine();
     result.bound = refined.error_bound();
     result.solution.x = rounded(refined.x(), result.bound);
-    if (!result.bound || worst_relative_error(result.solution.x, *result.bound, counts) <= asked) {
+    if (!result.bound || worst_error() <= asked) {
       break;
     }
   }

@@ -26,11 +26,16 @@ BoundedSolution solve_to_digits(const Elimination& elimination,
                                 const AccuracyRequest& request,
                                 const std::vector<bool>& counts);
 
+/// The largest of the sizes, 0 if there is none.
+double largest_size(std::span<const double> numbers);
+
 /// The largest error of the values that `counts`, relative to each: 1 where not one digit is sure.
 /// A value that its bound does not tell from zero is written as zero, and right, as long as its
-/// bound is mere rounding of the largest value.
+/// bound is mere rounding of the largest value, or of the largest of the right-hand side, which it
+/// may be a sum of.
 double worst_relative_error(const VecX& values,
                             const VecX& bounds,
-                            const std::vector<bool>& counts);
+                            const std::vector<bool>& counts,
+                            double largest_right);
 
 }  // namespace kinestat

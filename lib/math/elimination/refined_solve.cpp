@@ -222,6 +222,11 @@ std::optional<VecX> RefinedSolve::error_bound() const {
   if (!bound) {
     return std::nullopt;
   }
+  const bool is_nothing_known =
+      high_.isZero(0.0) && std::ranges::all_of(right_, [](double x) { return x == 0.0; });
+  if (is_nothing_known) {
+    return VecX::Zero(high_.size());  // what solves a regular system exactly
+  }
   *bound = kOutwards * (correction_.cwiseAbs() + *bound);
   VecX in_units = high_;
   factors_.unscale(*bound);

@@ -62,7 +62,7 @@ TEST_F(HilbertSystem, IsRefinedWhereTheBoundDoesNotPromiseTheDigits) {
   const BoundedSolution found = solve(Accuracy::automatic, 14);
 
   EXPECT_EQ(found.precision, Precision::refined);
-  EXPECT_LE(worst_relative_error(found.solution.x, *found.bound, counts_), 1e-14);
+  EXPECT_LE(worst_relative_error(found.solution.x, *found.bound, counts_, 0.0), 1e-14);
   expect_covered(found);
 }
 
@@ -70,7 +70,7 @@ TEST_F(HilbertSystem, HasAllDigitsOfADoubleWithHighAccuracy) {
   const BoundedSolution found = solve(Accuracy::high);
 
   EXPECT_EQ(found.precision, Precision::refined);
-  EXPECT_LE(worst_relative_error(found.solution.x, *found.bound, counts_), 0x1p-52);
+  EXPECT_LE(worst_relative_error(found.solution.x, *found.bound, counts_, 0.0), 0x1p-52);
   expect_covered(found);
 }
 
@@ -78,21 +78,39 @@ TEST(WorstRelativeError, IsThatOfTheValuesThatCount) {
   const VecX values = Eigen::Vector3d(2.0, 1.0, 4.0);
   const VecX bounds = Eigen::Vector3d(0.5, 0.75, 0.5);
 
-  EXPECT_EQ(worst_relative_error(values, bounds, {true, false, true}), 0.25);
+  EXPECT_EQ(worst_relative_error(values, bounds, {true, false, true}, 0.0), 0.25);
 }
 
 TEST(WorstRelativeError, IsOneWhereABoundThatIsNoRoundingExceedsItsValue) {
   const VecX values = Eigen::Vector2d(1.0, 1e-12);
   const VecX bounds = Eigen::Vector2d(0.0, 1e-11);
 
-  EXPECT_EQ(worst_relative_error(values, bounds, {true, true}), 1.0);
+  EXPECT_EQ(worst_relative_error(values, bounds, {true, true}, 0.0), 1.0);
 }
 
 TEST(WorstRelativeError, LeavesOutWhatIsZeroButForRoundingOfTheLargest) {
   const VecX values = Eigen::Vector2d(1.0, 1e-17);
   const VecX bounds = Eigen::Vector2d(0.0, 1e-16);
 
-  EXPECT_EQ(worst_relative_error(values, bounds, {true, true}), 0.0);
+  EXPECT_EQ(worst_relative_error(values, bounds, {true, true}, 0.0), 0.0);
+}
+
+TEST(WorstRelativeError, LeavesOutWhatIsZeroButForRoundingOfTheRightHandSide) {
+  const VecX values = Eigen::VectorXd::Constant(1, 1e-17);
+  const VecX bounds = Eigen::VectorXd::Constant(1, 1e-16);
+
+  EXPECT_EQ(worst_relative_error(values, bounds, {true}, 1.0), 0.0);
+  EXPECT_EQ(worst_relative_error(values, bounds, {true}, 1e-15), 1.0);
+}
+
+TEST_F(HilbertSystem, IsSolvedExactlyWhereNothingIsKnown) {
+  rhs_.assign(kSize, 0.0);
+
+  const BoundedSolution found = solve(Accuracy::automatic);
+
+  EXPECT_EQ(found.precision, Precision::plain);
+  ASSERT_TRUE(found.bound.has_value());
+  EXPECT_TRUE(found.bound->isZero(0.0));
 }
 
 }  // namespace
