@@ -101,10 +101,6 @@ std::string lossy_ends_text(const Mechanism& mechanism,
   std::vector<int> ends = which.inputs;
   ends.insert(ends.end(), which.outputs.begin(), which.outputs.end());
   const std::vector<std::optional<double>>& actions = one.efficiency->state->actions;
-  double largest = 0.0;
-  for (const std::optional<double>& action : actions) {
-    largest = std::max(largest, std::abs(action.value_or(0.0)));
-  }
   std::vector<std::string> parts = {
       fmt::format("input power {} {}",
                   format_short(in.power(one.efficiency->state->input)),
@@ -116,10 +112,9 @@ std::string lossy_ends_text(const Mechanism& mechanism,
         std::ranges::find(which.actions, actuator.action, &Primary::index) != which.actions.end();
     if (!is_given && actions[a]) {
       const bool is_couple = mechanism.topology.actions[a].is_couple;
-      const double action = std::abs(*actions[a]) <= kSameValue * largest ? 0.0 : *actions[a];
       parts.push_back(fmt::format("{} {} {}",
                                   actuator.name,
-                                  format_short(in.action(action, is_couple)),
+                                  format_short(in.action(*actions[a], is_couple)),
                                   in.units().text(action_kind(is_couple))));
     }
   }
