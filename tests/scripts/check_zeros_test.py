@@ -42,6 +42,42 @@ class CheckZeros(unittest.TestCase):
         self.assert_found("const double zero = kNoReaction * largest;")
         self.assert_found("return kNoReaction * flow.largest;")
 
+    def test_a_share_is_found_however_it_is_spelled(self) -> None:
+        for code in (
+            "bool b = std::abs(x) <= largest * kRankZero;",
+            "bool b = std::abs(x) <= all.largest() * kRankZero;",
+            "bool b = std::abs(x) <= 1e-12 * largest;",
+            "bool b = std::abs(x) / largest < kRankZero;",
+            "bool b = kRankZero > std::abs(x) / v.norm();",
+            "bool b = std::abs(x) <= kRankZero * scale;",
+            "bool b = std::abs(x) <= kRankZero * flow.scale_;",
+            "bool b = std::abs(x) <= kRankZero * v.norm();",
+            "bool b = std::abs(x) <= v.norm() * 1e-9;",
+            "const double zero{kRankZero * largest};",
+            "f(kRankZero * largest);",
+            "bool b = std::abs(x) <= kRankZero * std::ranges::max(all);",
+            "bool b = std::abs(x) <= kRankZero * *std::ranges::max_element(all);",
+            "if (std::abs(x) < (kRankZero * largest)) x = 0;",
+            "double zero = tolerance.zero * largest;",
+            "bool b = is_small(x, kRankZero, largest);",
+            "bool b = is_small(x, largest, 1e-12);",
+            "bool b = kRankZero * largest > std::abs(x);",
+            "bool b = std::max(a, kRankZero * largest) > x;",
+            "bool b = Eigen::internal::isMuchSmallerThan(x, y);",
+        ):
+            with self.subTest(code):
+                self.assert_found(code)
+
+    def test_shares_that_are_not_small_are_of_another_kind(self) -> None:
+        self.assert_allowed(
+            "lib/draw/a.cpp",
+            "constexpr double kHead = 0.2;\ndouble head(double size) { return kHead * size; }",
+        )
+
+    def test_rounding_of_the_terms_of_a_sum_is_a_bound(self) -> None:
+        self.assert_allowed("lib/power/flow.cpp", "bound += kDataRounding * v.norm();")
+        self.assert_allowed("lib/power/flow.cpp", "bound += 4.0 * kEpsilon * force.norm();")
+
     def test_a_part_of_the_largest_is_none(self) -> None:
         self.assert_allowed("lib/plot/a.cpp", "const double x = kArrow * force / largest_force_;")
 
@@ -65,10 +101,35 @@ class CheckZeros(unittest.TestCase):
         self.assert_allowed("lib/run/a.cpp", '// snap(x)\nconst char* a = "snap(x)";')
 
     def test_a_listed_decision_is_allowed(self) -> None:
-        self.assert_allowed("lib/statics/lossy_system.cpp", "bool b = p < -kSmall * largest;")
+        self.assert_allowed(
+            "lib/network/primary_check.cpp",
+            "MatX clear_part(const MatX& all) {\n  return all < kSmall * largest;\n}",
+        )
+
+    def test_a_listed_decision_is_of_one_function(self) -> None:
+        status, lines = check(
+            {
+                "lib/network/primary_check.cpp": "MatX clear_part(const MatX& all) {\n"
+                "  return all < kSmall * largest;\n}\n\n"
+                "bool other(const MatX& all,\n           int a) {\n"
+                "  return all < kSmall * largest;\n}\n"
+            }
+        )
+        self.assertEqual((status, len(lines)), (1, 1))
+        self.assertIn("in other ", lines[0])
+
+    def test_a_function_of_a_class_has_its_own_name(self) -> None:
+        status, lines = check(
+            {
+                "lib/power/a.cpp": "class Flow {\n public:\n  bool is_open(int a) const {\n"
+                "    return x < kSmall * largest;\n  }\n};\n"
+            }
+        )
+        self.assertEqual((status, len(lines)), (1, 1))
+        self.assertIn("in is_open ", lines[0])
 
     def test_a_row_that_allows_nothing_is_found(self) -> None:
-        status, lines = check({"lib/statics/lossy_system.cpp": "int none = 0;"})
+        status, lines = check({"lib/network/primary_check.cpp": "int none = 0;"})
         self.assertEqual(status, 1)
         self.assertIn("nothing to allow", lines[0])
 
