@@ -37,7 +37,8 @@ LARGEST = (
     rf"(?:{OWNER}\w*(?:largest|greatest|fastest|steepest|biggest)\w*"
     rf"|\*?\s*(?:std::)?(?:ranges::)?max_element\b|(?:std::)?ranges::max\b|{OWNER}maxCoeff\b)"
 )
-SIZE = rf"(?:{OWNER}\w*(?:scale|size|magnitude)_?\b(?!\s*\()|{OWNER}(?:norm|lpNorm)\b)"
+# A `size()` counts elements; one of something has arguments.
+SIZE = rf"(?:{OWNER}\w*(?:scale|size|magnitude)_?\b(?!\s*\(\s*\))|{OWNER}(?:norm|lpNorm)\b)"
 
 
 def product(small: str, large: str) -> str:
@@ -149,6 +150,9 @@ DECISIONS: dict[str, dict[str, str]] = {
     "lib/studies/inputs/internal/cobasis_search.cpp": {
         "CobasisSearch": "rank: which columns are independent",
     },
+    "lib/studies/mobility/motion_space.cpp": {
+        "may_be_rounding": "search: products so small that their bounds are asked for",
+    },
     "lib/studies/mobility/passive_freedom.cpp": {
         "is_across": "rank: directions of a passive freedom",
         "snap rates_of passive_freedoms_beside": "rank: what a passive freedom moves",
@@ -175,11 +179,26 @@ DECISIONS: dict[str, dict[str, str]] = {
     "lib/studies/motion/picture/motion_curves.cpp": {
         "follows_drive": "drawing: which curves would be that of the drive",
     },
+    "lib/studies/motion/task/cycle/cycle_checks.cpp": {
+        "why_not_closed": "consistency: a cycle ends as it begins",
+    },
+    "lib/studies/motion/task/cycle/find_actuators.cpp": {
+        "peak_of integral_of add_energies figures_of energy":
+        "bound: what polynomials leave of the function itself",
+    },
     "lib/studies/motion/task/cycle/find_balance.cpp": {
-        "solve": "the direction of a counterweight, whose integrals have no bound of their own",
+        "solve": "bound: what polynomials leave of the function itself",
+    },
+    "lib/studies/motion/task/cycle/find_flywheel.cpp": {
+        "solve": "bound: what polynomials leave of the function itself",
+        "hangs_on_position_alone": "consistency: whether actions depend on position alone",
+    },
+    "lib/studies/motion/task/cycle/find_harmonics.cpp": {
+        "take_apart": "bound: what polynomials leave of the function itself",
     },
     "lib/studies/motion/task/cycle/find_limit_speed.cpp": {
         "holds_at_twice": "consistency: whether actions go with the square of speed",
+        "solve": "bound: what polynomials leave of the function itself",
     },
     "lib/studies/motion/task/figures/motion_figures.cpp": {
         "samples_with_jumps": "search: whether a column jumps at a place",
@@ -241,7 +260,8 @@ DECISIONS: dict[str, dict[str, str]] = {
     "lib/studies/synthesis/positions/plane_area.cpp": {
         "distance": "consistency: a point on the edge of an area is in it",
     },
-    "lib/studies/synthesis/task/synthesis_task.cpp": {"are_alike": "comparison of two dyads"},}
+    "lib/studies/synthesis/task/synthesis_task.cpp": {"are_alike": "comparison of two dyads"},
+}
 
 DEFINITION = re.compile(r"\bconstexpr\s+(?:double|float|auto|int)\s+(k[A-Z]\w*)\s*[={]\s*([^;}]+)")
 HEAD = re.compile(r"(?!(?:namespace|template|public|private|requires|#)\b)[A-Za-z_\[]")

@@ -99,8 +99,8 @@ double unreported_power(const Mechanism& mechanism, const Wrench& wrench, const 
          (twist.linear.norm() / length + twist.angular.norm());
 }
 
-// What the place of a load was rounded by: a coordinate as 100 mm cos(90 deg) is off by a share of
-// what it is made of, not of itself.
+// What the place of a load was rounded by: a coordinate as 50*sqrt(2) - 100*sin(45 deg) is off by a
+// share of what it is made of, not of itself.
 double misread_power(const Load& load, const Twist& twist) {
   const double apart =
       2.0 * std::numeric_limits<double>::epsilon() * load.point.value_or(Vec3::Zero()).norm();

@@ -34,6 +34,12 @@ BoundedNumber slip_speed(const Mechanism& mechanism,
          BoundedNumber{.value = radius, .bound = kDataRounding * std::abs(radius)};
 }
 
+// With the rounding of the radii at which tensions pull: two that are equal as typed differ by it.
+BoundedNumber rounded(BoundedNumber tension) {
+  tension.bound += kDataRounding * std::abs(tension.value);
+  return tension;
+}
+
 BeltState belt_state_of(const CableContactState& state) {
   if (state.slip_speed.value_or(0.0) != 0.0) {
     return BeltState::slipping;
@@ -76,7 +82,7 @@ std::vector<CableContactState> find_cable_contact_states(const Mechanism& mechan
       const BoundedNumber speed = slip_speed(mechanism, contact, *motion);
       state.slip_speed = speed.zeroed();
       if (before && after) {
-        state.slip_power = ((*before - *after) * speed).zeroed();
+        state.slip_power = ((rounded(*before) - rounded(*after)) * speed).zeroed();
       }
     }
     state.belt_state = belt_state_of(state);

@@ -264,8 +264,9 @@ FrictionLawOf<Scalar> contact(const SlidingOf<Scalar>& s) {
   using std::sqrt;
   const Vec3Of<Scalar> velocity = velocity_at<Scalar>(s.twist, s.at);
   const Scalar speed = sqrt(velocity.squaredNorm());
-  const Vec3Of<Scalar> direction =
-      value_of(speed) > 0.0 ? Vec3Of<Scalar>(-velocity / speed) : Vec3Of<Scalar>::Zero();
+  const Vec3Of<Scalar> direction = value_of(speed) > 0.0
+                                       ? Vec3Of<Scalar>(-unit_along<Scalar>(velocity))
+                                       : Vec3Of<Scalar>(Vec3Of<Scalar>::Zero());
   FrictionLawOf<Scalar> law = law_of(s, unit_force<Scalar>(direction, s.at), speed);
   const CouplingTopology& coupling = s.topology.coupling(s.friction.coupling);
   const int pressing = normal_action(s.topology, coupling);

@@ -21,8 +21,13 @@ Elimination::Elimination(SparseMatrix matrix, std::span<const int> last)
 
 // A combination of eliminated rows as one of the scaled rows of A.
 VecX Elimination::combined_rows(VecX eliminated) const {
+  VecX size = eliminated.cwiseAbs();
   for (auto step = multipliers_.rbegin(); step != multipliers_.rend(); ++step) {
-    eliminated[step->pivot_row] -= step->value * eliminated[step->row];
+    const double term = step->value * eliminated[step->row];
+    double& value = eliminated[step->pivot_row];
+    value -= term;
+    size[step->pivot_row] += std::abs(term);
+    value = std::abs(value) <= kCancellation * size[step->pivot_row] ? 0.0 : value;
   }
   return eliminated;
 }
@@ -184,7 +189,8 @@ AdjointSolution Elimination::solve_adjoint(const VecX& gradient) const {
   VecX size = left.cwiseAbs();
   VecX rows = VecX::Zero(matrix_.rows);
   for (const Pivot& pivot : pivots_) {
-    const double y = left[pivot.column] / pivot.value;
+    const bool is_rounding = std::abs(left[pivot.column]) <= kCancellation * size[pivot.column];
+    const double y = is_rounding ? 0.0 : left[pivot.column] / pivot.value;
     rows[pivot.row] = y;
     for (const Cell& cell : at(rows_, pivot.row)) {
       left[cell.column] -= cell.value * y;

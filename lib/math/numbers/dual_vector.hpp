@@ -27,6 +27,11 @@ Vec3Of<Scalar> unit_along(const Vec3Of<Scalar>& vector) {
   return {vector[0] / length, vector[1] / length, vector[2] / length};
 }
 
+/// Of duals: the direction of a vector that a variable lengthens alone has no derivative towards
+/// it, whatever rounding leaves of the difference.
+template <>
+Vec3Of<Dual> unit_along<Dual>(const Vec3Of<Dual>& vector);
+
 }  // namespace kinestat
 
 template <>

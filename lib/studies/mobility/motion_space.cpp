@@ -1,10 +1,15 @@
 #include "studies/mobility/motion_space.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <optional>
 
+#include "core/rounding.hpp"
 #include "math/dense/readable_basis.hpp"
+#include "math/elimination/data_zero.hpp"
 #include "math/elimination/elimination.hpp"
+#include "math/numbers/zero_within_bound.hpp"
 #include "network/node_system.hpp"
 #include "studies/mobility/passive_freedom.hpp"
 
@@ -98,6 +103,83 @@ class MotionRows {
   std::vector<int> order_;  ///< freedoms as they are reported
 };
 
+// How far ω·v of bodies may be off, which their pitches are made of: by what rounding of the
+// couplings does to the motions, and by what these miss. Their first rates are exact.
+class PitchErrors {
+ public:
+  PitchErrors(const Mechanism& mechanism, const CoordinateBasis& basis)
+      : mechanism_(mechanism), basis_(basis) {}
+
+  // Takes from the linear velocities what is along the axis by rounding.
+  void settle(std::vector<FreeMotion>& motions) {
+    for (FreeMotion& motion : motions) {
+      for (std::size_t b = 1; b < motion.bodies.size(); ++b) {
+        Twist& twist = motion.bodies[b];
+        const double product = twist.angular.dot(twist.linear);
+        if (may_be_rounding(twist) &&
+            zero_within_bound(product, bound_of(motion, b, motions)) == 0.0) {
+          twist.linear -= product / twist.angular.squaredNorm() * twist.angular;
+        }
+      }
+    }
+  }
+
+ private:
+  static bool may_be_rounding(const Twist& twist) {
+    const double product = twist.angular.dot(twist.linear);
+    return product != 0.0 &&
+           std::abs(product) <= kRankZero * twist.angular.norm() * twist.linear.norm();
+  }
+
+  double bound_of(const FreeMotion& motion, std::size_t body, const std::vector<FreeMotion>& all) {
+    if (!held_) {
+      std::vector<int> first;
+      for (const FreeMotion& one : all) {
+        first.push_back(velocity_column(mechanism_.topology, basis_, one.first));
+      }
+      system_ = velocity_system(mechanism_.topology, mechanism_.geometry, basis_);
+      held_.emplace(system_, first);
+    }
+    const AdjointSolution adjoint =
+        held_->solve_adjoint(gradient_of(motion.bodies[body], static_cast<int>(body)));
+    return adjoint.rows.cwiseAbs().dot(errors_of(motion));
+  }
+
+  // Of ω·v, towards the unknowns.
+  VecX gradient_of(const Twist& twist, int body) const {
+    VecX gradient = VecX::Zero(system_.columns);
+    const int first = basis_.order() * (body - 1);
+    for (int c = first; c < first + basis_.order(); ++c) {
+      const Twist unit = body_twist(VecX::Unit(system_.columns, c), basis_, {body});
+      gradient[c] = twist.angular.dot(unit.linear) + twist.linear.dot(unit.angular);
+    }
+    return gradient;
+  }
+
+  VecX errors_of(const FreeMotion& motion) const {
+    VecX x = VecX::Zero(system_.columns);
+    for (int f = 0; f < mechanism_.topology.freedom_count(); ++f) {
+      x[velocity_column(mechanism_.topology, basis_, f)] =
+          motion.rates[f] / rate_unit(mechanism_.topology, basis_, f);
+    }
+    for (std::size_t b = 1; b < motion.bodies.size(); ++b) {
+      x.segment(basis_.order() * (static_cast<Eigen::Index>(b) - 1), basis_.order()) =
+          basis_.coordinates_of(motion.bodies[b].coordinates());
+    }
+    VecX missed = VecX::Zero(system_.rows);
+    for (const SparseEntry& entry : system_.entries) {
+      missed[entry.row] += entry.value * x[entry.column];
+    }
+    return missed.cwiseAbs() +
+           row_errors(system_, {}, {.rows = basis_.order(), .share = kDataRounding}, x);
+  }
+
+  const Mechanism& mechanism_;
+  const CoordinateBasis& basis_;
+  SparseMatrix system_;
+  std::optional<Elimination> held_;  ///< factored when a pitch is first in doubt
+};
+
 }  // namespace
 
 MotionSpace find_motion_space(const Mechanism& mechanism, const CoordinateBasis& basis) {
@@ -132,6 +214,7 @@ MotionSpace find_motion_space(const Mechanism& mechanism, const CoordinateBasis&
     space.motions.push_back(rows.motion_of(basis_rows.row(j)));
   }
   space.motions.insert(space.motions.end(), passive.begin(), passive.end());
+  PitchErrors(mechanism, basis).settle(space.motions);
   return space;
 }
 

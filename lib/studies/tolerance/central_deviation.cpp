@@ -24,9 +24,9 @@ Mechanism loaded_with(Mechanism mechanism, std::span<const BodyWrench> loads) {
   return mechanism;
 }
 
-// What is not more than rounding of the larger of two vectors is none of it.
-Vec3 settled(const Vec3& vector, const Vec3& own) {
-  const double bound = kDataRounding * own.norm();
+// A sum of vectors of these sizes, without what is no more than their rounding.
+Vec3 settled(const Vec3& vector, double sizes) {
+  const double bound = kDataRounding * sizes;
   return vector.unaryExpr([bound](double x) { return zero_within_bound(x, bound); });
 }
 
@@ -80,14 +80,15 @@ class PlanetCanceller {
     for (const bool is_angle : {false, true}) {
       const Vec3 own = vector(id, is_angle, drawn);
       Vec3 with_planets = own;
+      double sizes = own.norm();
       for (const CountedCoupling& planet : hinge.planets) {
         const Vec3 place = vector(planet.coupling, false, drawn);
         const Vec3 arm = mechanism_.geometry.points[at(planet.coupling.value)] - point;
-        const Vec3 part =
-            is_angle ? Vec3(arm.cross(place) + vector(planet.coupling, true, drawn)) : place;
-        with_planets += planet.sign * part;
+        const Vec3 turns = is_angle ? vector(planet.coupling, true, drawn) : Vec3(Vec3::Zero());
+        with_planets += planet.sign * (is_angle ? Vec3(arm.cross(place) + turns) : place);
+        sizes += (is_angle ? arm.norm() : 1.0) * place.norm() + turns.norm();
       }
-      const Vec3 left = settled(borne(hinge, own, with_planets), own);
+      const Vec3 left = settled(borne(hinge, own, with_planets), sizes);
       for (const std::size_t d : of(id, is_angle)) {
         by_parts_[d] = deviations_[d].direction.dot(left);
       }

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "math/numbers/dual_vector.hpp"
+
 namespace kinestat {
 namespace {
 
@@ -111,6 +113,29 @@ TEST(Dual, ArcsineNearOneKeepsItsDigits) {
   const double e = std::ldexp(1.0, -40);
 
   EXPECT_NEAR(derivative(asin(x(1.0 - e)), 0) * std::sqrt(2 * e - e * e), 1.0, kTight);
+}
+
+// Whatever is longer or shorter by x: the direction stays.
+TEST(DualVector, DoesNotTurnWhereItOnlyGrows) {
+  for (const double size : {1.0, 0.37, 157.08, 3e-7}) {
+    for (const Vec3& along : {Vec3(0.3, -0.7, 0.11), Vec3(2.0, 0.4, 0.0), Vec3(1.0, 1.0, 1.0)}) {
+      const Vec3Of<Dual> unit =
+          unit_along<Dual>({x(size) * along.x(), x(size) * along.y(), x(size) * along.z()});
+      for (const Dual& one : unit) {
+        EXPECT_EQ(derivative(one, 0), 0.0) << size;
+      }
+    }
+  }
+}
+
+// Of (x, y, 0) at (3, 4): d(x/r)/dx = y^2/r^3, d(x/r)/dy = -xy/r^3.
+TEST(DualVector, TurnsAsTheTextbookSays) {
+  const Vec3Of<Dual> unit = unit_along<Dual>({x(3), y(4), Dual(0.0)});
+
+  EXPECT_NEAR(derivative(unit[0], 0), 0.128, kTight);
+  EXPECT_NEAR(derivative(unit[0], 1), -0.096, kTight);
+  EXPECT_NEAR(derivative(unit[1], 1), 0.072, kTight);
+  EXPECT_EQ(derivative(unit[2], 0), 0.0);
 }
 
 }  // namespace

@@ -160,6 +160,22 @@ TEST(Elimination, SolvesTheAdjointLikeADenseTransposedSystem) {
   EXPECT_TRUE(is_near(adjoint.known, known, kTwoWays));
 }
 
+// A row of the matrix is that row alone, whatever rounding leaves of the others.
+TEST(Elimination, SolvesTheAdjointOfARowByThatRowAlone) {
+  Random random(7);
+  for (int run = 0; run < 20; ++run) {
+    const MatX A = random_sparse(9, 9, random) + 3.0 * MatX::Identity(9, 9);
+    const Elimination elimination(sparse(A), {});
+    for (int row = 0; row < 9; ++row) {
+      const VecX found = elimination.solve_adjoint(A.row(row).transpose()).rows;
+
+      for (int r = 0; r < 9; ++r) {
+        EXPECT_NEAR(found[r], r == row ? 1.0 : 0.0, r == row ? 1e-12 : 0.0) << row << ' ' << r;
+      }
+    }
+  }
+}
+
 TEST(Elimination, FindsNoRelationAmongIndependentKnownColumns) {
   // x_2 = x_0 + x_1.
   const Elimination elimination(sparse(rows_of({{1, 1, -1}})), std::vector<int>{0, 1});

@@ -122,6 +122,26 @@ TEST(MotionSpace, HasSixMotionsOfAPlatformNoneOfThemPassive) {
   }
 }
 
+// The lower part of a leg turns about the centre of its universal joint, a point of the ground: no
+// screw of it has a pitch.
+TEST(MotionSpace, GivesWhatTurnsAboutAPointNoPitch) {
+  const Mechanism mechanism = case_of_library("spatial/ups_platform").mechanism;
+
+  const MotionSpace space = motions_of(mechanism);
+
+  int turning = 0;
+  for (std::size_t b = 1; b < mechanism.topology.bodies.size(); ++b) {
+    for (const FreeMotion& motion : space.motions) {
+      const auto axis = motion.axis_of(b, mechanism.geometry.length);
+      if (mechanism.topology.bodies[b].name.starts_with("lower") && axis) {
+        ++turning;
+        EXPECT_EQ(axis->pitch, 0.0);
+      }
+    }
+  }
+  EXPECT_GT(turning, 30);
+}
+
 // A shaft in two bearings on the ground turns: that is what it is for.
 TEST(PassiveFreedom, IsNoMotionAgainstTheGroundAlone) {
   const MobilityCase one = case_of_text(
