@@ -15,11 +15,14 @@ namespace {
 // The magnitude, with its gradient.
 struct Evaluated {
   double value = 0.0;
+  double terms = 0.0;  // the sizes of what it sums
   VecX gradient;
 };
 
 Evaluated evaluate(const FrictionFunction& function, const VecX& f) {
-  Evaluated result{.value = function.constant, .gradient = VecX::Zero(f.size())};
+  Evaluated result{.value = function.constant,
+                   .terms = std::abs(function.constant),
+                   .gradient = VecX::Zero(f.size())};
   for (const PressingForce& force : function.forces) {
     const Vec3 v = force.constant + force.slopes * f;
     const double size = v.norm();
@@ -27,6 +30,8 @@ Evaluated evaluate(const FrictionFunction& function, const VecX& f) {
     const double weight = is_negative ? force.part->weight_if_negative : force.part->weight;
     if (size > 0.0) {
       result.value += weight * size;
+      result.terms +=
+          weight * (force.constant.norm() + force.slopes.colwise().norm().dot(f.cwiseAbs()));
       result.gradient += (weight / size) * (force.slopes.transpose() * v);
     }
   }
@@ -75,14 +80,19 @@ class Continuation {
     return jump <= 4.0 * step * (size_ + before.cwiseAbs().sum()) + 0.5 * before.cwiseAbs().sum();
   }
 
+  // Near a jam, where frictions amplify each other, what rounding leaves of the equations moves
+  // them by more than rounding: there they are found once the equations hold to rounding.
   std::optional<VecX> newton(VecX f, double share) const {
     constexpr int kMostSteps = 40;
     for (int i = 0; i < kMostSteps; ++i) {
       VecX difference = f;
       MatX jacobian = MatX::Identity(count(), count());
+      bool holds = true;
       for (Eigen::Index r = 0; r < count(); ++r) {
         const Evaluated one = evaluate(functions_[static_cast<std::size_t>(r)], f);
         difference[r] -= share * one.value;
+        holds = holds &&
+                std::abs(difference[r]) <= kCancellation * (std::abs(f[r]) + share * one.terms);
         jacobian.row(r) -= share * one.gradient.transpose();
       }
       const std::optional<VecX> correction = solve_dense(jacobian, difference);
@@ -91,7 +101,8 @@ class Continuation {
       }
       f -= *correction;
       // No friction is negative by more than what the search leaves open.
-      const double left_open = kCancellation * (f.cwiseAbs().sum() + size_);
+      const double size = f.cwiseAbs().sum() + size_;
+      const double left_open = (holds ? kConsistency : kCancellation) * size;
       if (correction->cwiseAbs().sum() <= left_open) {
         return (f.array() >= -left_open).all() ? std::optional(f) : std::nullopt;
       }

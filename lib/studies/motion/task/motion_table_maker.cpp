@@ -15,6 +15,7 @@
 #include "studies/motion/task/figures/motion_corners.hpp"
 #include "studies/motion/task/figures/poles.hpp"
 #include "studies/motion/task/figures/unbounded_quotients.hpp"
+#include "studies/motion/task/figures/values_between.hpp"
 #include "studies/motion/task/friction_turns.hpp"
 #include "studies/motion/task/idle_rates.hpp"
 #include "studies/motion/task/motion_events.hpp"
@@ -74,7 +75,7 @@ class TableMaker {
     add_rows();
     add_events();
     add_column_figures();
-    poles_.leave_out_unbounded(readings_, table_.drives.size(), table_);
+    quotients_.leave_out_unbounded(readings_, table_.drives.size(), steps_, table_);
     add_assembly(solution_.assembly, mechanism_, units_, table_);
     return std::move(table_);
   }
@@ -225,7 +226,7 @@ class TableMaker {
     }
     row.at_rest = values_at_rest(position, solution_.shares[static_cast<std::size_t>(p)]);
     table_.rows.push_back(std::move(row));
-    poles_.look(readings_, position);
+    quotients_.look(readings_, position, step_of_row(motion_, static_cast<std::size_t>(p)));
     sliding_.push_back(sliding_at(mechanism_, plan_, position));
     coast_flanks_.push_back(position.solved ? position.solved->coast_flanks : std::vector<int>());
     springs_.push_back(position.solved ? position.solved->springs : std::vector<SpringState>());
@@ -317,7 +318,7 @@ class TableMaker {
     auto values = values_at(position.or_without_friction(), share, is_any);
     for (std::size_t r = 0; r < readings_.size(); ++r) {
       if (readings_[r].is_of_friction) {
-        values[table_.drives.size() + r] = read(r, position);
+        values[table_.drives.size() + r] = read_column(readings_, r, position, units_);
       }
     }
     return values;
@@ -387,12 +388,11 @@ class TableMaker {
       return FigureWhere{.drive = drives_at(share).front(), .step = step_at_share(motion_, share)};
     };
     const auto share_at = [this](double step) { return share_at_step(motion_, step); };
-    std::vector<double> steps;
     for (std::size_t r = 0; r < table_.rows.size(); ++r) {
-      steps.push_back(step_of_row(motion_, r));
+      steps_.push_back(step_of_row(motion_, r));
     }
     if (readings_.empty()) {
-      add_figures(solution_.shares, steps, {}, {}, {}, where_at, share_at, table_);
+      add_figures(solution_.shares, steps_, {}, {}, {}, where_at, share_at, table_);
       return;
     }
     table_.looks_between_steps = scope_.extremes || table_.columns.size() <= kMostClimbed;
@@ -401,15 +401,18 @@ class TableMaker {
       climbed.emplace_back();
       if (scope_.extremes ? is_among(*scope_.extremes, one.column.name())
                           : table_.looks_between_steps) {
-        climbed.back() = ClimbedColumn{.is_bounded = one.is_bounded};
+        climbed.back() = ClimbedColumn{
+            .is_bounded = one.is_bounded,
+            .is_of_motion = one.is_of_motion || is_rate(one.kind) || is_rate_of_rate(one.kind)};
         if (one.folds) {
           climbed.back()->folds = {.least = in_unit(one.kind, one.folds->least),
                                    .greatest = in_unit(one.kind, one.folds->greatest)};
         }
       }
     }
-    MotionPositions positions(mechanism_, plan_, motion_.network, motion_.drawn, detail_);
     FollowedConfigurations configurations(mechanism_, motion_.network, solution_);
+    ValuesBetween values(
+        mechanism_, motion_, detail_, readings_, units_, configurations, quotients_);
     const std::size_t first = table_.drives.size();
     Corners corners = find_corners(
         mechanism_,
@@ -421,45 +424,24 @@ class TableMaker {
          .coast_flanks = coast_flanks_,
          .poles = poles_at_},
         [this](const auto& position, double share) {
+          quotients_.look(readings_, position, step_at_share(motion_, share));
           return FigureValues{.values = values_at(position, share, is_any),
                               .at_rest = values_at_rest(position, share)};
         },
         configurations);
     table_.corners = std::move(corners.steps);
-    const BetweenSteps between = [&](std::size_t column, double share) -> std::optional<double> {
-      const std::optional<Configuration> there = configurations.at(share);
-      if (!there) {
-        return std::nullopt;
-      }
-      const MotionPosition position = positions.at(*there, share);
-      return read(
-          column - first,
-          readings_[column - first].is_of_friction ? position : position.or_without_friction());
-    };
-    add_figures(solution_.shares,
-                steps,
-                corners.places,
-                climbed,
-                table_.looks_between_steps ? between : BetweenSteps(),
-                where_at,
-                share_at,
-                table_);
+    BetweenSteps between;
+    if (table_.looks_between_steps) {
+      between.value = [&](std::size_t column, double share, bool is_shared) {
+        return is_shared ? values.at_shared(column - first, share)
+                         : values.at(column - first, share);
+      };
+      between.is_jammed = [&](double share) { return values.is_jammed(share); };
+    }
+    add_figures(
+        solution_.shares, steps_, corners.places, climbed, between, where_at, share_at, table_);
     add_reversals(
         motion_, corners.reversals, [this](double share) { return drives_at(share); }, table_);
-  }
-
-  // In the unit of the file. The components of a vector are read from the first on.
-  std::optional<double> read(std::size_t reading, const MotionPosition& position) const {
-    std::size_t first = reading;
-    while (first > 0 && readings_[first - 1].column.element == readings_[reading].column.element) {
-      --first;
-    }
-    std::optional<double> value;
-    for (std::size_t r = first; r <= reading; ++r) {
-      value = readings_[r].value(position);
-    }
-    return value && std::isfinite(*value) ? std::optional(in_unit(readings_[reading].kind, *value))
-                                          : std::nullopt;
   }
 
   const MechanismDescription& description_;
@@ -479,7 +461,8 @@ class TableMaker {
   std::vector<std::vector<SpringState>> springs_;  // likewise
   std::vector<std::vector<int>> coast_flanks_;     // likewise
   std::vector<CaseFindings> said_;                 // likewise
-  UnboundedQuotients poles_;
+  UnboundedQuotients quotients_;
+  std::vector<double> steps_;     // at which the rows stand
   std::vector<double> poles_at_;  // in steps
   MotionTable table_;
 };

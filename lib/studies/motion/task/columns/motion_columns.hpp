@@ -28,7 +28,8 @@ struct MotionReading {
   bool is_idle = false;         ///< without values, as nothing determines it
   bool is_size = false;         ///< without its sign
   bool is_of_friction = false;  ///< open where friction has no direction, whatever acts without it
-  bool is_bounded = false;  ///< nothing makes it grow without bound, but it may end between steps
+  bool is_bounded = false;    ///< nothing makes it grow without bound, but it may end between steps
+  bool is_of_motion = false;  ///< whatever acts
   std::function<std::optional<QuotientParts>(const MotionPosition&)> parts = {};  ///< of a quotient
   std::function<std::optional<double>(const MotionPosition&)> alone =
       {};  ///< of a component: reads

@@ -53,6 +53,7 @@ class QuotientList {
         quotient("ratio", rate_kind(input_), rate_kind(output_), [](const CaseAnalysis& one) {
           return one.ratios->ratio;
         });
+    reading.is_of_motion = true;
     reading.parts =
         solved<QuotientParts>([in = input_.freedom, out = output_.freedom](
                                   const CaseAnalysis& one) { return rates_of(one, in, out); });

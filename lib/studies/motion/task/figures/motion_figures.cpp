@@ -14,6 +14,7 @@
 #include "core/tolerance.hpp"
 #include "math/numbers/zero_within_bound.hpp"
 #include "studies/motion/peak_search.hpp"
+#include "studies/motion/task/figures/value_ends.hpp"
 
 namespace kinestat {
 
@@ -71,11 +72,11 @@ class FigureMaker {
       }
     }
     for (std::size_t c = 0; c < table_.columns.size(); ++c) {
-      const Growth growth = growth_of(c);
+      const Growth growth = look_at_ends(c);
       ColumnFigures& figures = table_.figures.emplace_back();
       figures.least = growth.falls ? std::nullopt : extreme(c, -1.0);
       figures.greatest = growth.grows ? std::nullopt : extreme(c, 1.0);
-      if (growth.falls || growth.grows || (is_bounded(c) && ends_on_the_way(c))) {
+      if (growth.has_any() || (is_bounded(c) && ends_on_the_way(c))) {
         continue;
       }
       figures.mean = mean(c, [](double low, double high) { return 0.5 * (low + high); });
@@ -161,10 +162,12 @@ class FigureMaker {
             .value = *value, .drive = (*place.values)[0].value_or(0.0), .row = place.row};
       }
     }
-    if (found && is_climbed(column)) {
-      if (is_bounded(column)) {
-        look_at_ends(column, sign, *found);
+    for (const ColumnExtreme& end : ends_) {
+      if (found && sign * end.value > sign * found->value) {
+        found = end;
       }
+    }
+    if (found && is_climbed(column)) {
       climb(column, sign, *found);
     }
     return found;
@@ -201,30 +204,6 @@ class FigureMaker {
     });
   }
 
-  // Where values end between two samples, they are nearest to the end found by bisection.
-  void look_at_ends(std::size_t column, double sign, ColumnExtreme& found) const {
-    constexpr int kHalvings = 30;
-    const std::vector<Sample> samples = samples_of(column);
-    for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
-      const bool is_left = (*samples[i].values)[column].has_value();
-      if (is_left == (*samples[i + 1].values)[column].has_value()) {
-        continue;
-      }
-      const double from = samples[is_left ? i : i + 1].step;
-      const double end = samples[is_left ? i + 1 : i].step;
-      double none = 0.0;
-      double left = 1.0;
-      for (int k = 0; k < kHalvings; ++k) {
-        const double middle = std::midpoint(none, left);
-        const std::optional<double> value = value_before(column, from, end, middle);
-        (value ? left : none) = middle;
-        if (value && sign * *value > sign * found.value) {
-          found = extreme_at(*value, share_at_(std::lerp(end, from, middle)));
-        }
-      }
-    }
-  }
-
   void climb(std::size_t column, double sign, ColumnExtreme& found) {
     const std::vector<Sample> samples = samples_with_jumps(column);
     const auto joins_next = [&](std::size_t i) {  // not the other side of a jump
@@ -245,7 +224,7 @@ class FigureMaker {
       }
     }
     while (const std::optional<double> share = search.next()) {
-      const std::optional<double> value = between_(column, *share);
+      const std::optional<double> value = between_.value(column, *share, false);
       search.take(value ? std::optional(sign * *value) : std::nullopt);
     }
     if (const std::optional<PeakSample> top = search.better()) {
@@ -328,7 +307,7 @@ class FigureMaker {
                                                          const Sample& high) const {
     constexpr double kFirst = 0.5 - 0.5 * std::numbers::inv_sqrt3;
     const auto inside = [&](double part) -> std::optional<double> {
-      if (between_) {
+      if (between_.value) {
         return value_before(column, low.step, high.step, 1.0 - part);
       }
       const std::optional<double> first = low.value_at_rest(column);
@@ -346,64 +325,38 @@ class FigureMaker {
                                      double end,
                                      double left) const {
     const double here = std::lerp(end, from, left);
-    return between_ ? between_(column, share_at_(here)) : std::nullopt;
-  }
-
-  // Whether values grow without bound, or fall, towards a position that has none.
-  struct Growth {
-    bool falls = false;
-    bool grows = false;
-  };
-
-  // Where a half, a quarter and an eighth of `left` of the way are left.
-  std::optional<std::array<double, 3>> values_towards(std::size_t column,
-                                                      double from,
-                                                      double end,
-                                                      double left) const {
-    std::array<double, 3> values{};
-    for (double& value : values) {
-      left *= 0.5;
-      const std::optional<double> found = value_before(column, from, end, left);
-      if (!found) {
-        return std::nullopt;
-      }
-      value = *found;
-    }
-    return values;
-  }
-
-  // Of values with half of the way left each.
-  static void look_at(const std::array<double, 3>& values, Growth& growth) {
-    constexpr double kGrows = 0.1;  // of the value
-    const auto [far, near, nearest] = values;
-    const double last = nearest - near;
-    if (std::abs(last) > std::abs(near - far) && std::abs(last) > kGrows * std::abs(nearest)) {
-      (last > 0.0 ? growth.grows : growth.falls) = true;
-    }
+    return between_.value ? between_.value(column, share_at_(here), true) : std::nullopt;
   }
 
   // So near, what grows without bound is far above all that rows have in its unit; and rounding is
   // below that.
-  void look_at_pole(const std::array<double, 3>& values, std::size_t column, Growth& growth) const {
+  Growth growth_at_pole(const std::array<double, 3>& values, std::size_t column) const {
     constexpr double kFarAbove = 16.0;
     const auto [far, near, nearest] = values;
     const double usual = usual_.at(table_.columns[column].unit);
-    if (usual > 0.0 && std::abs(nearest) > kFarAbove * usual && far * near > 0.0 &&
-        near * nearest > 0.0) {
-      look_at(values, growth);
-    }
+    const bool is_far_above = usual > 0.0 && std::abs(nearest) > kFarAbove * usual &&
+                              far * near > 0.0 && near * nearest > 0.0;
+    return is_far_above ? growth_of(values) : Growth{};
   }
 
-  // They do where each half of what is left of the way adds more than the last, as near to the end
-  // as there are values.
-  void look_towards(std::size_t column, double from, double end, Growth& growth) const {
-    for (const double left : {0x1p-20, 0x1p-14, 0x1p-8, 0x1p-2}) {
-      const auto values = values_towards(column, from, end, left);
-      if (!values) {
-        continue;
-      }
-      look_at(*values, growth);
-      return;
+  // Between a position that has values and one that has none.
+  void look_towards(std::size_t column, std::size_t from, std::size_t end, Growth& growth) {
+    const auto value = [&](double left) {
+      return value_before(column, steps_[from], steps_[end], left);
+    };
+    const std::string& status = table_.rows[end].status;
+    const bool is_singular = status == kLimitEvent || status == kSingularEvent;
+    const auto is_lost = [&](double left) {
+      const double step = std::lerp(steps_[end], steps_[from], left);
+      const bool is_of_motion = is_climbed(column) && climbed_[column]->is_of_motion;
+      return is_singular && (is_of_motion || !between_.is_jammed(share_at_(step)));
+    };
+    const ValueEnd found = find_value_end(value, is_lost);
+    growth.falls = growth.falls || (found.growth.falls && !is_bounded(column));
+    growth.grows = growth.grows || (found.growth.grows && !is_bounded(column));
+    if (found.value) {
+      const double step = std::lerp(steps_[end], steps_[from], found.left);
+      ends_.push_back(extreme_at(*found.value, share_at_(step)));
     }
   }
 
@@ -413,31 +366,32 @@ class FigureMaker {
     });
   }
 
-  Growth growth_of(std::size_t column) const {
+  // Whether values grow without bound, or fall, towards a position that has none; and what those
+  // come to that do not.
+  Growth look_at_ends(std::size_t column) {
     Growth growth;
-    if (is_bounded(column)) {
-      return growth;
-    }
+    ends_.clear();
     const std::vector<MotionRow>& rows = table_.rows;
-    for (std::size_t r = 0; r + 1 < rows.size(); ++r) {
+    for (std::size_t r = 0; between_.value && r + 1 < rows.size(); ++r) {
       const bool has_this = rows[r].values[column].has_value();
       if (has_this == rows[r + 1].values[column].has_value()) {
         continue;
       }
-      // Between the ends friction turns round there, and nothing grows; an end may be a limit.
+      // Where friction turns round values jump, and what they come to is known.
       const std::size_t end = has_this ? r + 1 : r;
-      const bool turns_round = end > 0 && end + 1 < rows.size() && is_approached(steps_[end]);
+      const bool turns_round = rows[end].status != kLimitEvent && is_approached(steps_[end]);
       if (!turns_round) {
-        look_towards(column, steps_[has_this ? r : r + 1], steps_[end], growth);
+        look_towards(column, has_this ? r : r + 1, end, growth);
       }
     }
     for (const FigurePlace& place : corners_) {
-      if (!place.farther.empty() && place.farther[0][column] && place.farther[1][column] &&
-          place.of.values[column]) {
-        look_at_pole(
+      if (!is_bounded(column) && !place.farther.empty() && place.farther[0][column] &&
+          place.farther[1][column] && place.of.values[column]) {
+        const Growth pole = growth_at_pole(
             {*place.farther[0][column], *place.farther[1][column], *place.of.values[column]},
-            column,
-            growth);
+            column);
+        growth.falls = growth.falls || pole.falls;
+        growth.grows = growth.grows || pole.grows;
       }
     }
     return growth;
@@ -453,6 +407,7 @@ class FigureMaker {
   MotionTable& table_;
   std::vector<Sample> samples_;  // steps and corners, in order
   std::vector<Place> places_;
+  std::vector<ColumnExtreme> ends_;  // of the column that is looked at
 };
 
 }  // namespace

@@ -12,14 +12,22 @@
 
 namespace kinestat {
 
-/// The value of a column of the table at a share of the ranges of the drives; empty where there is
-/// none.
-using BetweenSteps = std::function<std::optional<double>(std::size_t column, double share)>;
+/// Looks between the steps, at shares of the ranges of the drives; empty where nothing does.
+struct BetweenSteps {
+  /// The value of a column of the table; empty where there is none. `is_shared`: other columns are
+  /// looked at there, too.
+  std::function<std::optional<double>(std::size_t column, double share, bool is_shared)> value;
+
+  /// Whether actions that are missing there have no equilibrium, as where friction jams; others are
+  /// lost in rounding beside a singular position.
+  std::function<bool(double share)> is_jammed;
+};
 
 /// A column whose extremes are looked for between the steps.
 struct ClimbedColumn {
   std::optional<ValueFolds> folds = {};
-  bool is_bounded = false;  ///< of values that never grow without bound
+  bool is_bounded = false;    ///< of values that never grow without bound
+  bool is_of_motion = false;  ///< of what follows from the motion alone
 };
 
 /// What columns have at a position, as in a MotionRow.

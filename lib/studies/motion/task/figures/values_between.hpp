@@ -1,0 +1,63 @@
+// The values of a motion between its rows.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "expression/file_units.hpp"
+#include "studies/motion/followed_configurations.hpp"
+#include "studies/motion/task/columns/motion_columns.hpp"
+#include "studies/motion/task/figures/unbounded_quotients.hpp"
+#include "studies/motion/task/motion_position.hpp"
+
+namespace kinestat {
+
+/// What a column reads at a position, in the unit of the file.
+std::optional<double> read_column(const std::vector<MotionReading>& readings,
+                                  std::size_t reading,
+                                  const MotionPosition& position,
+                                  const FileUnits& units);
+
+/// Values at shares of the ranges of the drives. What quotients are made of there is shown to
+/// `quotients`. All that is given must outlive it.
+class ValuesBetween {
+ public:
+  ValuesBetween(const Mechanism& mechanism,
+                const FoundMotion& motion,
+                const MotionDetail& detail,
+                const std::vector<MotionReading>& readings,
+                const FileUnits& units,
+                FollowedConfigurations& configurations,
+                UnboundedQuotients& quotients);
+
+  /// With what acts without friction where it has no direction; empty where there is none.
+  std::optional<double> at(std::size_t reading, double share);
+
+  /// The same where other columns are looked at, too: positions are kept.
+  std::optional<double> at_shared(std::size_t reading, double share);
+
+  /// Whether there is no equilibrium there.
+  bool is_jammed(double share);
+
+ private:
+  struct Known {
+    std::optional<MotionPosition> position;  // empty where the motion cannot be followed to it
+    std::optional<MotionPosition> without_friction;
+  };
+
+  Known find(double share);
+  const Known& find_shared(double share);
+  std::optional<double> read(std::size_t reading, const Known& known) const;
+
+  const FoundMotion& motion_;
+  const std::vector<MotionReading>& readings_;
+  const FileUnits& units_;
+  FollowedConfigurations& configurations_;
+  UnboundedQuotients& quotients_;
+  MotionPositions positions_;
+  std::map<double, Known> known_;
+};
+
+}  // namespace kinestat
