@@ -203,6 +203,9 @@ DECISIONS: dict[str, dict[str, str]] = {
     "lib/studies/motion/task/figures/motion_figures.cpp": {
         "samples_with_jumps": "search: whether a column jumps at a place",
     },
+    "lib/studies/motion/task/figures/unbounded_quotients.cpp": {
+        "is_unbounded": "search: whether a divisor jumps there",
+    },
     "lib/studies/motion/task/idle_rates.cpp": {"moves_point": "rank: what a passive freedom moves"},
     "lib/studies/motion/task/motion_events.cpp": {
         "may_rest": "search: rates so slow that their bounds are asked for",
@@ -232,6 +235,9 @@ DECISIONS: dict[str, dict[str, str]] = {
     },
     "lib/studies/simulation/internal/simulator_parting.cpp": {
         "margin": "consistency: forces of the wrong sign by rounding alone part nothing",
+    },
+    "lib/studies/simulation/task/simulation_findings.cpp": {
+        "least_slip": "consistency: slip by what the integration is off is none",
     },
     "lib/studies/simulation/reduced_system.cpp": {
         "accelerate": "a sum and its own terms: what holds a freedom, beyond what closures leave",

@@ -9,6 +9,9 @@ inline constexpr double kUsualIntegration = 1e-9;
 inline constexpr double kFinestIntegration = 1e-13;
 inline constexpr double kCoarsestIntegration = 1e-3;
 
+/// Slip of a clutch that is this share of the fastest is what the integration may be off.
+inline constexpr double kLeastSlip = 1e-6;
+
 /// A joint whose motion is this share of the largest is told from those that stand still with the
 /// others.
 inline constexpr double kIndependentJoint = 1e-6;

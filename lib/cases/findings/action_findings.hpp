@@ -28,6 +28,19 @@ ToothWords words_of_pulling_teeth(const MechanismDescription& description,
                                   CouplingId coupling,
                                   double force);
 
+/// What is wrong where a clutch or brake that slips would supply power, and what to do.
+struct ClutchWords {
+  std::string would;  ///< "'C' would have to drive"
+  std::string how;    ///< "its torque of … acts along its slip of …"
+  std::string hint;
+};
+
+/// `torque` [N·m] and `slip` [rad/s] have the same sign.
+ClutchWords words_of_driving_clutch(const std::string& clutch,
+                                    double torque,
+                                    double slip,
+                                    const FileUnits& units);
+
 /// Adds why a case has no actions, or not all of them. The case must have an action solution.
 void add_action_status_findings(const JudgedFile& file,
                                 const CaseAnalysis& one,

@@ -1,5 +1,6 @@
 // Findings about clutches and brakes.
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -8,6 +9,25 @@
 #include "statics/coupling_wrenches.hpp"
 
 namespace kinestat {
+
+ClutchWords words_of_driving_clutch(const std::string& clutch,
+                                    double torque,
+                                    double slip,
+                                    const FileUnits& units) {
+  const double in_file = torque / units.factor(QuantityKind::moment);
+  const std::string& unit = units.text(QuantityKind::moment);
+  return {.would = fmt::format("'{}' would have to drive", clutch),
+          .how = fmt::format("its torque of {:.6g} {} acts along its slip of {:.6g} {}",
+                             in_file,
+                             unit,
+                             slip / units.factor(QuantityKind::angular_velocity),
+                             units.text(QuantityKind::angular_velocity)),
+          .hint = fmt::format("a clutch or brake that slips can only take power: write {}: {:.6g} "
+                              "{}, where the case gives its torque",
+                              clutch,
+                              -in_file,
+                              unit)};
+}
 
 void add_clutch_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
   if (!one.power || !one.motion || !one.action) {
@@ -29,23 +49,13 @@ void add_clutch_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFi
     if (torque * slip <= 0.0) {
       continue;
     }
-    const std::string asked = fmt::format("'{}' would have to drive", coupling.name);
-    CaseFinding& added = found.warning(
-        "W0612",
-        coupling.where,
-        fmt::format("case '{}': {}: its torque of {:.6g} {} acts along its slip of {:.6g} {}",
-                    one.which.label,
-                    asked,
-                    torque / units.factor(QuantityKind::moment),
-                    units.text(QuantityKind::moment),
-                    slip / units.factor(QuantityKind::angular_velocity),
-                    units.text(QuantityKind::angular_velocity)),
-        fmt::format("a clutch or brake that slips can only take power: write {}: {:.6g} {}, where "
-                    "the case gives its torque",
-                    coupling.name,
-                    -torque / units.factor(QuantityKind::moment),
-                    units.text(QuantityKind::moment)));
-    added.element = asked;
+    ClutchWords words = words_of_driving_clutch(coupling.name, torque, slip, units);
+    CaseFinding& added =
+        found.warning("W0612",
+                      coupling.where,
+                      fmt::format("case '{}': {}: {}", one.which.label, words.would, words.how),
+                      std::move(words.hint));
+    added.element = words.would;
     added.size = torque * slip;
   }
 }

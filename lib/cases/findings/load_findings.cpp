@@ -132,14 +132,6 @@ void add_spring_obstacle(const JudgedFile& file, const CaseAnalysis& one, CaseFi
   }
 }
 
-// Where a curve ends and begins, in the units of the file.
-std::string reach_of(const Curve& curve, const FileUnits& units) {
-  return fmt::format("from {:.10g} to {:.10g} {}",
-                     units.from_si(curve.place_kind, curve.at.front()),
-                     units.from_si(curve.place_kind, curve.at.back()),
-                     units.text(curve.place_kind));
-}
-
 void add_curve_obstacle(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
   const CurveObstacle& obstacle = *one.curve_obstacle;
   const Curve& curve = file.mechanism.curves[obstacle.curve];
@@ -191,6 +183,13 @@ void add_curve_obstacle(const JudgedFile& file, const CaseAnalysis& one, CaseFin
 }
 
 }  // namespace
+
+std::string reach_of(const Curve& curve, const FileUnits& units) {
+  return fmt::format("from {:.10g} to {:.10g} {}",
+                     units.from_si(curve.place_kind, curve.at.front()),
+                     units.from_si(curve.place_kind, curve.at.back()),
+                     units.text(curve.place_kind));
+}
 
 void add_load_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
   if (one.inertia_obstacle) {

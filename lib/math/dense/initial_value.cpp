@@ -128,6 +128,10 @@ bool InitialValueProblem::step(double end, double latest) {
   return stepper_->step(end, latest);
 }
 
+bool InitialValueProblem::has_slope() const {
+  return is_finite(stepper_->f);
+}
+
 double InitialValueProblem::time_before() const {
   return stepper_->before;
 }

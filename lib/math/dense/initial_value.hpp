@@ -33,6 +33,9 @@ class InitialValueProblem {
   /// be it so short that it is lost in the rounding of the time: nothing has changed then.
   [[nodiscard]] bool step(double end, double latest);
 
+  /// False where there is none to begin with: no step leads on from there.
+  bool has_slope() const;
+
   double time_before() const;
   double time() const;
   double next_step() const;

@@ -142,7 +142,9 @@ bool Simulator::advance() {
     return true;
   }
   borne_at_.reset();
-  obstacle_ = {.kind = SimulationObstacle::Kind::no_step};
+  if (integration_->has_slope()) {  // else that which it met says why
+    obstacle_ = {.kind = SimulationObstacle::Kind::no_step};
+  }
   note_fastest();
   if (!integration_->step(next_end(), next_turn())) {
     return false;

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "cases/findings/action_findings.hpp"
+#include "cases/findings/load_findings.hpp"
 #include "core/index.hpp"
 #include "core/simulation_tolerance.hpp"
 #include "core/text.hpp"
@@ -44,11 +45,17 @@ std::string name_of(const SimulationObstacle& obstacle,
           mechanism.topology.body(*obstacle.body).name);
     case spring:
       return text_of(*obstacle.of_spring, mechanism.springs[obstacle.of_spring->spring], units);
-    case curve:
-      return obstacle.of_curve->kind == CurveObstacle::Kind::no_value
-                 ? fmt::format("'{}' has no value there", obstacle.of_curve->number)
-                 : fmt::format("curve '{}' has no value there",
-                               mechanism.curves[obstacle.of_curve->curve].name);
+    case curve: {
+      const CurveObstacle& one = *obstacle.of_curve;
+      if (one.kind == CurveObstacle::Kind::no_value) {
+        return fmt::format("'{}' has no value there", one.number);
+      }
+      const Curve& curve = mechanism.curves[one.curve];
+      return one.kind == CurveObstacle::Kind::outside
+                 ? fmt::format(
+                       "it is beyond curve '{}', which goes {}", curve.name, reach_of(curve, units))
+                 : fmt::format("curve '{}' has no value there", curve.name);
+    }
     case friction_without_end:
       return fmt::format("friction of {} grows without end with what it causes", rubbing);
     case friction_in_two_ways:
@@ -286,6 +293,50 @@ void warn_of_pulling_teeth(const FoundSimulation& simulation,
   }
 }
 
+// What the integration may be off of the fastest of the rows is no slip.
+double least_slip(const SimulationSolution& solution) {
+  double fastest = 0.0;
+  for (const SimulationRow& row : solution.rows) {
+    for (const std::optional<double>& rate : row.rates) {
+      fastest = std::max(fastest, std::abs(rate.value_or(0.0)));
+    }
+  }
+  return kLeastSlip * fastest;
+}
+
+// Of each, in the row in which it supplies most power.
+void warn_of_driving_clutches(const FoundSimulation& simulation,
+                              const FileUnits& units,
+                              Diagnostics& found) {
+  const Topology& topology = simulation.mechanism.topology;
+  const std::vector<Primary>& known = simulation.mechanism.cases.front().actions;
+  const double least = least_slip(simulation.solution);
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    const CouplingTopology& coupling =
+        topology.coupling(topology.actions[at(known[i].index)].coupling);
+    if (coupling.type != CouplingType::clutch && coupling.type != CouplingType::brake) {
+      continue;
+    }
+    double torque = 0.0;
+    double slip = 0.0;
+    for (const SimulationRow& row : simulation.solution.rows) {
+      const double rate = row.rates[at(coupling.first_freedom)].value_or(0.0);
+      const bool slips = std::abs(rate) > least;
+      if (slips && i < row.actions.size() && row.actions[i] * rate > torque * slip) {
+        torque = row.actions[i];
+        slip = rate;
+      }
+    }
+    if (torque * slip > 0.0) {
+      ClutchWords words = words_of_driving_clutch(coupling.name, torque, slip, units);
+      found.warning("W0612",
+                    coupling.where,
+                    fmt::format("the simulation: {}: {}", words.would, words.how),
+                    std::move(words.hint));
+    }
+  }
+}
+
 void warn_of_singular_rows(const FoundSimulation& simulation,
                            const FileUnits& units,
                            Diagnostics& found) {
@@ -367,6 +418,7 @@ void add_simulation_findings(const FoundSimulation& simulation,
   warn_of_unchecked(simulation, found);
   warn_of_ignored(simulation, units, found);
   warn_of_pulling_teeth(simulation, description, found);
+  warn_of_driving_clutches(simulation, units, found);
   warn_of_singular_rows(simulation, units, found);
   switch (simulation.solution.end) {
     case SimulationEnd::complete:
