@@ -327,6 +327,71 @@ class JumpsOfLaws(FiguresTest):
                             1e-9 * action, steps)
 
 
+HINGE = """\
+kinestat: 1
+space: planar
+units: {length: mm, angle: deg}
+ground: frame
+bodies: [crank]
+couplings: {a: {type: revolute, bodies: [frame, crank], at: [0, 0]}}
+actuators: {motor: {coupling: a}}
+curves: {push: {over: motor, points: [[0, -100 N], [360, 300 N]]}}
+loads: {w: {body: crank, at: [0, 0], force: [0.5 N, push]}}
+cases: {run: {motion: {motor: 1 rad/s}}}
+motion: {drive: motor, to: 91, case: run, report: [a/force]}
+"""
+
+DWELL = """\
+kinestat: 1
+space: planar
+units: {length: mm, angle: deg}
+ground: frame
+gravity: [0, -9.81 m/s^2]
+bodies: {ram: {mass: 1, centre_of_mass: [0, 0]}}
+couplings:
+  d: {type: prismatic, bodies: [frame, ram], at: [0, 0], axis: x, friction: 0.1}
+actuators: {motor: {coupling: d}}
+springs: {s: {coupling: d, stiffness: 1 N/mm, free: 0}}
+cases: {run: {motion: {}, acceleration: {}}}
+motion:
+  drive: motor
+  case: run
+  profile: [{to: 100, time: 0.4 s, law: cycloidal}, {dwell: 0.2 s}]
+  report: [action]
+"""
+
+
+class SharpTurns(FiguresTest):
+    def test_a_force_that_turns_sharply_within_the_last_step_is_seen(self) -> None:
+        """hypot(0.5 N, (t - 90 deg) 10 / 9 N / deg), one degree before the end."""
+        for steps in (4, 5, 7, 12, 90, 91):
+            found = self.figures(run(HINGE, "--steps", str(steps)), "a/force")
+            self.assertLess(abs(found["least"] - 0.5), VALUE, steps)
+
+    def test_what_acts_when_a_drive_comes_to_rest_does_not_hang_on_the_steps(self) -> None:
+        """The spring and friction at the end of the stroke, which mostly lies between two steps."""
+        for steps in (30, 100, 1000, 3601):
+            found = self.figures(run(DWELL, "--steps", str(steps)), "motor/action")
+            self.assertLess(abs(found["greatest"] - (100.0 + 0.981)), 1e-6, steps)
+            self.assertLess(abs(found["least"] - 0.981), 1e-6, steps)
+
+
+class Returns(MotionTest):
+    def test_what_acts_before_and_after_a_drive_returns_is_known(self) -> None:
+        """The spring and friction, first against the drive and then with it."""
+        text = DWELL.replace("{dwell: 0.2 s}", "{to: 0, time: 0.4 s, law: cycloidal}")
+        for steps in (30, 101, 1000):
+            motion = run(text, "--steps", str(steps))
+            jumps = [event["jumps"]["motor/action"] for event in motion.report["events"]
+                     if event["kind"] == "friction_reversal"
+                     and abs(event["drive"][0] - 100.0) < 1e-6]
+            self.assertEqual(len(jumps), 1, steps)
+            self.assertIsNotNone(jumps[0]["before"], steps)
+            self.assertIsNotNone(jumps[0]["after"], steps)
+            self.assertLess(abs(jumps[0]["before"] - 100.981), 1e-4, steps)
+            self.assertLess(abs(jumps[0]["after"] - (100.0 - 0.981)), 1e-4, steps)
+
+
 class Limited(MotionTest):
     def test_a_motion_that_ends_before_has_no_mean(self) -> None:
         text = FOUR_BAR.replace("[160, 0]", "[230, 0]")

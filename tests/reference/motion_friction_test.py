@@ -126,7 +126,8 @@ class OpenFriction(MotionTest):
 
 class DeadCentresAtTheEnds(MotionTest):
     def test_are_events_and_leave_open_what_those_on_the_way_do(self) -> None:
-        for end, steps in ((360, 4), (360, 8), (360, 7), (180, 3), (-180, 3), (540, 12)):
+        for end, steps in ((360, 4), (360, 8), (360, 7), (180, 3), (-180, 3), (540, 12),
+                           (180, 1), (360, 1), (360, 2), (720, 4)):
             done = program.call("motion", "-", text=IN_LINE_WITH_FRICTION % (end, steps))
             self.assertEqual(done.returncode, 0, f"{end} deg: {done.stderr}")
             self.assertNotIn("E0606", done.stderr)

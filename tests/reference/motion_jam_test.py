@@ -144,6 +144,17 @@ class Quotients(MotionTest):
                 self.assertIsNone(advantage["greatest"])
                 self.assertIsNone(advantage["mean"])
 
+    def test_is_what_a_reversal_leaves_however_small_it_is(self) -> None:
+        """At the dead centre the ram does nothing, and the bearing of the crank takes 1e-9 N m."""
+        text = CRANK.replace("tau: 0.02 N*m", "tau: 1e-9 N*m")
+        for steps in (5, 24, 361):
+            motion = run(text, "--steps", str(steps))
+            event = next(one for one in motion.report["events"]
+                         if one["kind"] == "friction_reversal")
+            found = event["jumps"]["in/action"]["after"]
+            self.assertIsNotNone(found, steps)
+            self.assertLess(abs(found - 1e-9), 1e-12, steps)
+
 
 if __name__ == "__main__":
     motion_case.main()

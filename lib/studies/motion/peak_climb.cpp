@@ -65,6 +65,7 @@ PeakClimb::PeakClimb(const PeakTriple& steps, const std::optional<double>& fold)
     : by_(steps), best_(steps[1]), height_(fold) {
   for (const PeakSample& one : steps) {
     best_ = is_higher(one.value, best_.value) ? one : best_;
+    extent_ = std::max(extent_, std::abs(one.value - steps[1].value));
   }
   aim();
 }
@@ -77,7 +78,8 @@ PeakClimb::PeakClimb(const PeakSample& before,
       is_between_steps_(true),
       best_(is_higher(behind.value, before.value) ? behind : before),
       promise_(promise),
-      height_(fold) {}
+      height_(fold),
+      extent_(std::abs(behind.value - before.value)) {}
 
 void PeakClimb::aim() {
   if (height_) {
@@ -110,7 +112,8 @@ void PeakClimb::aim_at_vertex() {
   }
   const bool is_among = middle.value >= before.value && middle.value >= behind.value;
   const double below = middle.value - std::min(before.value, behind.value);
-  if (trials_ == 0 || height_ || !is_among || below <= kSameValue * std::abs(middle.value)) {
+  if (trials_ == 0 || height_ || !is_among ||
+      below <= kSameValue * std::max(std::abs(middle.value), extent_)) {
     return;
   }
   const std::optional<PeakSample> meeting = has_tried_corner_ ? std::nullopt : corner();
@@ -170,7 +173,8 @@ void PeakClimb::aim_at_fold() {
 
 void PeakClimb::take(double value) {
   const PeakSample next = {.share = promise_->share, .value = value};
-  const bool is_as_promised = std::abs(value - promise_->value) <= kSameValue * std::abs(value);
+  const bool is_as_promised =
+      std::abs(value - promise_->value) <= kSameValue * std::max(std::abs(value), extent_);
   ++trials_;
   promise_.reset();
   way_before_ = last_way_;

@@ -77,6 +77,7 @@ class PeakClimb {
   std::optional<PeakSample> promise_;
   std::optional<double> height_;  // of the fold that there may be
   std::optional<Fold> fold_;      // while that is where it goes
+  double extent_ = 0.0;           // between which values it climbs
   int trials_ = 0;
 };
 

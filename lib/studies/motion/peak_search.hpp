@@ -18,9 +18,10 @@ class PeakSearch {
   static constexpr std::size_t kMostPoints = 6;
 
   /// `found`: the greatest value that is known; `fold`: at which the value is folded, none is
-  /// above.
-  PeakSearch(double found, std::optional<double> fold)
-      : fold_(fold), found_{.share = 0.0, .value = found} {}
+  /// above. `is_size`: values are what sizes are below zero; these may come to zero in straight
+  /// lines, and bend sharply near it, where their squares do not.
+  PeakSearch(double found, std::optional<double> fold, bool is_size = false)
+      : fold_(fold), is_size_(is_size), found_{.share = 0.0, .value = found} {}
 
   /// All that may be a peak among steps that follow each other without a jump: one that is the
   /// greatest of three, and between two others where a polynomial through some has one. `height`
@@ -62,14 +63,22 @@ class PeakSearch {
   void add_behind(const Window& by);
   void add_at_end(const Window& by);
 
-  // Among those that promise most, if it is higher than what is found, but for this error.
-  void add(const PeakClimb& climb, double error);
+  // A climb, and how high it may come.
+  struct Chance {
+    PeakClimb climb;
+    double most = 0.0;
+  };
+
+  // Among those that promise most, if it is higher than what is found.
+  void add(const Chance& chance);
   void end_climb();
 
-  std::array<PeakClimb, kMostClimbs> climbs_;  // what promises most first
+  std::array<Chance, kMostClimbs> climbs_;  // what promises most first
   std::size_t count_ = 0;
   std::size_t now_ = 0;
+  bool is_climbing_ = false;
   std::optional<double> fold_;
+  bool is_size_ = false;
   PeakSample found_;
   bool is_better_ = false;
 };
@@ -96,7 +105,7 @@ void PeakSearch::add_run(std::size_t count, const Height& height, const SampleAt
     const double there = sample(end).value;
     const double fall = there - sample(next).value;
     const double bend = fall - (sample(next).value - sample(third).value);
-    return there + 0.5 * std::abs(fall) + 0.125 * std::abs(bend) > found_.value;
+    return is_size_ || there + 0.5 * std::abs(fall) + 0.125 * std::abs(bend) > found_.value;
   };
   for (std::size_t i = 0; count > 2 && i + 1 < count; ++i) {
     const double here = height(i);

@@ -14,8 +14,10 @@ namespace {
 
 class TurnFinder {
  public:
-  TurnFinder(const std::vector<FrictionSliding>& sliding, MotionTable& table)
-      : sliding_(sliding), table_(table) {}
+  TurnFinder(const std::vector<FrictionSliding>& sliding,
+             const SlidingBeside& beside,
+             MotionTable& table)
+      : sliding_(sliding), beside_(beside), table_(table) {}
 
   FrictionTurn find(std::size_t f, const std::string& coupling) {
     FrictionTurn turn{.coupling = coupling, .friction = f, .turns = {}};
@@ -39,6 +41,10 @@ class TurnFinder {
     if (before && *before + 1 == last && rests(last, f)) {
       add(last, last, turn);
     }
+    for (std::size_t r = 0; r < sliding_.size(); ++r) {
+      look_beside(r, turn);
+    }
+    std::ranges::stable_sort(turn.turns, {}, &RowsAround::before);
     return turn;
   }
 
@@ -58,6 +64,25 @@ class TurnFinder {
            is_left_open(row);
   }
 
+  // Where so few steps are asked for that the rows beside one that rests do so, too.
+  void look_beside(std::size_t row, FrictionTurn& turn) {
+    if (!rests(row, turn.friction)) {
+      return;
+    }
+    const bool is_last = row + 1 == sliding_.size();
+    const auto sliding_at = [&](bool is_there, bool is_behind) {
+      const FrictionSliding found = is_there ? beside_(row, is_behind) : FrictionSliding{};
+      return found.rates.empty() ? Vec3(Vec3::Zero()) : found.rates[turn.friction];
+    };
+    const Vec3 before = sliding_at(row > 0, false);
+    const Vec3 behind = sliding_at(!is_last, true);
+    if (row == 0 || is_last ? !before.isZero(0.0) || !behind.isZero(0.0)
+                            : before.dot(behind) < 0.0) {
+      const bool is_at_end = row == 0 || is_last;
+      add(is_at_end ? row : row - 1, is_at_end ? row : row + 1, turn);
+    }
+  }
+
   // What nothing but the turn of a friction leaves open is at its dead point.
   void add(std::size_t before, std::size_t after, FrictionTurn& turn) {
     turn.turns.push_back({.before = before, .after = after});
@@ -71,6 +96,7 @@ class TurnFinder {
   }
 
   const std::vector<FrictionSliding>& sliding_;
+  const SlidingBeside& beside_;
   MotionTable& table_;
 };
 
@@ -113,8 +139,9 @@ FrictionSliding sliding_at(const Mechanism& mechanism,
 
 void find_friction_turns(const Mechanism& mechanism,
                          const std::vector<FrictionSliding>& sliding,
+                         const SlidingBeside& beside,
                          MotionTable& table) {
-  TurnFinder finder(sliding, table);
+  TurnFinder finder(sliding, beside, table);
   for (std::size_t f = 0; f < mechanism.frictions.size(); ++f) {
     if (vanishes_at_rest(mechanism.frictions[f])) {
       continue;

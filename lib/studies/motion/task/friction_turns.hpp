@@ -1,6 +1,8 @@
 // Where friction turns round on a motion.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -30,11 +32,16 @@ Vec3 sliding_of(const Topology& topology,
                 CouplingId coupling,
                 std::span<const std::optional<double>> rates);
 
+/// How the frictions slide just before a row or just behind it; empty of what is beyond the motion.
+using SlidingBeside = std::function<FrictionSliding(std::size_t row, bool is_behind)>;
+
 /// Adds to the table the couplings that slide one way and then the other, by the sliding of each of
-/// its rows. Rows between are at its dead point, wherever the steps fall; so are the first and the
-/// last row where it rests in that one alone. Where a drive rests there is no dead point.
+/// its rows, and beside those that no other row is between. Rows between are at its dead point,
+/// wherever the steps fall; so are the first and the last row where it rests in that one alone.
+/// Where a drive rests there is no dead point.
 void find_friction_turns(const Mechanism& mechanism,
                          const std::vector<FrictionSliding>& sliding,
+                         const SlidingBeside& beside,
                          MotionTable& table);
 
 /// The findings of a row as a motion tells them. That a friction has no direction there is said of

@@ -29,6 +29,9 @@ namespace {
 // each.
 constexpr std::size_t kMostClimbed = 400;
 
+// How frictions slide beside a row is seen so many steps from it.
+constexpr double kBeside = 0x1p-10;
+
 bool is_among(const std::vector<std::string>& names, const std::string& name) {
   return std::ranges::find(names, name) != names.end();
 }
@@ -165,7 +168,18 @@ class TableMaker {
       add_row(p, position);
       table_.rows.back().status = status_of(p, position, positions.moved());
     }
-    find_friction_turns(mechanism_, sliding_, table_);
+    FollowedConfigurations configurations(mechanism_, motion_.network, solution_);
+    find_friction_turns(
+        mechanism_,
+        sliding_,
+        [&](std::size_t row, bool is_behind) {
+          const auto step = static_cast<double>(row);
+          const double share = share_at_step(motion_, is_behind ? step + kBeside : step - kBeside);
+          const std::optional<Configuration> there = configurations.at(share);
+          return there ? sliding_at(mechanism_, plan_, positions.at(*there, share))
+                       : FrictionSliding{};
+        },
+        table_);
     tell_findings();
     table_.columns.push_back(
         {.element = "", .quantity = std::string(kClosureErrorColumn), .unit = ""});
@@ -432,9 +446,8 @@ class TableMaker {
     table_.corners = std::move(corners.steps);
     BetweenSteps between;
     if (table_.looks_between_steps) {
-      between.value = [&](std::size_t column, double share, bool is_shared) {
-        return is_shared ? values.at_shared(column - first, share)
-                         : values.at(column - first, share);
+      between.value = [&](std::size_t column, double share, Look look) {
+        return values.at(column - first, share, look);
       };
       between.is_jammed = [&](double share) { return values.is_jammed(share); };
     }

@@ -230,6 +230,13 @@ class CornerFinder {
         jumps = true;
       }
     }
+    for (const FrictionTurn& turn : special_.turns) {
+      for (const RowsAround& rows : turn.turns) {
+        if (const std::optional<double> step = step_of(turn, rows)) {
+          all.push_back(*step);
+        }
+      }
+    }
     if (motion_.plan.schedule && jumps) {
       all.push_back(0.0);
       all.push_back(last_step());
@@ -303,15 +310,20 @@ class CornerFinder {
     }
   }
 
-  // Without what grows towards it.
+  // Without what grows towards it: what runs straight there comes nearer by as much each time.
   static std::vector<std::optional<double>> limits_at(const FigurePlace& place) {
     constexpr double kGrows = 0.01;
     std::vector<std::optional<double>> limits = place.of.values;
     for (std::size_t c = 0; c < limits.size() && !place.farther.empty(); ++c) {
       const std::optional<double>& middle = place.farther[1][c];
-      const bool is_limit =
-          limits[c] && middle && std::abs(*limits[c] - *middle) <= kGrows * std::abs(*middle);
-      limits[c] = is_limit || limits[c] == 0.0 ? limits[c] : std::nullopt;
+      const std::optional<double>& far = place.farther[0][c];
+      if (!limits[c] || !middle || limits[c] == 0.0) {
+        continue;
+      }
+      const double last = *limits[c] - *middle;
+      const bool is_straight = far && std::abs(last - (*middle - *far)) <= kGrows * std::abs(last);
+      const bool is_limit = is_straight || std::abs(last) <= kGrows * std::abs(*middle);
+      limits[c] = is_limit ? limits[c] : std::nullopt;
     }
     return limits;
   }
@@ -344,22 +356,34 @@ class CornerFinder {
                                [&](double pole) { return std::abs(pole - step) < kSameStep; });
   }
 
-  // As near as there are values, to so much of the way from a row.
+  // As near as there are values, to so much of the way from a row. Beside a place where a drive
+  // turns back or stops it moves too slowly for friction to have a direction, and they are what
+  // those farther from it come to.
   void add_approach(double row, double step, std::vector<FigurePlace>& corners) {
     FigurePlace place{.of = {}, .is_approach = true, .beside = step};
-    for (const double left : {4.0 * kApproach, 2.0 * kApproach, kApproach}) {
-      place.step = std::lerp(step, row, left);
-      place.share = share_at_step(motion_, place.step);
-      const std::optional<MotionPosition> position = position_at(place.step, reading_);
-      if (!position) {
-        return;
+    for (const double way : {kApproach, 0x1p6 * kApproach, 0x1p12 * kApproach}) {
+      place.farther.clear();
+      bool rests = false;
+      for (const double left : {4.0 * way, 2.0 * way, way}) {
+        place.step = std::lerp(step, row, left);
+        place.share = share_at_step(motion_, place.step);
+        const std::optional<MotionPosition> position = position_at(place.step, reading_);
+        if (!position) {
+          return;
+        }
+        place.of = values_at_(*position, place.share);
+        rests = position->without_friction.has_value();
+        if (left > way) {
+          place.farther.push_back(place.of.values);
+        }
       }
-      place.of = values_at_(*position, place.share);
-      if (left > kApproach) {
-        place.farther.push_back(place.of.values);
+      if (!rests) {
+        break;
       }
     }
     go_to_limits(place);
+    place.step = std::lerp(step, row, kApproach);
+    place.share = share_at_step(motion_, place.step);
     if (!is_pole(step)) {
       place.farther.clear();
     }

@@ -20,6 +20,9 @@ namespace kinestat {
 
 namespace {
 
+// A position no farther from a step than this says no more than the step how a column turns.
+constexpr double kBesideStep = 0.05;
+
 class FigureMaker {
  public:
   FigureMaker(std::span<const double> shares,
@@ -128,8 +131,9 @@ class FigureMaker {
   }
 
   // Without approaches to places where the column does not jump: steps of one length integrate a
-  // smooth turn far better, and no peak is near.
-  std::vector<Sample> samples_with_jumps(std::size_t column) const {
+  // smooth turn far better. For peaks one of both sides says more of how the column turns between
+  // the steps.
+  std::vector<Sample> samples_with_jumps(std::size_t column, bool for_peaks) const {
     std::vector<Sample> all = samples_of(column);
     double largest = 0.0;
     for (const Sample& one : all) {
@@ -146,7 +150,9 @@ class FigureMaker {
         return other < all.size() && std::abs(all[other].step - all[i].step) < kSameApproach &&
                jumps_between(all[i], all[other]);
       };
-      if (!all[i].is_approach || jumps_to(i - 1) || jumps_to(i + 1)) {
+      const bool is_between = for_peaks && all[i].step < all[i].place &&
+                              std::abs(all[i].step - std::round(all[i].step)) > kBesideStep;
+      if (!all[i].is_approach || is_between || jumps_to(i - 1) || jumps_to(i + 1)) {
         kept.push_back(all[i]);
       }
     }
@@ -205,13 +211,16 @@ class FigureMaker {
   }
 
   void climb(std::size_t column, double sign, ColumnExtreme& found) {
-    const std::vector<Sample> samples = samples_with_jumps(column);
+    const std::vector<Sample> samples = samples_with_jumps(column, true);
     const auto joins_next = [&](std::size_t i) {  // not the other side of a jump
       return i + 1 < samples.size() && samples[i + 1].step - samples[i].step >= kSameApproach;
     };
     const std::optional<ValueFolds>& folds = climbed_[column]->folds;
     const auto fold = [&] { return sign > 0.0 ? folds->greatest : -folds->least; };
-    PeakSearch search(sign * found.value, folds ? std::optional(fold()) : std::nullopt);
+    const bool is_size = !folds && std::ranges::none_of(samples, [column, sign](const Sample& one) {
+      return sign * (*one.values)[column].value_or(0.0) > 0.0;
+    });
+    PeakSearch search(sign * found.value, folds ? std::optional(fold()) : std::nullopt, is_size);
     std::vector<PeakSample> run;
     for (std::size_t i = 0; i < samples.size(); ++i) {
       const std::optional<double>& value = (*samples[i].values)[column];
@@ -224,7 +233,7 @@ class FigureMaker {
       }
     }
     while (const std::optional<double> share = search.next()) {
-      const std::optional<double> value = between_.value(column, *share, false);
+      const std::optional<double> value = between_.value(column, *share, Look::peak);
       search.take(value ? std::optional(sign * *value) : std::nullopt);
     }
     if (const std::optional<PeakSample> top = search.better()) {
@@ -258,7 +267,7 @@ class FigureMaker {
       sum += width * measure(from, to);
       size += width * measure(std::abs(from), std::abs(to));
     };
-    const std::vector<Sample> samples = samples_with_jumps(column);
+    const std::vector<Sample> samples = samples_with_jumps(column, false);
     for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
       const double width = samples[i + 1].step - samples[i].step;
       const std::optional<double>& low = (*samples[i].values)[column];
@@ -320,12 +329,10 @@ class FigureMaker {
   }
 
   // So much of the way from a step with a value is left to the end, which has none.
-  std::optional<double> value_before(std::size_t column,
-                                     double from,
-                                     double end,
-                                     double left) const {
+  std::optional<double> value_before(
+      std::size_t column, double from, double end, double left, Look look = Look::mean) const {
     const double here = std::lerp(end, from, left);
-    return between_.value ? between_.value(column, share_at_(here), true) : std::nullopt;
+    return between_.value ? between_.value(column, share_at_(here), look) : std::nullopt;
   }
 
   // So near, what grows without bound is far above all that rows have in its unit; and rounding is
@@ -342,7 +349,7 @@ class FigureMaker {
   // Between a position that has values and one that has none.
   void look_towards(std::size_t column, std::size_t from, std::size_t end, Growth& growth) {
     const auto value = [&](double left) {
-      return value_before(column, steps_[from], steps_[end], left);
+      return value_before(column, steps_[from], steps_[end], left, Look::end);
     };
     const std::string& status = table_.rows[end].status;
     const bool is_singular = status == kLimitEvent || status == kSingularEvent;
@@ -360,9 +367,10 @@ class FigureMaker {
     }
   }
 
-  bool is_approached(double step) const {
+  // Whether a place between two steps is approached, and the column has a value there.
+  bool is_approached(double low, double high, std::size_t column) const {
     return std::ranges::any_of(corners_, [&](const FigurePlace& place) {
-      return place.is_approach && std::abs(place.step - step) < kSameApproach;
+      return place.is_approach && place.step > low && place.step < high && place.of.values[column];
     });
   }
 
@@ -379,7 +387,8 @@ class FigureMaker {
       }
       // Where friction turns round values jump, and what they come to is known.
       const std::size_t end = has_this ? r + 1 : r;
-      const bool turns_round = rows[end].status != kLimitEvent && is_approached(steps_[end]);
+      const bool turns_round =
+          rows[end].status != kLimitEvent && is_approached(steps_[r], steps_[r + 1], column);
       if (!turns_round) {
         look_towards(column, has_this ? r : r + 1, end, growth);
       }

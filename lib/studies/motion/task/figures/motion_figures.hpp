@@ -12,11 +12,17 @@
 
 namespace kinestat {
 
+/// What a value between the steps is looked at for.
+enum class Look {
+  peak,  ///< at a place of one column
+  mean,  ///< where other columns are looked at, too
+  end    ///< likewise; where friction has no direction there is none without it, either
+};
+
 /// Looks between the steps, at shares of the ranges of the drives; empty where nothing does.
 struct BetweenSteps {
-  /// The value of a column of the table; empty where there is none. `is_shared`: other columns are
-  /// looked at there, too.
-  std::function<std::optional<double>(std::size_t column, double share, bool is_shared)> value;
+  /// The value of a column of the table; empty where there is none.
+  std::function<std::optional<double>(std::size_t column, double share, Look look)> value;
 
   /// Whether actions that are missing there have no equilibrium, as where friction jams; others are
   /// lost in rounding beside a singular position.

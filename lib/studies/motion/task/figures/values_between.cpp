@@ -9,7 +9,17 @@ namespace kinestat {
 namespace {
 
 // Ends of values are looked at in some sixty positions, by one column after the other.
-constexpr std::size_t kMostKept = 128;
+constexpr std::size_t kMostKept = 4096;
+
+std::optional<double> in_unit(const MotionReading& reading,
+                              const std::optional<double>& value,
+                              const FileUnits& units) {
+  if (!value || !std::isfinite(*value)) {
+    return std::nullopt;
+  }
+  const double result = units.from_si(reading.kind, *value);
+  return result == 0.0 ? 0.0 : result;
+}
 
 }  // namespace
 
@@ -25,11 +35,7 @@ std::optional<double> read_column(const std::vector<MotionReading>& readings,
   for (std::size_t r = first; r <= reading; ++r) {
     value = readings[r].value(position);
   }
-  if (!value || !std::isfinite(*value)) {
-    return std::nullopt;
-  }
-  const double result = units.from_si(readings[reading].kind, *value);
-  return result == 0.0 ? 0.0 : result;
+  return in_unit(readings[reading], value, units);
 }
 
 ValuesBetween::ValuesBetween(const Mechanism& mechanism,
@@ -46,32 +52,28 @@ ValuesBetween::ValuesBetween(const Mechanism& mechanism,
       quotients_(quotients),
       positions_(mechanism, motion.plan, motion.network, motion.drawn, detail) {}
 
-ValuesBetween::Known ValuesBetween::find(double share) {
-  Known known;
+ValuesBetween::Found ValuesBetween::find(double share) {
+  Found found;
   if (const std::optional<Configuration> there = configurations_.at(share)) {
-    known.position = positions_.at(*there, share);
-    if (known.position->without_friction) {
-      known.without_friction = known.position->or_without_friction();
+    found.position = positions_.at(*there, share);
+    if (found.position->without_friction) {
+      found.without_friction = found.position->or_without_friction();
     }
-    quotients_.look(readings_, *known.position, step_at_share(motion_, share));
+    quotients_.look(readings_, *found.position, step_at_share(motion_, share));
   }
-  return known;
+  return found;
 }
 
-std::optional<double> ValuesBetween::read(std::size_t reading, const Known& known) const {
-  if (!known.position) {
+std::optional<double> ValuesBetween::read(std::size_t reading, const Found& found) const {
+  if (!found.position) {
     return std::nullopt;
   }
-  const bool has_other = known.without_friction && !readings_[reading].is_of_friction;
+  const bool has_other = found.without_friction && !readings_[reading].is_of_friction;
   return read_column(
-      readings_, reading, has_other ? *known.without_friction : *known.position, units_);
+      readings_, reading, has_other ? *found.without_friction : *found.position, units_);
 }
 
-std::optional<double> ValuesBetween::at(std::size_t reading, double share) {
-  return read(reading, find(share));
-}
-
-const ValuesBetween::Known& ValuesBetween::find_shared(double share) {
+const ValuesBetween::Known& ValuesBetween::known_at(double share) {
   const auto before = known_.find(share);
   if (before != known_.end()) {
     return before->second;
@@ -79,19 +81,34 @@ const ValuesBetween::Known& ValuesBetween::find_shared(double share) {
   if (known_.size() == kMostKept) {
     known_.clear();
   }
-  return known_.emplace(share, find(share)).first->second;
-}
-
-std::optional<double> ValuesBetween::at_shared(std::size_t reading, double share) {
-  return read(reading, find_shared(share));
-}
-
-bool ValuesBetween::is_jammed(double share) {
-  const std::optional<MotionPosition>& position = find_shared(share).position;
+  Known& known = known_[share];
+  const Found found = find(share);
+  const std::optional<MotionPosition>& position = found.position;
+  for (std::size_t r = 0; position && r < readings_.size(); ++r) {
+    const std::optional<double> value = readings_[r].value(*position);
+    known.moving.push_back(in_unit(readings_[r], value, units_));
+  }
+  for (std::size_t r = 0; found.without_friction && r < readings_.size(); ++r) {
+    known.at_rest.push_back(read(r, found));
+  }
   const bool has_statics = position && position->solved && position->solved->action;
   const SolveStatus status =
       has_statics ? position->solved->action->status : SolveStatus::underdetermined;
-  return status != SolveStatus::underdetermined && status != SolveStatus::solved;
+  known.is_jammed = status != SolveStatus::underdetermined && status != SolveStatus::solved;
+  return known;
+}
+
+std::optional<double> ValuesBetween::at(std::size_t reading, double share, Look look) {
+  if (look == Look::peak) {
+    return read(reading, find(share));
+  }
+  const Known& known = known_at(share);
+  const auto& values = look == Look::end || known.at_rest.empty() ? known.moving : known.at_rest;
+  return values.empty() ? std::nullopt : values[reading];
+}
+
+bool ValuesBetween::is_jammed(double share) {
+  return known_at(share).is_jammed;
 }
 
 }  // namespace kinestat

@@ -9,6 +9,7 @@
 #include "expression/file_units.hpp"
 #include "studies/motion/followed_configurations.hpp"
 #include "studies/motion/task/columns/motion_columns.hpp"
+#include "studies/motion/task/figures/motion_figures.hpp"
 #include "studies/motion/task/figures/unbounded_quotients.hpp"
 #include "studies/motion/task/motion_position.hpp"
 
@@ -33,23 +34,28 @@ class ValuesBetween {
                 UnboundedQuotients& quotients);
 
   /// With what acts without friction where it has no direction; empty where there is none.
-  std::optional<double> at(std::size_t reading, double share);
-
-  /// The same where other columns are looked at, too: positions are kept.
-  std::optional<double> at_shared(std::size_t reading, double share);
+  /// Positions at which other columns are looked at are kept.
+  std::optional<double> at(std::size_t reading, double share, Look look);
 
   /// Whether there is no equilibrium there.
   bool is_jammed(double share);
 
  private:
-  struct Known {
+  struct Found {
     std::optional<MotionPosition> position;  // empty where the motion cannot be followed to it
     std::optional<MotionPosition> without_friction;
   };
 
-  Known find(double share);
-  const Known& find_shared(double share);
-  std::optional<double> read(std::size_t reading, const Known& known) const;
+  // What all columns read.
+  struct Known {
+    std::vector<std::optional<double>> moving;
+    std::vector<std::optional<double>> at_rest;  // without friction; empty where it has a direction
+    bool is_jammed = false;
+  };
+
+  Found find(double share);
+  const Known& known_at(double share);
+  std::optional<double> read(std::size_t reading, const Found& found) const;
 
   const FoundMotion& motion_;
   const std::vector<MotionReading>& readings_;
