@@ -47,6 +47,7 @@ EIGEN_HOME = "lib/core/types.hpp"
 
 TOLERANCE_HOMES = {
     "lib/core/tolerance.hpp",
+    "lib/core/angle_tolerance.hpp",
     "lib/core/extreme_tolerance.hpp",
     "lib/core/motion_tolerance.hpp",
     "lib/core/simulation_tolerance.hpp",

@@ -10,4 +10,7 @@ namespace kinestat {
 /// many counts.
 inline constexpr double kAngleRounding = 4 * kEpsilon;
 
+/// An angle that is rounded by as much as this is not known to be a multiple of anything.
+inline constexpr double kCoarseAngle = 1e-3;
+
 }  // namespace kinestat

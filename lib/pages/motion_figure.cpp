@@ -179,63 +179,40 @@ class MotionFigure {
     return result;
   }
 
-  // The columns with the forces in a coupling; empty unless all of them are reported.
-  std::vector<std::pair<std::size_t, int>> force_columns(const CouplingTopology& coupling) const {
-    const Topology& topology = mechanism_.topology;
-    std::vector<std::pair<std::size_t, int>> columns;
-    for (int i = 0; i < coupling.action_count; ++i) {
-      const int action = coupling.first_action + i;
-      if (topology.actions[static_cast<std::size_t>(action)].is_couple) {
-        continue;
-      }
-      const auto at = std::ranges::find_if(motion_.table.columns, [&](const MotionColumn& column) {
-        return column.quantity == "action" && column.element == topology.action_name(action);
-      });
-      if (at == motion_.table.columns.end()) {
-        return {};
-      }
-      columns.emplace_back(at - motion_.table.columns.begin(), action);
-    }
-    return columns;
-  }
-
   // Of each coupling in the plane whose forces are reported: its name, and at each position where
   // it is [m] and the force of its tail on its head, in the unit of the file; null without one.
   std::vector<std::string> forces_json() const {
     std::vector<std::string> couplings;
-    const Topology& topology = mechanism_.topology;
-    for (std::size_t e = 0; is_planar() && e < topology.couplings.size(); ++e) {
-      const auto columns = force_columns(topology.couplings[e]);
-      if (columns.empty()) {
-        continue;
-      }
+    const std::vector<CouplingId>& bearing = motion_.table.bearing;
+    for (std::size_t r = 0; is_planar() && r < bearing.size(); ++r) {
       std::vector<std::string> places;
+      bool has_any = false;
       for (std::size_t i = 0; i < positions().size(); ++i) {
-        places.push_back(force_json(e, columns, i));
+        const auto& forces = motion_.table.rows[motion_.shown[i]].reactions;
+        const bool has_force = r < forces.size() && forces[r];
+        has_any = has_any || has_force;
+        places.push_back(has_force ? force_json(bearing[r], *forces[r], i) : "null");
       }
-      couplings.push_back(fmt::format(R"({{"name":{},"unit":{},"at":[{}]}})",
-                                      script_string(topology.couplings[e].name),
-                                      script_string(motion_.table.columns[columns[0].first].unit),
-                                      fmt::join(places, ",")));
+      if (has_any) {
+        couplings.push_back(
+            fmt::format(R"({{"name":{},"unit":{},"at":[{}]}})",
+                        script_string(mechanism_.topology.coupling(bearing[r]).name),
+                        script_string(units().text(QuantityKind::force)),
+                        fmt::join(places, ",")));
+      }
     }
     return couplings;
   }
 
-  std::string force_json(std::size_t coupling,
-                         const std::vector<std::pair<std::size_t, int>>& columns,
-                         std::size_t position) const {
-    const Geometry& geometry = positions()[position].geometry;
-    Vec3 force = Vec3::Zero();
-    for (const auto& [column, action] : columns) {
-      const auto& value = motion_.table.rows[motion_.shown[position]].values[column];
-      if (!value) {
-        return "null";
-      }
-      force += *value * geometry.actions[static_cast<std::size_t>(action)].force;
-    }
-    const Vec3& at = geometry.points[coupling];
-    return fmt::format("[{:.6g},{:.6g},{:.6g},{:.6g}]", at.x(), at.y(), force.x(), force.y());
+  std::string force_json(CouplingId coupling, const Vec3& force, std::size_t position) const {
+    const Vec3& at =
+        positions()[position].geometry.points[static_cast<std::size_t>(coupling.value)];
+    const auto in_unit = [&](double si) { return units().from_si(QuantityKind::force, si); };
+    return fmt::format(
+        "[{:.6g},{:.6g},{:.6g},{:.6g}]", at.x(), at.y(), in_unit(force.x()), in_unit(force.y()));
   }
+
+  const FileUnits& units() const { return analysis_.description.units; }
 
   const Mechanism& mechanism_;
   const Analysis& analysis_;

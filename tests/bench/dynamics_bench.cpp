@@ -17,6 +17,7 @@
 #include "mechanism/bind/bind.hpp"
 #include "ratio_table.hpp"
 #include "studies/motion/motion.hpp"
+#include "studies/motion/task/columns/column_detail.hpp"
 #include "studies/motion/task/columns/motion_columns.hpp"
 #include "studies/motion/task/find_motion.hpp"
 #ifdef KINESTAT_HAS_SIMBODY

@@ -69,6 +69,8 @@ class Change:
         for name in found.keys() & before.keys():
             if self.but.search(name):
                 continue
+            if len(found[name]) != len(before[name]):
+                yield f"{len(found[name])} rows, were {len(before[name])}"
             for row, (x, y) in enumerate(zip(found[name], before[name])):
                 if not self.is_same(x, y, largest[kinds[name]]):
                     yield f"{name} of row {row} is {x}, was {y}"
@@ -84,6 +86,8 @@ class Change:
 def compare_figures(actual: dict, expected: dict) -> Iterator[str]:
     """Of another number of steps."""
     figures, before = actual["figures"], expected["figures"]
+    if figures.keys() != before.keys():
+        yield f"figures {sorted(figures.keys() ^ before.keys())} only once"
     for name in figures.keys() & before.keys():
         one, two = figures[name], before[name]
         size = largest_of([side.get(key) for side in (one, two) for key in ("least", "greatest")])
@@ -151,13 +155,16 @@ class MetamorphicMotionTest(unittest.TestCase):
     def test_extremes_and_means_do_not_hang_on_the_steps(self) -> None:
         runs = [self.moved(self.texts, "--steps", str(steps)) for steps in STEPS]
         complaints = []
+        count = 0
         for name in self.texts:
-            motions = [run[name].report.get("motion") for run in runs]
+            motions = [(run[name].report or {}).get("motion") for run in runs]
             if all(motions):
+                count += 1
                 complaints += [f"{name}: {steps} steps: {text}"
                                for steps, one in zip(STEPS[:-1], motions[:-1])
                                for text in compare_figures(one, motions[-1])]
         self.complain(complaints)
+        self.assertGreaterEqual(count, 12)
 
 
 if __name__ == "__main__":

@@ -15,7 +15,7 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from page_case import PageCase, program, run_tests, write_page  # noqa: E402
+from page_case import ROOT, PageCase, program, run_tests, write_page  # noqa: E402
 
 METRES = {"m": 1.0, "cm": 1e-2, "mm": 1e-3}
 PLANAR = ["planar/four_bar.yaml", "planar/slider_crank.yaml", "planar/watt_six_bar.yaml"]
@@ -184,6 +184,23 @@ class MotionTest(PageCase):
             "return [...document.querySelectorAll('figure.chart')]"
             ".filter((one) => one.dataset.follows === "
             "document.querySelector('figure.motion').dataset.motion);")), 4)
+
+    def test_the_force_beside_a_drawing_is_the_reaction(self) -> None:
+        # What slides bears its weight and mu times that across, whatever drives it along.
+        sliding = ROOT / "tests/cli/motion_there_and_back/file.yaml"
+        for file, coupling, step, weight, friction in (
+                (ROOT / "mechanisms/planar/stick_slip.yaml", "rub", 20, 1.5 * 9.81, 0.25),
+                (sliding, "g", 2, 60 * 9.81, 0.1)):
+            with self.subTest(coupling):
+                page = self.folder / f"force-in-{coupling}.html"
+                self.assertEqual(write_page(page, file).returncode, 0)
+                self.open(page, prefers_reduced_motion="reduce")
+                self.ask("""
+                    const choice = document.querySelector('[data-force]');
+                    choice.value = [...choice.options].find((one) => one.textContent === arguments[0]).value;
+                    choice.dispatchEvent(new Event('change'));""", "in " + coupling)
+                force = weight * math.hypot(1.0, friction)
+                self.assertIn(f", {coupling} {force:.4g} N", self.show(step))
 
     def test_a_spatial_linkage_is_seen_where_its_closed_form_is(self) -> None:
         # Hinge a about z at the origin, d about y; the balls b and c are fixed in crank and rocker.

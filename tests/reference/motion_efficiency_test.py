@@ -98,7 +98,7 @@ class EfficiencyOfAYoke(MotionTest):
         self.assertIsNone(motion.report["figures"]["efficiency"]["mean"])
 
         motion, _ = motion_of(yoke(10.0, 170.0, 160))
-        self.assertEqual(motion["status"][80], "dead_point")
+        self.assertEqual(motion["status"][80], "friction_reversal")
         middle = sum(efficiency_of_yoke(10.0 + (k + 0.5) / 100.0) for k in range(16000)) / 16000
         self.close(motion.report["figures"]["efficiency"]["mean"], middle, 1e-4, "mean")
 

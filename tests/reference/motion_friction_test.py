@@ -58,6 +58,38 @@ class FrictionInSlides(MotionTest):
             self.assertIn("and once more", done.stderr, f"{steps} steps")
 
 
+TWO_OPPOSED_SLIDES = """kinestat: 1
+space: planar
+units: {length: mm, angle: deg}
+ground: frame
+bodies: [crank, rod, ram, rod2, ram2]
+couplings:
+  a: {type: revolute, bodies: [frame, crank], at: [0, 0]}
+  b: {type: revolute, bodies: [crank, rod], at: [40, 0]}
+  c: {type: revolute, bodies: [rod, ram], at: [160, 0]}
+  d: {type: prismatic, bodies: [frame, ram], at: [160, 0], axis: x, friction: 0.1}
+  b2: {type: revolute, bodies: [crank, rod2], at: [-40, 0]}
+  c2: {type: revolute, bodies: [rod2, ram2], at: [-160, 0]}
+  d2: {type: prismatic, bodies: [frame, ram2], at: [-160, 0], axis: x, friction: 0.1}
+actuators: {m: {coupling: a}, o: {coupling: d}, o2: {coupling: d2}}
+cases: {c: {motion: {m: 10 rad/s}, action: {o: 900 N, o2: -500 N}}}
+motion: {drive: m, to: 360 deg, steps: %d, case: c, report: [action]}
+"""
+
+
+class SeveralFrictions(MotionTest):
+    def test_reverse_in_one_row_each_with_an_event_of_its_own(self) -> None:
+        for steps in (2, 3, 4, 8, 36):
+            done = program.call("motion", "-", text=TWO_OPPOSED_SLIDES % steps)
+            self.assertEqual(done.returncode, 0, f"{steps} steps: {done.stderr}")
+            motion = Motion(program.report(done))
+            for slide in ("d", "d2"):
+                places = motion.events("friction_reversal", slide)
+                self.assertEqual(len(places), 3, f"{slide}, {steps} steps")
+                for place, expected in zip(places, (0.0, 180.0, 360.0)):
+                    self.assertAlmostEqual(place, expected, delta=1e-5)
+
+
 class FrictionInSlots(MotionTest):
     def test_turns_round_where_the_pin_does_whatever_the_steps(self) -> None:
         for steps in (1, 2, 3, 6, 7):
@@ -67,7 +99,7 @@ class FrictionInSlots(MotionTest):
             self.assertNotIn("E0606", done.stderr, f"{steps} steps")
             status = Motion(program.report(done))["status"]
             dead = {steps // 2} if steps % 2 == 0 else set()
-            self.assertEqual({r for r, one in enumerate(status) if one == "dead_point"}, dead)
+            self.assertEqual({r for r, one in enumerate(status) if one == "friction_reversal"}, dead)
 
     def test_rests_at_the_ends_of_a_range_as_it_does_within(self) -> None:
         """The pin runs along the slot as sin(a), from -90 to 90 deg."""
@@ -79,7 +111,7 @@ class FrictionInSlots(MotionTest):
             self.assertIn("friction of 's' reverses at Tin = -2.2143 rad, and once more",
                           done.stderr)
             status = Motion(program.report(done))["status"]
-            self.assertEqual(status, ["dead_point", *["solved"] * (steps - 1), "dead_point"])
+            self.assertEqual(status, ["friction_reversal", *["solved"] * (steps - 1), "friction_reversal"])
 
 
 IN_LINE_WITH_FRICTION = """kinestat: 1
@@ -134,7 +166,7 @@ class DeadCentresAtTheEnds(MotionTest):
             self.assertIn("friction of 'd' reverses at Tin = 0 deg", done.stderr)
             motion = Motion(program.report(done))
             dead = [r for r in range(steps + 1) if r * end % (180 * steps) == 0]
-            self.assertEqual([r for r, one in enumerate(motion["status"]) if one == "dead_point"],
+            self.assertEqual([r for r, one in enumerate(motion["status"]) if one == "friction_reversal"],
                              dead)
             places = motion.events("dead_point", "d.vx")
             sense = 1 if end > 0 else -1

@@ -8,20 +8,29 @@
 
 namespace kinestat {
 
-/// The sine, which moves at most as far as the rounding of its angle: zero where that is all that
-/// it is, as of 180 deg, for which no double stands.
+/// Of angles so large that their rounding is no small part of a turn nothing is told zero.
+inline double rounding_of_angle(double angle) {
+  const double rounding = kAngleRounding * std::abs(angle);
+  return rounding < kCoarseAngle ? rounding : 0.0;
+}
+
+/// The sine, which moves at most as far as the rounding of its angle: zero, with its sign, where
+/// that is all that it is, as of 180 deg, for which no double stands.
 inline double sine(double angle) {
-  return zero_within_bound(std::sin(angle), kAngleRounding * std::abs(angle));
+  const double value = std::sin(angle);
+  return std::copysign(zero_within_bound(value, rounding_of_angle(angle)), value);
 }
 
 /// The cosine: zero likewise, as of 90 deg.
 inline double cosine(double angle) {
-  return zero_within_bound(std::cos(angle), kAngleRounding * std::abs(angle));
+  const double value = std::cos(angle);
+  return std::copysign(zero_within_bound(value, rounding_of_angle(angle)), value);
 }
 
 /// The tangent: zero with its sine.
 inline double tangent(double angle) {
-  return sine(angle) == 0.0 ? 0.0 : std::tan(angle);
+  const double value = std::tan(angle);
+  return sine(angle) == 0.0 ? std::copysign(0.0, value) : value;
 }
 
 }  // namespace kinestat

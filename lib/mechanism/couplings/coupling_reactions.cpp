@@ -32,17 +32,17 @@ std::vector<CouplingReaction> coupling_reactions(const Mechanism& mechanism) {
   return reactions;
 }
 
-std::optional<double> resultant_force(const CouplingReaction& reaction,
-                                      const Topology& topology,
-                                      std::span<const BodyPose> poses,
-                                      const ReactionForceOf& force_of) {
+std::optional<Vec3> resultant_force(const CouplingReaction& reaction,
+                                    const Topology& topology,
+                                    std::span<const BodyPose> poses,
+                                    const ReactionForceOf& force_of) {
   std::optional<CentralHinge> moved = reaction.hinge;
   if (moved) {  // its axis is fixed in the tail of its coupling
     const BodyId tail = topology.coupling(reaction.coupling).tail;
     moved->axis = poses[static_cast<std::size_t>(tail.value)].rotation * moved->axis;
   }
   const std::optional<Vec3> force = borne_force(moved, reaction.coupling, force_of);
-  return force ? std::optional(force->norm() * reaction.share) : std::nullopt;
+  return force ? std::optional<Vec3>(reaction.share * *force) : std::nullopt;
 }
 
 }  // namespace kinestat

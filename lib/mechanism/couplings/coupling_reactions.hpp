@@ -33,11 +33,11 @@ std::vector<CouplingReaction> coupling_reactions(const Mechanism& mechanism);
 /// actuators [N]; empty where equilibrium leaves it open.
 using ReactionForceOf = std::function<std::optional<Vec3>(CouplingId)>;
 
-/// The resultant force [N]: of central hinges without the planets' part, of planets that of the
-/// most loaded one. `poses` are those of the bodies.
-std::optional<double> resultant_force(const CouplingReaction& reaction,
-                                      const Topology& topology,
-                                      std::span<const BodyPose> poses,
-                                      const ReactionForceOf& force_of);
+/// The resultant force of tail on head [N]: of central hinges without the planets' part, of planets
+/// that of the most loaded one. `poses` are those of the bodies.
+std::optional<Vec3> resultant_force(const CouplingReaction& reaction,
+                                    const Topology& topology,
+                                    std::span<const BodyPose> poses,
+                                    const ReactionForceOf& force_of);
 
 }  // namespace kinestat

@@ -55,7 +55,8 @@ for (const motion of all(".motion[data-poses]")) {
                        class: "ks-f-vermilion"}, layer);
       words = ", " + one.name + " " + amount(Number(size.toPrecision(4)), one.unit);
     }
-    return chosen.length === 1 ? words : "";
+    return chosen.length > 1 ? ", longest of all " + amount(Number(most.toPrecision(4)), chosen[0].unit)
+                             : words;
   };
   if (forces.length > 0) {
     const label = make("label", {}, controls);

@@ -30,8 +30,8 @@ struct SimulationRow {
   std::vector<double> actions = {};               ///< that the case knows, in its order [N·m or N]
   std::vector<double> held = {};                  ///< of the plan's held freedoms: what that takes
   std::vector<std::optional<double>> borne = {};  ///< of all actions; none unless the plan asks
-  std::vector<std::optional<double>> reactions = {};  ///< resultant forces of `coupling_reactions`
-                                                      ///< [N], likewise
+  std::vector<std::optional<Vec3>> reactions = {};  ///< resultant forces of `coupling_reactions`
+                                                    ///< [N], likewise
   std::vector<std::optional<double>> load_powers = {};  ///< of the loads of the case, then of those
                                                         ///< that follow curves [W]
   std::vector<std::optional<double>> friction = {};  ///< of each friction of the mechanism, of tail

@@ -84,8 +84,7 @@ struct SimulationPlan {
   int steps = 0;           ///< of the rows, equal in time
   double tolerance = 0.0;  ///< of a step of the integration
   SimulationReport report = {};
-  bool asks_actions = false;    ///< of couplings, for some column
-  bool asks_reactions = false;  ///< their resultants, likewise
+  bool asks_actions = false;  ///< of couplings, for some column
   SourceRange where;
 };
 

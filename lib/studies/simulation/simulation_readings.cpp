@@ -146,10 +146,12 @@ class ReadingMaker {
                .quantity = std::string(kReactionForce),
                .kind = QuantityKind::force,
                .words = {kReactionWord}},
-              [i](const SimulationRow& row) { return value_at(row.reactions, i); });
+              [i](const SimulationRow& row) {
+                const bool has_one = i < row.reactions.size() && row.reactions[i];
+                return has_one ? std::optional(row.reactions[i]->norm()) : std::nullopt;
+              });
       force.is_usual = false;
       force.needs_actions = true;
-      force.is_reaction = true;
     }
     for (std::size_t i = 0; i < mechanism_.frictions.size(); ++i) {
       if (!rubs(mechanism_.frictions[i])) {

@@ -25,7 +25,6 @@ struct SimulationReading {
   bool is_always = false;                    ///< whatever the report asks for
   bool is_usual = true;                      ///< where the report does not say it
   bool needs_actions = false;                ///< of couplings, which equilibrium says
-  bool is_reaction = false;                  ///< a resultant of these
   std::function<std::optional<double>(const SimulationRow& row, const SimulationRow& first)> value =
       {};
 };

@@ -152,7 +152,7 @@ std::vector<int> StateBalance::pulling(std::span<const std::optional<double>> ma
   return pulling_teeth(moved_, coast_, tooth_forces(magnitudes));
 }
 
-std::vector<std::optional<double>> StateBalance::reactions(
+std::vector<std::optional<Vec3>> StateBalance::reactions(
     std::span<const std::optional<double>> magnitudes,
     std::span<const std::optional<double>> friction,
     std::span<const BodyPose> poses) const {
@@ -180,7 +180,7 @@ std::vector<std::optional<double>> StateBalance::reactions(
     }
     return force;
   };
-  std::vector<std::optional<double>> forces;
+  std::vector<std::optional<Vec3>> forces;
   for (const CouplingReaction& one : reactions_) {
     forces.push_back(resultant_force(one, topology, poses, force_of));
   }

@@ -50,9 +50,9 @@ class StateBalance {
 
   /// The resultants of `coupling_reactions` under these magnitudes of all actions and of each
   /// friction, of tail on head, where `poses` are those of the last place [N].
-  std::vector<std::optional<double>> reactions(std::span<const std::optional<double>> magnitudes,
-                                               std::span<const std::optional<double>> friction,
-                                               std::span<const BodyPose> poses) const;
+  std::vector<std::optional<Vec3>> reactions(std::span<const std::optional<double>> magnitudes,
+                                             std::span<const std::optional<double>> friction,
+                                             std::span<const BodyPose> poses) const;
 
   /// The actions of teeth that pull on each other under these magnitudes of all actions, which were
   /// solved last.

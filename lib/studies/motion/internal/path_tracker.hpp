@@ -28,15 +28,15 @@ class PathTracker {
 
   /// Puts the drives where the share has them.
   void set_drives(double share, std::span<double> coordinates) const;
-
   PathPoint make_point() const;
 
   /// Closes a point with the drives where its share puts them; `moved` becomes the largest
   /// correction of a joint. The factors of the closure are then those of the point.
   bool close(PathPoint& point, double& moved);
   void stand_at(const PathPoint& point);  ///< likewise, as it is
+  void find_rates(PathPoint& point);      ///< of one that was closed last
 
-  void find_rates(PathPoint& point);  ///< of one that was closed last
+  void leave_out_touches() { looks_for_touches_ = false; }  ///< double change points are known
 
   /// What the rates of it miss of closure, by the fastest drive: above rounding, it cannot move.
   double missed_rate(const PathPoint& point) const;
@@ -63,9 +63,6 @@ class PathTracker {
 
   /// Whether the last way arrived so near a change point that the next one begins before it.
   bool is_beside_change_point() const { return resumption_.has_value(); }
-
-  /// From now on: for ways whose double change points are known.
-  void leave_out_touches() { looks_for_touches_ = false; }
 
   ClosureSystem<Frames>& system() { return system_; }
 
@@ -137,8 +134,7 @@ class PathTracker {
   std::vector<ClosureBlock> blocks_;  ///< empty where the closure is one
   HermitePredictor trail_;
   bool looks_for_touches_ = true;
-  double flattening_ =
-      0.0;  ///< how fast the reciprocal condition number fell in the step before, by the share
+  double flattening_ = 0.0;  ///< fall of the reciprocal condition in the last step, by the share
   std::vector<SpecialPosition> special_;
   std::optional<Resumption> resumption_;
   std::vector<double> matrix_;

@@ -45,8 +45,8 @@ class MotionAbscissa {
   std::optional<double> place_of(const MotionEvent& event) const;
   std::optional<double> place_of(const ColumnExtreme& extreme) const;
 
-  /// Whether place_of is more than that straight line.
-  bool knows_place_of(const ColumnExtreme&) const { return column_ == 0 || is_time(); }
+  /// Whether place_of of an extreme is more than that straight line.
+  bool knows_places_of_extremes() const { return column_ == 0 || is_time(); }
 
  private:
   bool is_time() const { return motion_.columns[column_].quantity == kTimeColumn; }

@@ -203,6 +203,37 @@ std::vector<Group> groups_of(const MotionTable& motion, const MotionAbscissa& ov
   return groups;
 }
 
+// Steps beside a pole may have values far above all others: the frame then shows these, and lines
+// leave it.
+void cut_beside_poles(Chart& chart) {
+  constexpr double kUsual = 0.75;  // of the values lie below it
+  constexpr double kFarAbove = 10.0;
+  constexpr double kShown = 4.0;
+  std::vector<double> sizes;
+  double least = 0.0;
+  double greatest = 0.0;
+  for (const Series& series : chart.series) {
+    for (const double value : series.y) {
+      if (std::isfinite(value)) {
+        sizes.push_back(std::abs(value));
+        least = std::min(least, value);
+        greatest = std::max(greatest, value);
+      }
+    }
+  }
+  const bool has_poles =
+      std::ranges::any_of(chart.series, [](const Series& one) { return !one.breaks.empty(); });
+  if (!has_poles || sizes.empty()) {
+    return;
+  }
+  std::ranges::sort(sizes);
+  const double usual = sizes[static_cast<std::size_t>(kUsual * static_cast<double>(sizes.size()))];
+  if (usual > 0.0 && sizes.back() > kFarAbove * usual) {
+    chart.y.low = std::max(least, -kShown * usual);
+    chart.y.high = std::min(greatest, kShown * usual);
+  }
+}
+
 Chart chart_of(const Group& group, const MotionTable& motion, const MotionAbscissa& over) {
   Chart chart = {.x = over.axis(),
                  .y = {.label = quantity_words(group.quantity), .unit = group.unit},
@@ -213,6 +244,7 @@ Chart chart_of(const Group& group, const MotionTable& motion, const MotionAbscis
   if (chart.series.size() == 1 && !chart.series.front().name.empty()) {
     chart.y.label += " of " + chart.series.front().name;
   }
+  cut_beside_poles(chart);
   chart.guides = guides_of(motion, over);
   return chart;
 }
@@ -274,7 +306,7 @@ Chart path_chart(const MotionTable& motion, char up, std::size_t PlaceColumns::*
   }
   for (const Series& series : chart.series) {
     if (chart.series.size() <= kMostMarked) {
-      chart.marks.push_back({.x = series.x.front(), .y = series.y.front(), .label = "begin"});
+      chart.marks.push_back({.x = series.x.front(), .y = series.y.front(), .label = "start"});
     }
   }
   if (chart.series.size() == 1) {

@@ -99,14 +99,19 @@ class MotionLine {
   }
 
   void add(const std::optional<ColumnExtreme>& extreme) {
-    if (!extreme || !over_.knows_place_of(*extreme) || !(extreme->row > 0.0) ||
-        extreme->row == std::floor(extreme->row)) {
+    if (!extreme || !over_.knows_places_of_extremes() || !(extreme->row >= 0.0)) {
       return;
     }
     const std::optional<double> x = over_.place_of(*extreme);
     const auto is_there = [&](const PlacedPoint& one) { return is_at(one, extreme->row); };
-    if (x && std::ranges::none_of(points_, is_there)) {
-      add(extreme->row, static_cast<std::size_t>(extreme->row) + 1, *x, extreme->value);
+    if (!x || std::ranges::any_of(points_, is_there)) {
+      return;
+    }
+    const auto row = static_cast<std::size_t>(extreme->row);
+    if (extreme->row == std::floor(extreme->row)) {
+      add_around_row(row, *x, extreme->value, extreme->value);
+    } else {
+      add(extreme->row, row + 1, *x, extreme->value);
     }
   }
 

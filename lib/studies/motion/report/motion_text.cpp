@@ -7,8 +7,10 @@
 
 #include <fmt/format.h>
 
+#include "core/motion_tolerance.hpp"
 #include "core/tolerance.hpp"
 #include "core/utf8.hpp"
+#include "mechanism/couplings/coupling_reactions.hpp"
 #include "report/column_table.hpp"
 #include "report/number_format.hpp"
 #include "studies/motion/report/motion_dynamics_text.hpp"
@@ -74,11 +76,14 @@ class MotionWriter {
     std::vector<TextColumn> constants = {{"Does not change", {}}, {"value", {}}};
     std::vector<std::string> with_gaps;
     std::vector<std::string> with_poles;
-    for (std::size_t c = motion_.drives.size(); c < column_count(); ++c) {
+    for (const std::size_t c : results_first()) {
       const auto& [least, greatest, mean, rms, poles] = motion_.figures[c];
       const bool is_time = motion_.duration && motion_.columns[c].quantity == kTimeColumn;
       const bool is_bounded = least && greatest;
-      const bool is_constant = is_bounded && is_same(least->value, greatest->value);
+      // Means leave out the approaches to places where friction turns round.
+      const bool is_constant =
+          is_bounded && is_same(least->value, greatest->value) &&
+          (!mean || std::abs(*mean - least->value) <= kSameApproach * std::abs(least->value));
       if (is_time || !has_values(c) || (is_constant && least->value == 0.0)) {
         continue;
       }
@@ -112,14 +117,19 @@ class MotionWriter {
     if (!motion_.duration) {
       table.pop_back();
     }
+    const std::string lacks =
+        motion_.is_whole() ? no_mean_text(with_gaps, "some positions have no value") +
+                                 no_mean_text(with_poles,
+                                              with_poles.size() == 1 ? "it becomes infinite"
+                                                                     : "they become infinite")
+        : !table[0].cells.empty() ? "  no means: the motion ends before its range does\n"
+                                  : "";
     TextBlocks blocks;
     for (std::vector<TextColumn>* one : {&table, &constants}) {
       if (!one->front().cells.empty()) {
         blocks += TextBlocks(std::move(*one));
       }
     }
-    const std::string lacks = no_mean_text(with_gaps, "some positions have no value") +
-                              no_mean_text(with_poles, "becomes infinite");
     if (!lacks.empty()) {
       blocks += lacks + "\n";
     }
@@ -127,6 +137,31 @@ class MotionWriter {
   }
 
  private:
+  // What actuators do and what passes through the mechanism, strokes, what couplings bear, and then
+  // how everything moves; else as in the file.
+  static int rank_of(const MotionColumn& column) {
+    constexpr std::array<std::string_view, 6> kPassed = {
+        "action", "power", "efficiency", "ratio", "transmission_angle", "mechanical_advantage"};
+    constexpr std::array kBorne = {kReactionForce, kReactionFriction, kReactionLoss};
+    const bool is_of_coupling = column.element.find('.') != std::string::npos;
+    if (std::ranges::find(kPassed, column.quantity) != kPassed.end()) {
+      return is_of_coupling ? 3 : 0;
+    }
+    return column.quantity == "position"                                ? 1
+           : std::ranges::find(kBorne, column.quantity) != kBorne.end() ? 2
+                                                                        : 4;
+  }
+
+  std::vector<std::size_t> results_first() const {
+    std::vector<std::size_t> columns;
+    for (std::size_t c = motion_.drives.size(); c < column_count(); ++c) {
+      columns.push_back(c);
+    }
+    std::ranges::stable_sort(
+        columns, {}, [&](std::size_t c) { return rank_of(motion_.columns[c]); });
+    return columns;
+  }
+
   static std::string no_mean_text(const std::vector<std::string>& columns, std::string_view why) {
     return columns.empty() ? ""
                            : fmt::format("  no mean of {}: {}\n", fmt::join(columns, ", "), why);
@@ -187,12 +222,9 @@ class MotionWriter {
     if (motion_.rows.empty()) {
       return "";
     }
-    return motion_.worst_closure <= kSameValue
-               ? fmt::format("  every circuit closes to {:.0e} of the mechanism's size or better\n",
-                             kSameValue)
-               : fmt::format("  circuits close to {:.1e} of the mechanism's size (step {})\n",
-                             motion_.worst_closure,
-                             motion_.worst_step);
+    const std::string step =
+        motion_.worst_closure <= kSameValue ? "" : fmt::format(" (step {})", motion_.worst_step);
+    return "  " + closure_sentence(motion_.worst_closure) + step + "\n";
   }
 
   std::string gaps_text(const char* title, const std::vector<CouplingGap>& gaps) const {
@@ -333,6 +365,13 @@ class MotionWriter {
 };
 
 }  // namespace
+
+std::string closure_sentence(double worst) {
+  return worst <= kSameValue
+             ? fmt::format("every circuit closes to {:.0e} of the mechanism's size or better",
+                           kSameValue)
+             : fmt::format("circuits close to {:.1e} of the mechanism's size", worst);
+}
 
 TextBlocks motion_blocks(const MotionTable& motion) {
   return MotionWriter(motion).run();

@@ -1,6 +1,8 @@
 // A finite motion for people: what happened, extremes, and some of the positions.
 #pragma once
 
+#include <string>
+
 #include "report/text_blocks.hpp"
 #include "studies/motion/report/motion_table.hpp"
 
@@ -14,6 +16,9 @@ TextBlocks motion_summary(const MotionTable& motion);
 
 /// Lines on how well circuits close, and what closed a drawn position that is apart.
 TextBlocks motion_remarks(const MotionTable& motion);
+
+/// How well circuits close whose largest error is `worst`, as share of the size of the mechanism.
+std::string closure_sentence(double worst);
 
 /// The least and the greatest value of every quantity, and where; empty if nothing moves.
 TextBlocks motion_extremes(const MotionTable& motion);

@@ -17,7 +17,13 @@ class TurnFinder {
   TurnFinder(const std::vector<FrictionSliding>& sliding,
              const SlidingBeside& beside,
              MotionTable& table)
-      : sliding_(sliding), beside_(beside), table_(table) {}
+      : sliding_(sliding), beside_(beside), table_(table) {
+    // Before any turn is told: of several frictions at one row each has its own.
+    for (std::size_t r = 0; r < sliding_.size(); ++r) {
+      is_left_open_.push_back(!sliding_[r].stands &&
+                              table_.rows[r].status == word_of(SolveStatus::at_rest));
+    }
+  }
 
   FrictionTurn find(std::size_t f, const std::string& coupling) {
     FrictionTurn turn{.coupling = coupling, .friction = f, .turns = {}};
@@ -53,20 +59,18 @@ class TurnFinder {
     return !sliding_[row].rates.empty() && !sliding_[row].rates[friction].isZero(0.0);
   }
 
-  // By the direction of friction alone.
-  bool is_left_open(std::size_t row) const {
-    return !sliding_[row].stands && table_.rows[row].status == word_of(SolveStatus::at_rest);
-  }
-
   // Whether that leaves a row without an answer.
   bool rests(std::size_t row, std::size_t friction) const {
     return !sliding_[row].rates.empty() && sliding_[row].rates[friction].isZero(0.0) &&
-           is_left_open(row);
+           is_left_open_[row];
   }
 
   // Where so few steps are asked for that the rows beside one that rests do so, too.
   void look_beside(std::size_t row, FrictionTurn& turn) {
-    if (!rests(row, turn.friction)) {
+    const auto is_told = [row](const RowsAround& one) {
+      return one.before == one.after ? one.before == row : one.before < row && row < one.after;
+    };
+    if (!rests(row, turn.friction) || std::ranges::any_of(turn.turns, is_told)) {
       return;
     }
     const bool is_last = row + 1 == sliding_.size();
@@ -83,14 +87,14 @@ class TurnFinder {
     }
   }
 
-  // What nothing but the turn of a friction leaves open is at its dead point.
+  // What nothing but the turn of a friction leaves open is at its reversal.
   void add(std::size_t before, std::size_t after, FrictionTurn& turn) {
     turn.turns.push_back({.before = before, .after = after});
     const bool is_at_end = before == after;
     const std::size_t end = is_at_end ? after + 1 : after;
     for (std::size_t r = is_at_end ? before : before + 1; r < end; ++r) {
-      if (is_left_open(r)) {
-        table_.rows[r].status = kDeadPointEvent;
+      if (is_left_open_[r]) {
+        table_.rows[r].status = kFrictionReversalEvent;
       }
     }
   }
@@ -98,6 +102,7 @@ class TurnFinder {
   const std::vector<FrictionSliding>& sliding_;
   const SlidingBeside& beside_;
   MotionTable& table_;
+  std::vector<bool> is_left_open_;  // each row, by the direction of friction alone
 };
 
 }  // namespace
@@ -171,7 +176,7 @@ CaseFindings told_of_row(const CaseFindings& said,
                       table.drives.size() > 1 ? "a drive rests" : "the drive rests"),
           "at rest it may be anything up to its limit: these rows have no actions; means, RMS and "
           "energies leave it out there, and its own are over the rest of the time");
-    } else if (row.status != kDeadPointEvent) {
+    } else if (row.status != kFrictionReversalEvent) {
       told.add(one);
     }
   }

@@ -36,9 +36,9 @@ Vec3 sliding_of(const Topology& topology,
 using SlidingBeside = std::function<FrictionSliding(std::size_t row, bool is_behind)>;
 
 /// Adds to the table the couplings that slide one way and then the other, by the sliding of each of
-/// its rows, and beside those that no other row is between. Rows between are at its dead point,
+/// its rows, and beside those that no other row is between. Rows between are at its reversal,
 /// wherever the steps fall; so are the first and the last row where it rests in that one alone.
-/// Where a drive rests there is no dead point.
+/// Where a drive rests there is no reversal.
 void find_friction_turns(const Mechanism& mechanism,
                          const std::vector<FrictionSliding>& sliding,
                          const SlidingBeside& beside,

@@ -15,11 +15,6 @@ bool has_body(const PassiveFreedom& one, BodyId body) {
   return std::ranges::find(one.bodies, body) != one.bodies.end();
 }
 
-bool is_of_time(QuantityKind kind) {
-  return kind == QuantityKind::angular_velocity || kind == QuantityKind::velocity ||
-         kind == QuantityKind::angular_acceleration || kind == QuantityKind::acceleration;
-}
-
 // Whether the column of that element is of a freedom, a body or a traced point that it moves.
 bool moves_element(const PassiveFreedom& one,
                    const std::string& element,
@@ -84,7 +79,8 @@ void leave_out_idle_rates(const FoundMotion& motion,
       mechanism);
   for (MotionReading& reading : readings) {
     const bool is_open =
-        is_of_time(reading.kind) && std::ranges::any_of(idle, [&](const PassiveFreedom& one) {
+        (is_rate(reading.kind) || is_rate_of_rate(reading.kind)) &&
+        std::ranges::any_of(idle, [&](const PassiveFreedom& one) {
           return moves_element(one, reading.column.element, motion.plan, mechanism);
         });
     if (is_open) {

@@ -21,6 +21,8 @@ struct MotionDetail {
   bool reduced_equation = false;  ///< that of a case with inertia, and its second method
   bool transmission_angle = false;
   double closure_error = kMotionClosure;  ///< of the worst position of the motion
+
+  bool operator==(const MotionDetail&) const = default;
 };
 
 /// As share of the mechanism's size, no less than what counts as closed. A mechanism that closes by

@@ -2,15 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "cases/case_status.hpp"
 #include "core/tolerance.hpp"
+#include "mechanism/couplings/coupling_reactions.hpp"
 #include "mechanism/label_kind.hpp"
 #include "studies/motion/followed_configurations.hpp"
 #include "studies/motion/task/assembly_table.hpp"
+#include "studies/motion/task/columns/column_detail.hpp"
 #include "studies/motion/task/columns/motion_column_choice.hpp"
 #include "studies/motion/task/columns/motion_columns.hpp"
+#include "studies/motion/task/columns/reaction_columns.hpp"
 #include "studies/motion/task/drive_counts.hpp"
 #include "studies/motion/task/figures/motion_corners.hpp"
 #include "studies/motion/task/figures/poles.hpp"
@@ -34,14 +38,6 @@ constexpr double kBeside = 0x1p-10;
 
 bool is_among(const std::vector<std::string>& names, const std::string& name) {
   return std::ranges::find(names, name) != names.end();
-}
-
-bool is_rate(QuantityKind kind) {
-  return kind == QuantityKind::angular_velocity || kind == QuantityKind::velocity;
-}
-
-bool is_rate_of_rate(QuantityKind kind) {
-  return kind == QuantityKind::angular_acceleration || kind == QuantityKind::acceleration;
 }
 
 class TableMaker {
@@ -168,13 +164,15 @@ class TableMaker {
       add_row(p, position);
       table_.rows.back().status = status_of(p, position, positions.moved());
     }
+    std::ranges::transform(
+        reactions_, std::back_inserter(table_.bearing), &CouplingReaction::coupling);
     FollowedConfigurations configurations(mechanism_, motion_.network, solution_);
     find_friction_turns(
         mechanism_,
         sliding_,
         [&](std::size_t row, bool is_behind) {
-          const auto step = static_cast<double>(row);
-          const double share = share_at_step(motion_, is_behind ? step + kBeside : step - kBeside);
+          const double by = is_behind ? kBeside : -kBeside;
+          const double share = share_at_step(motion_, static_cast<double>(row) + by);
           const std::optional<Configuration> there = configurations.at(share);
           return there ? sliding_at(mechanism_, plan_, positions.at(*there, share))
                        : FrictionSliding{};
@@ -221,6 +219,9 @@ class TableMaker {
 
   void add_row(int p, const MotionPosition& position) {
     MotionRow row{.step = p, .values = {}, .status = {}};
+    if (plan_.report.action || plan_.report.reaction) {
+      row.reactions = reaction_forces(reactions_, topology_, position);
+    }
     row.lacks_velocities = detail_.velocity && !has_motion(position);
     row.lacks_accelerations =
         detail_.acceleration && has_motion(position) && position.state.twist_rates.empty();
@@ -240,7 +241,10 @@ class TableMaker {
     }
     row.at_rest = values_at_rest(position, solution_.shares[static_cast<std::size_t>(p)]);
     table_.rows.push_back(std::move(row));
-    quotients_.look(readings_, position, step_of_row(motion_, static_cast<std::size_t>(p)));
+    quotients_.look(readings_,
+                    position,
+                    step_of_row(motion_, static_cast<std::size_t>(p)),
+                    has_drive_at_rest(plan_, position));
     sliding_.push_back(sliding_at(mechanism_, plan_, position));
     coast_flanks_.push_back(position.solved ? position.solved->coast_flanks : std::vector<int>());
     springs_.push_back(position.solved ? position.solved->springs : std::vector<SpringState>());
@@ -410,18 +414,16 @@ class TableMaker {
       return;
     }
     table_.looks_between_steps = scope_.extremes || table_.columns.size() <= kMostClimbed;
-    std::vector<std::optional<ClimbedColumn>> climbed(table_.drives.size());  // the drives are not
+    std::vector<FigureColumn> columns(table_.drives.size());
     for (const MotionReading& one : readings_) {
-      climbed.emplace_back();
-      if (scope_.extremes ? is_among(*scope_.extremes, one.column.name())
-                          : table_.looks_between_steps) {
-        climbed.back() = ClimbedColumn{
-            .is_bounded = one.is_bounded,
-            .is_of_motion = one.is_of_motion || is_rate(one.kind) || is_rate_of_rate(one.kind)};
-        if (one.folds) {
-          climbed.back()->folds = {.least = in_unit(one.kind, one.folds->least),
-                                   .greatest = in_unit(one.kind, one.folds->greatest)};
-        }
+      columns.push_back({.is_climbed = scope_.extremes
+                                           ? is_among(*scope_.extremes, one.column.name())
+                                           : table_.looks_between_steps,
+                         .is_bounded = one.is_bounded,
+                         .is_of_motion = one.is_of_motion || one.needs.has_value()});
+      if (one.folds) {
+        columns.back().folds = {.least = in_unit(one.kind, one.folds->least),
+                                .greatest = in_unit(one.kind, one.folds->greatest)};
       }
     }
     FollowedConfigurations configurations(mechanism_, motion_.network, solution_);
@@ -438,7 +440,10 @@ class TableMaker {
          .coast_flanks = coast_flanks_,
          .poles = poles_at_},
         [this](const auto& position, double share) {
-          quotients_.look(readings_, position, step_at_share(motion_, share));
+          quotients_.look(readings_,
+                          position,
+                          step_at_share(motion_, share),
+                          has_drive_at_rest(plan_, position));
           return FigureValues{.values = values_at(position, share, is_any),
                               .at_rest = values_at_rest(position, share)};
         },
@@ -452,7 +457,7 @@ class TableMaker {
       between.is_jammed = [&](double share) { return values.is_jammed(share); };
     }
     add_figures(
-        solution_.shares, steps_, corners.places, climbed, between, where_at, share_at, table_);
+        solution_.shares, steps_, corners.places, columns, between, where_at, share_at, table_);
     add_reversals(
         motion_, corners.reversals, [this](double share) { return drives_at(share); }, table_);
   }
@@ -469,6 +474,7 @@ class TableMaker {
   std::vector<std::optional<WholeRange>> counts_;  // of each drive
   MotionDetail detail_;
   std::vector<MotionReading> readings_;
+  std::vector<CouplingReaction> reactions_ = coupling_reactions(mechanism_);
   std::vector<int> driven_;               // of each reading the drive whose position it is, or -1
   std::vector<FrictionSliding> sliding_;  // of each row
   std::vector<std::vector<SpringState>> springs_;  // likewise

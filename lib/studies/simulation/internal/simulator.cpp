@@ -305,9 +305,7 @@ void Simulator::note_borne(const std::vector<std::optional<double>>& borne) {
 namespace {
 
 void forget_actions(SimulationRow& row) {
-  const auto forget = [](std::vector<std::optional<double>>& values) {
-    std::ranges::fill(values, std::nullopt);
-  };
+  const auto forget = [](auto& values) { std::ranges::fill(values, std::nullopt); };
   forget(row.rate_rates);
   forget(row.borne);
   forget(row.reactions);

@@ -238,8 +238,8 @@ std::optional<SimulationRow> StateInTime::row_at(double time, std::span<const do
       now.friction[groups_[g].frictions.front()] = now.held[now.held.size() - groups_.size() + g];
     }
   }
-  std::vector<std::optional<double>> reactions;
-  if (plan_.asks_reactions) {
+  std::vector<std::optional<Vec3>> reactions;
+  if (plan_.asks_actions) {
     reactions = balance_.reactions(now.borne, now.friction, now.state.poses);
   }
   const StateBounds& bounds = now.state.bounds;

@@ -16,6 +16,7 @@
 #include "report/number_format.hpp"
 #include "report/report_parts.hpp"
 #include "report/table.hpp"
+#include "studies/motion/report/motion_text.hpp"
 
 namespace kinestat {
 
@@ -95,10 +96,10 @@ class SimulationText {
                         names,
                         one.integrated,
                         one.evaluations);
-    text += fmt::format("  energy balance error {} of {}; circuits closed to {} of the size\n",
+    text += fmt::format("  energy balance error {} of {}\n",
                         with_unit(QuantityKind::energy, one.energy_drift),
-                        with_unit(QuantityKind::energy, one.energy_scale),
-                        format_short(one.closure_error));
+                        with_unit(QuantityKind::energy, one.energy_scale));
+    text += "  " + closure_sentence(one.closure_error) + "\n";
     return text + "\n";
   }
 

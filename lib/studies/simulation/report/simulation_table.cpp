@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "mechanism/couplings/coupling_reactions.hpp"
+
 namespace kinestat {
 
 namespace {
@@ -48,12 +50,14 @@ MotionEvent placed(const SimulationEvent& event,
   if (of_event == sides.end() || of_event->time != event.time) {
     return placed;
   }
+  // Of several at one time the first is left, and the last arrived at.
+  const auto behind = std::ranges::upper_bound(sides, event.time, {}, &SimulationSides::time);
   const auto in_unit = [&](const std::optional<double>& si, QuantityKind kind) {
     return si ? std::optional(units.from_si(kind, *si)) : std::nullopt;
   };
   for (const SimulationColumn& column : columns) {
     placed.before.push_back(in_unit(of_event->before[column.reading], column.kind));
-    placed.after.push_back(in_unit(of_event->after[column.reading], column.kind));
+    placed.after.push_back(in_unit(std::prev(behind)->after[column.reading], column.kind));
   }
   return placed;
 }
@@ -73,7 +77,12 @@ MotionTable simulation_table(const SimulationReportView& view) {
                           .from = 0.0,
                           .to = in_time(view.plan.duration),
                           .reached = in_time(end)});
-  table.rows.resize(solution.rows.size());
+  for (const CouplingReaction& one : coupling_reactions(view.mechanism)) {
+    table.bearing.push_back(one.coupling);
+  }
+  for (const SimulationRow& row : solution.rows) {
+    table.rows.emplace_back().reactions = row.reactions;
+  }
   const std::vector<SimulationColumn> columns = simulation_columns(view);
   for (const SimulationColumn& column : columns) {
     table.columns.push_back(

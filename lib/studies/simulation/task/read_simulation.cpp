@@ -219,7 +219,6 @@ class SimulationReader {
     for (const SimulationReading& one : readings) {
       if (is_wanted(one, report)) {
         plan_.asks_actions = plan_.asks_actions || one.needs_actions;
-        plan_.asks_reactions = plan_.asks_reactions || one.is_reaction;
       }
     }
   }

@@ -147,7 +147,8 @@ std::string StateMotion::find_figures(const MechanismDescription& description,
   // Where nothing is open but the direction of friction, figures are those of the rows about it.
   const bool rests = table.duration && !of_positions.has_errors();
   const auto matters = [&](const MotionRow& row) {
-    return row.status != kDeadPointEvent && !(rests && row.status == word_of(SolveStatus::at_rest));
+    return row.status != kFrictionReversalEvent &&
+           !(rests && row.status == word_of(SolveStatus::at_rest));
   };
   const FigureReader reader(table);
   const MotionRow* gap = nullptr;

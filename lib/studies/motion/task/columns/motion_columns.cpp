@@ -15,6 +15,7 @@
 #include "math/numbers/zero_within_bound.hpp"
 #include "mechanism/label_kind.hpp"
 #include "mechanism/springs/spring_quantities.hpp"
+#include "studies/motion/task/columns/column_detail.hpp"
 #include "studies/motion/task/columns/dynamic_columns.hpp"
 #include "studies/motion/task/columns/motion_column_choice.hpp"
 #include "studies/motion/task/columns/quotient_columns.hpp"
@@ -70,6 +71,7 @@ class ReadingList {
         detail_(detail_of(plan, mechanism)) {}
 
   std::vector<MotionReading> run() {
+    needs_ = kPlaces;
     if (plan_.schedule) {
       add("", std::string(kTimeColumn), QuantityKind::time, [](const MotionPosition& at) {
         return at.time;
@@ -77,8 +79,11 @@ class ReadingList {
     }
     add_positions();
     add_traces();
+    needs_ = kVelocities;
     add_velocities();
+    needs_ = kAccelerations;
     add_accelerations();
+    needs_.reset();
     add_actions();
     add_reactions();
     add_springs();
@@ -101,7 +106,8 @@ class ReadingList {
                                     .quantity = std::move(quantity),
                                     .unit = units_.text(kind)},
                          .kind = kind,
-                         .value = std::move(value)});
+                         .value = std::move(value),
+                         .needs = needs_});
   }
 
   bool is_named(int freedom) const {
@@ -188,8 +194,10 @@ class ReadingList {
   void add_traces() {
     for (const TracedPoint& point : plan_.trace) {
       const std::string& name = point.name;
+      needs_ = kPlaces;
       add_place(name, point.body, point.at);
       if (detail_.velocity) {
+        needs_ = kVelocities;
         add_vector(
             name, "linear", QuantityKind::velocity, [point](const MotionPosition& at) -> Vector {
               return has_motion(at) ? reported(point_velocity(at.state, point.body, point.at))
@@ -197,6 +205,7 @@ class ReadingList {
             });
       }
       if (detail_.acceleration) {
+        needs_ = kAccelerations;
         add_vector(name,
                    "linear_acceleration",
                    QuantityKind::acceleration,
@@ -449,34 +458,11 @@ class ReadingList {
   const MotionPlan& plan_;
   const MotionPosition& first_;
   MotionDetail detail_;
+  std::optional<MotionDetail> needs_;  // of those that are being added
   std::vector<MotionReading> readings_;
 };
 
-bool knows_speed(const MotionPlan& plan, const Mechanism& mechanism) {
-  return plan.which >= 0 &&
-         (plan.schedule || !mechanism.cases[static_cast<std::size_t>(plan.which)].motions.empty());
-}
-
 }  // namespace
-
-MotionDetail detail_of(const MotionPlan& plan, const Mechanism& mechanism) {
-  const MotionReport& report = plan.report;
-  const bool has_speed = knows_speed(plan, mechanism);
-  const bool has_case = plan.which >= 0;
-  const bool has_names = !report.freedoms.empty() || !report.actuators.empty();
-  const bool has_statics =
-      has_case && (report.action || report.reaction || report.power || report.efficiency ||
-                   report.ratio || report.mechanical_advantage || report.dynamics ||
-                   !report.actions.empty() || !report.actuators.empty());
-  const bool has_inertia =
-      has_statics && mechanism.cases[static_cast<std::size_t>(plan.which)].has_inertia();
-  return {.velocity = has_speed && (report.velocity || report.acceleration || report.is_default ||
-                                    has_names || has_inertia),
-          .acceleration = has_speed && (report.acceleration || has_names || has_inertia),
-          .statics = has_statics,
-          .reduced_equation = report.dynamics,
-          .transmission_angle = has_case && report.transmission_angle};
-}
 
 std::vector<MotionReading> motion_readings(const MechanismDescription& description,
                                            const Mechanism& mechanism,

@@ -24,6 +24,7 @@ struct MotionReading {
   MotionColumn column;
   QuantityKind kind = QuantityKind::dimensionless;
   std::function<std::optional<double>(const MotionPosition&)> value;
+  std::optional<MotionDetail> needs = {};  ///< what must be worked out for it alone; empty: all
   std::optional<ValueFolds> folds = {};
   bool is_idle = false;         ///< without values, as nothing determines it
   bool is_size = false;         ///< without its sign
@@ -36,8 +37,14 @@ struct MotionReading {
            ///< it before the others
 };
 
-/// What must be worked out for the report of a plan.
-MotionDetail detail_of(const MotionPlan& plan, const Mechanism& mechanism);
+/// Of freedoms, bodies and points.
+constexpr bool is_rate(QuantityKind kind) {
+  return kind == QuantityKind::angular_velocity || kind == QuantityKind::velocity;
+}
+
+constexpr bool is_rate_of_rate(QuantityKind kind) {
+  return kind == QuantityKind::angular_acceleration || kind == QuantityKind::acceleration;
+}
 
 /// All columns but those of the drives. `first` is the first position: freedoms without a position
 /// there have no column for it.

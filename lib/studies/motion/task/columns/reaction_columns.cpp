@@ -41,6 +41,16 @@ std::optional<Vec3> force_of(const Topology& topology, const MotionPosition& at,
   return force;
 }
 
+std::optional<Vec3> reaction_force(const CouplingReaction& reaction,
+                                   const Topology& topology,
+                                   const MotionPosition& at) {
+  return actions_at(at) == nullptr
+             ? std::nullopt
+             : resultant_force(reaction, topology, at.state.poses, [&](CouplingId other) {
+                 return force_of(topology, at, other);
+               });
+}
+
 // Whatever its friction, it takes no power there.
 bool rests(const Topology& topology, const MotionPosition& at, CouplingId id) {
   if (!at.solved || !at.solved->motion || at.solved->motion->rates.empty()) {
@@ -90,11 +100,8 @@ class ReactionReadings {
         kReactionForce,
         QuantityKind::force,
         [&topology = topology_, reaction](const MotionPosition& at) {
-          return actions_at(at) == nullptr
-                     ? std::nullopt
-                     : resultant_force(reaction, topology, at.state.poses, [&](CouplingId other) {
-                         return force_of(topology, at, other);
-                       });
+          const std::optional<Vec3> force = reaction_force(reaction, topology, at);
+          return force ? std::optional(force->norm()) : std::nullopt;
         });
   }
 
@@ -149,6 +156,16 @@ class ReactionReadings {
 
 std::vector<MotionReading> reaction_readings(const FileUnits& units, const Mechanism& mechanism) {
   return ReactionReadings(units, mechanism).run();
+}
+
+std::vector<std::optional<Vec3>> reaction_forces(const std::vector<CouplingReaction>& reactions,
+                                                 const Topology& topology,
+                                                 const MotionPosition& position) {
+  std::vector<std::optional<Vec3>> forces;
+  for (const CouplingReaction& one : reactions) {
+    forces.push_back(reaction_force(one, topology, position));
+  }
+  return forces;
 }
 
 }  // namespace kinestat

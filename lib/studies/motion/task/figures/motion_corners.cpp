@@ -356,9 +356,8 @@ class CornerFinder {
                                [&](double pole) { return std::abs(pole - step) < kSameStep; });
   }
 
-  // As near as there are values, to so much of the way from a row. Beside a place where a drive
-  // turns back or stops it moves too slowly for friction to have a direction, and they are what
-  // those farther from it come to.
+  // As near as there are values. Beside a place where a drive turns back or stops it moves too
+  // slowly for friction to have a direction, and they are what those farther from it come to.
   void add_approach(double row, double step, std::vector<FigurePlace>& corners) {
     FigurePlace place{.of = {}, .is_approach = true, .beside = step};
     for (const double way : {kApproach, 0x1p6 * kApproach, 0x1p12 * kApproach}) {
@@ -390,11 +389,12 @@ class CornerFinder {
     corners.push_back(std::move(place));
   }
 
-  // Of values that run straight towards the place, by the parabola through the three; others stay
-  // what they are beside it. What the parabola adds to the line bounds the error, and so does how
-  // well the place is known.
+  // Of values that run straight towards the place, by the parabola through the three; what that
+  // adds to the line bounds the error, and so does how well the place is known.
   static void go_to_limits(FigurePlace& place) {
     constexpr double kStraight = 0.01;
+    constexpr double kHalves = 0.6;  // of what is left, with half of the way left
+    const bool is_far = std::abs(place.step - place.beside) > kSameApproach;
     const double uncertain = kSameStep / std::abs(place.step - place.beside);
     for (std::size_t c = 0; c < place.of.values.size(); ++c) {
       std::optional<double>& near = place.of.values[c];
@@ -403,9 +403,13 @@ class CornerFinder {
       if (near && middle && far) {
         const double last = *near - *middle;
         const double bend = 2.0 * last - (*middle - *far);
+        const double share = last / (*middle - *far);
+        const double rest = last * share / (1.0 - share);  // by a power of the way
         if (std::abs(bend) <= kStraight * std::abs(last)) {
           near = zero_within_bound(*near + last + bend / 3.0,
                                    std::abs(bend) + std::abs(last) * uncertain);
+        } else if (is_far && share > 0.0 && share <= kHalves) {
+          near = zero_within_bound(*near + rest, kStraight * std::abs(rest));
         }
       }
     }

@@ -28,14 +28,14 @@ class FigureMaker {
   FigureMaker(std::span<const double> shares,
               std::span<const double> steps,
               std::span<const FigurePlace> places,
-              const std::vector<std::optional<ClimbedColumn>>& climbed,
+              const std::vector<FigureColumn>& columns,
               const BetweenSteps& between,
               const std::function<FigureWhere(double)>& where_at,
               const std::function<double(double)>& share_at,
               MotionTable& table)
       : steps_(steps),
         corners_(places),
-        climbed_(climbed),
+        columns_(columns),
         between_(between),
         where_at_(where_at),
         share_at_(share_at),
@@ -150,6 +150,9 @@ class FigureMaker {
         return other < all.size() && std::abs(all[other].step - all[i].step) < kSameApproach &&
                jumps_between(all[i], all[other]);
       };
+      if (!for_peaks && all[i].is_corner && is_smooth(column)) {
+        continue;
+      }
       const bool is_between = for_peaks && all[i].step < all[i].place &&
                               std::abs(all[i].step - std::round(all[i].step)) > kBesideStep;
       if (!all[i].is_approach || is_between || jumps_to(i - 1) || jumps_to(i + 1)) {
@@ -194,18 +197,25 @@ class FigureMaker {
     return {.value = value, .drive = where.drive, .row = row_of(where.step)};
   }
 
+  // What acts turns round or jumps at corners, and so do the laws of drives.
+  bool is_smooth(std::size_t column) const { return is_of_motion(column) && !table_.duration; }
+
+  bool is_of_motion(std::size_t column) const {
+    return column < columns_.size() && columns_[column].is_of_motion;
+  }
+
   bool is_climbed(std::size_t column) const {
-    return column < climbed_.size() && climbed_[column].has_value();
+    return column < columns_.size() && columns_[column].is_climbed;
   }
 
   bool is_bounded(std::size_t column) const {
-    return is_climbed(column) && climbed_[column]->is_bounded;
+    return column < columns_.size() && columns_[column].is_bounded;
   }
 
   // Whether rows lack it for another reason than that friction has no direction in them.
   bool ends_on_the_way(std::size_t column) const {
     return std::ranges::any_of(table_.rows, [column](const MotionRow& row) {
-      return !row.values[column] && row.status != kDeadPointEvent &&
+      return !row.values[column] && row.status != kFrictionReversalEvent &&
              row.status != word_of(SolveStatus::at_rest);
     });
   }
@@ -215,7 +225,7 @@ class FigureMaker {
     const auto joins_next = [&](std::size_t i) {  // not the other side of a jump
       return i + 1 < samples.size() && samples[i + 1].step - samples[i].step >= kSameApproach;
     };
-    const std::optional<ValueFolds>& folds = climbed_[column]->folds;
+    const std::optional<ValueFolds>& folds = columns_[column].folds;
     const auto fold = [&] { return sign > 0.0 ? folds->greatest : -folds->least; };
     const bool is_size = !folds && std::ranges::none_of(samples, [column, sign](const Sample& one) {
       return sign * (*one.values)[column].value_or(0.0) > 0.0;
@@ -254,9 +264,7 @@ class FigureMaker {
   // reaches its end, or the middle where an end has no value.
   template <class Measure>
   std::optional<double> mean(std::size_t column, const Measure& measure) const {
-    const bool is_whole = table_.end == MotionEnd::complete ||
-                          (table_.end == MotionEnd::limited && table_.until_limit);
-    if (!is_whole || table_.rows.size() < 2) {
+    if (!table_.is_whole() || table_.rows.size() < 2) {
       return std::nullopt;
     }
     double sum = 0.0;
@@ -355,8 +363,7 @@ class FigureMaker {
     const bool is_singular = status == kLimitEvent || status == kSingularEvent;
     const auto is_lost = [&](double left) {
       const double step = std::lerp(steps_[end], steps_[from], left);
-      const bool is_of_motion = is_climbed(column) && climbed_[column]->is_of_motion;
-      return is_singular && (is_of_motion || !between_.is_jammed(share_at_(step)));
+      return is_singular && (is_of_motion(column) || !between_.is_jammed(share_at_(step)));
     };
     const ValueEnd found = find_value_end(value, is_lost);
     growth.falls = growth.falls || (found.growth.falls && !is_bounded(column));
@@ -409,7 +416,7 @@ class FigureMaker {
   std::map<std::string, double> usual_;  // the largest value of the rows, by units
   std::span<const double> steps_;        // of the rows
   std::span<const FigurePlace> corners_;
-  const std::vector<std::optional<ClimbedColumn>>& climbed_;
+  const std::vector<FigureColumn>& columns_;
   const BetweenSteps& between_;
   const std::function<FigureWhere(double)>& where_at_;
   const std::function<double(double)>& share_at_;
@@ -424,12 +431,12 @@ class FigureMaker {
 void add_figures(std::span<const double> shares,
                  std::span<const double> steps,
                  std::span<const FigurePlace> places,
-                 const std::vector<std::optional<ClimbedColumn>>& climbed,
+                 const std::vector<FigureColumn>& columns,
                  const BetweenSteps& between,
                  const std::function<FigureWhere(double share)>& where_at,
                  const std::function<double(double step)>& share_at,
                  MotionTable& table) {
-  FigureMaker(shares, steps, places, climbed, between, where_at, share_at, table).run();
+  FigureMaker(shares, steps, places, columns, between, where_at, share_at, table).run();
 }
 
 }  // namespace kinestat

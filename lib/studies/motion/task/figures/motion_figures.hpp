@@ -29,11 +29,12 @@ struct BetweenSteps {
   std::function<bool(double share)> is_jammed;
 };
 
-/// A column whose extremes are looked for between the steps.
-struct ClimbedColumn {
-  std::optional<ValueFolds> folds = {};
+/// What is known of a column.
+struct FigureColumn {
+  bool is_climbed = false;    ///< its extremes are looked for between the steps
   bool is_bounded = false;    ///< of values that never grow without bound
   bool is_of_motion = false;  ///< of what follows from the motion alone
+  std::optional<ValueFolds> folds = {};
 };
 
 /// What columns have at a position, as in a MotionRow.
@@ -72,7 +73,7 @@ struct FigureWhere {
 void add_figures(std::span<const double> shares,
                  std::span<const double> steps,
                  std::span<const FigurePlace> places,
-                 const std::vector<std::optional<ClimbedColumn>>& climbed,
+                 const std::vector<FigureColumn>& columns,
                  const BetweenSteps& between,
                  const std::function<FigureWhere(double share)>& where_at,
                  const std::function<double(double step)>& share_at,

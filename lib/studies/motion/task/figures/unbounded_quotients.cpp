@@ -9,9 +9,14 @@ namespace kinestat {
 
 void UnboundedQuotients::look(const std::vector<MotionReading>& readings,
                               const MotionPosition& position,
-                              double step) {
+                              double step,
+                              bool stands) {
   seen_.resize(readings.size());
   for (std::size_t r = 0; r < readings.size(); ++r) {
+    if (stands && readings[r].parts) {
+      seen_[r].push_back({.step = step, .parts = {}, .stands = true});
+      continue;
+    }
     const std::optional<QuotientParts> parts =
         readings[r].parts ? readings[r].parts(position) : std::nullopt;
     if (parts && (parts->divisor != 0.0 || parts->dividend != 0.0)) {
@@ -30,8 +35,8 @@ bool UnboundedQuotients::is_unbounded(std::span<const Seen> seen,
   bool found = false;
   for (std::size_t i = 0; i < seen.size(); ++i) {
     const QuotientParts& here = seen[i].parts;
-    found = found || here.divisor == 0.0;
-    if (i == 0) {
+    found = found || (here.divisor == 0.0 && !seen[i].stands);
+    if (i == 0 || seen[i].stands || seen[i - 1].stands) {
       continue;
     }
     const QuotientParts& before = seen[i - 1].parts;

@@ -16,10 +16,12 @@ namespace kinestat {
 /// the divisor jumps to its other sign, as where friction turns round.
 class UnboundedQuotients {
  public:
-  /// Looks at positions of a motion, in any order, always with the same readings.
+  /// Looks at positions of a motion, in any order, always with the same readings; where a drive
+  /// `stands` nothing says how a quotient comes from before to behind.
   void look(const std::vector<MotionReading>& readings,
             const MotionPosition& position,
-            double step);
+            double step,
+            bool stands);
 
   /// What has no bound has no extreme and no mean, and poles instead. The columns of the readings
   /// begin at `first`, and the rows stand at those steps.
@@ -32,6 +34,7 @@ class UnboundedQuotients {
   struct Seen {
     double step = 0.0;
     QuotientParts parts;
+    bool stands = false;
   };
 
   static bool is_unbounded(std::span<const Seen> seen,

@@ -1,6 +1,8 @@
 #include "studies/motion/task/figures/values_between.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "studies/motion/task/figures/motion_corners.hpp"
 
@@ -45,21 +47,47 @@ ValuesBetween::ValuesBetween(const Mechanism& mechanism,
                              const FileUnits& units,
                              FollowedConfigurations& configurations,
                              UnboundedQuotients& quotients)
-    : motion_(motion),
+    : mechanism_(mechanism),
+      motion_(motion),
       readings_(readings),
       units_(units),
       configurations_(configurations),
       quotients_(quotients),
+      detail_(detail),
       positions_(mechanism, motion.plan, motion.network, motion.drawn, detail) {}
 
-ValuesBetween::Found ValuesBetween::find(double share) {
+// Statics and accelerations cost more than all else, and most peaks are of places and speeds.
+MotionPositions& ValuesBetween::positions_for(const std::optional<MotionDetail>& needs) {
+  MotionDetail detail = needs.value_or(detail_);
+  detail.closure_error = detail_.closure_error;
+  if (detail == detail_) {
+    return positions_;
+  }
+  const auto known = std::ranges::find(plain_, detail, [](const auto& one) { return one.first; });
+  return known != plain_.end()
+             ? known->second
+             : plain_
+                   .emplace_back(
+                       std::piecewise_construct,
+                       std::forward_as_tuple(detail),
+                       std::forward_as_tuple(
+                           mechanism_, motion_.plan, motion_.network, motion_.drawn, detail))
+                   .second;
+}
+
+ValuesBetween::Found ValuesBetween::find(double share, MotionPositions& positions) {
   Found found;
   if (const std::optional<Configuration> there = configurations_.at(share)) {
-    found.position = positions_.at(*there, share);
+    found.position = positions.at(*there, share);
     if (found.position->without_friction) {
       found.without_friction = found.position->or_without_friction();
     }
-    quotients_.look(readings_, *found.position, step_at_share(motion_, share));
+    if (&positions == &positions_) {
+      quotients_.look(readings_,
+                      *found.position,
+                      step_at_share(motion_, share),
+                      has_drive_at_rest(motion_.plan, *found.position));
+    }
   }
   return found;
 }
@@ -82,7 +110,7 @@ const ValuesBetween::Known& ValuesBetween::known_at(double share) {
     known_.clear();
   }
   Known& known = known_[share];
-  const Found found = find(share);
+  const Found found = find(share, positions_);
   const std::optional<MotionPosition>& position = found.position;
   for (std::size_t r = 0; position && r < readings_.size(); ++r) {
     const std::optional<double> value = readings_[r].value(*position);
@@ -100,7 +128,7 @@ const ValuesBetween::Known& ValuesBetween::known_at(double share) {
 
 std::optional<double> ValuesBetween::at(std::size_t reading, double share, Look look) {
   if (look == Look::peak) {
-    return read(reading, find(share));
+    return read(reading, find(share, positions_for(readings_[reading].needs)));
   }
   const Known& known = known_at(share);
   const auto& values = look == Look::end || known.at_rest.empty() ? known.moving : known.at_rest;

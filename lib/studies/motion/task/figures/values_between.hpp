@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <list>
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "expression/file_units.hpp"
@@ -53,16 +55,20 @@ class ValuesBetween {
     bool is_jammed = false;
   };
 
-  Found find(double share);
+  Found find(double share, MotionPositions& positions);
+  MotionPositions& positions_for(const std::optional<MotionDetail>& needs);
   const Known& known_at(double share);
   std::optional<double> read(std::size_t reading, const Found& found) const;
 
+  const Mechanism& mechanism_;
   const FoundMotion& motion_;
   const std::vector<MotionReading>& readings_;
   const FileUnits& units_;
   FollowedConfigurations& configurations_;
   UnboundedQuotients& quotients_;
+  MotionDetail detail_;
   MotionPositions positions_;
+  std::list<std::pair<MotionDetail, MotionPositions>> plain_;  // with less than all of the detail
   std::map<double, Known> known_;
 };
 
