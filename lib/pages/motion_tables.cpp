@@ -46,7 +46,7 @@ Table drive_table(const MotionTable& motion) {
 }
 
 Table event_table(const MotionTable& motion) {
-  std::vector<std::string> head = {"On the way", "of"};
+  std::vector<std::string> head = {"Event", "of"};
   for (const DriveTravel& drive : motion.drives) {
     head.push_back(with_unit("at " + drive.name, drive.unit));
   }

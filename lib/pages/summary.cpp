@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/report/planet_fit_record.hpp"
 #include "core/spelling.hpp"
 #include "core/text.hpp"
 #include "core/utf8.hpp"
@@ -206,20 +207,20 @@ void add_motion(const MotionTable& motion, Sentences& sentences) {
       passed.push_back(counted(number, noun));
     }
   };
-  add(count("dead_point"), "dead point");
-  add(count("singular"), "singular position");
+  add(count(kDeadPointEvent), "dead point");
+  add(count(kSingularEvent), "singular position");
   if (!passed.empty()) {
-    sentences.push_back(fmt::format("On the way it passes {}.", fmt::join(passed, " and ")));
+    sentences.push_back(fmt::format("It passes {}.", fmt::join(passed, " and ")));
   }
 }
 
-// "A simulation goes to 2.5 s of 5, with 3 impacts."
+// "The simulation runs to 2.5 s of 5, with 3 impacts."
 void add_simulation(const MotionTable& simulation, Sentences& sentences) {
   const DriveTravel& time = simulation.drives.front();
   const auto impacts =
       static_cast<int>(std::ranges::count(simulation.events, "impact", &MotionEvent::kind));
   sentences.push_back(
-      fmt::format("A simulation goes to {} {}{}{}.",
+      fmt::format("The simulation runs to {} {}{}{}.",
                   format_short(*time.reached),
                   time.unit,
                   *time.reached < time.to ? fmt::format(" of {}", format_short(time.to)) : "",
@@ -261,6 +262,11 @@ std::vector<std::string> count_sentences(const FilePage& page) {
   if (page.analysis) {
     add_size(page.analysis->mechanism, sentences);
     add_mobility(page.analysis->mobility, sentences);
+    const MechanismDescription& description = page.analysis->description;
+    for (const std::string& one :
+         planet_fit_sentences(find_planet_fits(description), InUnits(description.units))) {
+      sentences.push_back(one + ".");
+    }
   }
   return sentences;
 }

@@ -24,6 +24,10 @@ std::string with_article(const std::string& noun) {
 std::string usable_text(const SynthesisAnalysis& synthesis, const SynthesisTask& task) {
   if (synthesis.selection) {
     const SelectionCounts& counts = *synthesis.selection;
+    if (counts.usable == 0 && task.linkages.front().is_usable()) {
+      return fmt::format("none of {} has a usable linkage, but one between them",
+                         counted(counts.samples, "choice", "choices"));
+    }
     return fmt::format("{} of {} {} a usable linkage",
                        counts.usable,
                        counted(counts.samples, "choice", "choices"),
@@ -50,7 +54,7 @@ void add_best(const SynthesisAnalysis& synthesis,
                                  with_article(hyphenated(word_of(best.linkage.type()))));
   text += best.grashof ? fmt::format(", class {}", hyphenated(word_of(best.grashof->kind))) : "";
   text += best.circuit ? fmt::format(", circuit {}", word_of(*best.circuit)) : "";
-  text += is_usable ? fmt::format(", whose transmission angle stays {} {} from the dead points",
+  text += is_usable ? fmt::format(", whose transmission angle stays {} {} away from dead points",
                                   format_short(units.from_si(QuantityKind::angle, best.margin())),
                                   units.text(QuantityKind::angle))
                     : fmt::format(", with this against it: {}", phrase_of(best.defects));

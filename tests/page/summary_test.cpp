@@ -191,7 +191,7 @@ TEST(Summary, NamesOnlyWhatAMotionPasses) {
   page.motion->table.events[0].kind = "dead_point";
   page.motion->table.events[1].kind = "dead_point";
 
-  EXPECT_TRUE(has(summary_sentences(page), "On the way it passes 2 dead points."));
+  EXPECT_TRUE(has(summary_sentences(page), "It passes 2 dead points."));
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ ClutchWords words_of_driving_clutch(const std::string& clutch,
                              slip / units.factor(QuantityKind::angular_velocity),
                              units.text(QuantityKind::angular_velocity)),
           .hint = fmt::format("a clutch or brake that slips can only take power: write {}: {:.6g} "
-                              "{}, where the case gives its torque",
+                              "{}, where its torque is given",
                               clutch,
                               -in_file,
                               unit)};

@@ -56,8 +56,14 @@ TextBlocks overview_blocks(const Analysis& analysis) {
       columns.push_back(std::move(column));
     }
   };
-  add("largest force", QuantityKind::force, &LargestActions::force);
-  add("largest moment", QuantityKind::moment, &LargestActions::moment);
+  const bool has_losses = std::ranges::any_of(
+      analysis.cases, [](const CaseAnalysis& one) { return one.efficiency.has_value(); });
+  add(has_losses ? "largest force without losses" : "largest force",
+      QuantityKind::force,
+      &LargestActions::force);
+  add(has_losses ? "largest moment without losses" : "largest moment",
+      QuantityKind::moment,
+      &LargestActions::moment);
   return columns.size() > 1 ? TextBlocks(std::move(columns)) : TextBlocks();
 }
 

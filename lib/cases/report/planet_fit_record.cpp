@@ -25,17 +25,26 @@ const Record<PlanetFit>& planet_fit_record() {
   return record;
 }
 
-std::string planet_fit_text(const std::vector<PlanetFit>& fits, const InUnits& in) {
-  std::string text;
+std::vector<std::string> planet_fit_sentences(const std::vector<PlanetFit>& fits,
+                                              const InUnits& in) {
+  std::vector<std::string> sentences;
   for (const PlanetFit& one : fits) {
     const bool is_free = one.clearance > 0.0;
-    text += fmt::format("  {} planets '{}' {} be equally spaced; {} {} {}\n",
-                        one.count,
-                        printable(one.planet),
-                        one.assembles ? "can" : "cannot",
-                        is_free ? "tip clearance" : "tips of neighbours overlap by",
-                        format_short(std::abs(in.length(one.clearance))),
-                        in.units().text(QuantityKind::length));
+    sentences.push_back(fmt::format("{} planets '{}' {} be equally spaced; {} {} {}",
+                                    one.count,
+                                    printable(one.planet),
+                                    one.assembles ? "can" : "cannot",
+                                    is_free ? "tip clearance" : "tips of neighbours overlap by",
+                                    format_short(std::abs(in.length(one.clearance))),
+                                    in.units().text(QuantityKind::length)));
+  }
+  return sentences;
+}
+
+std::string planet_fit_text(const std::vector<PlanetFit>& fits, const InUnits& in) {
+  std::string text;
+  for (const std::string& one : planet_fit_sentences(fits, in)) {
+    text += "  " + one + "\n";
   }
   return text;
 }

@@ -130,7 +130,7 @@ std::string_view lack_of_power(const CaseAnalysis& one) {
 
 std::string_view lack_of_ratio(const CaseAnalysis& one) {
   return !one.which.asks_motions        ? "no velocities are given"
-         : !one.which.names_both_ends() ? "the case does not name both an input and an output"
+         : !one.which.names_both_ends() ? "the case does not name input and output"
                                         : "";
 }
 
@@ -158,7 +158,7 @@ std::string lacks_text(const Analysis& analysis, const CaseAnalysis& one) {
       })) {
     add("no ratio", lack_of_ratio(one));
   }
-  if (any_has([&](const CaseAnalysis& other) {
+  if (!one.efficiency && any_has([&](const CaseAnalysis& other) {
         return case_efficiency(other, analysis.mechanism).value.has_value();
       })) {
     add("no efficiency", lack_of_efficiency(one));
@@ -231,7 +231,8 @@ std::string largest_text(const Mechanism& mechanism, const CaseAnalysis& one, co
   if (largest.has_central_hinges) {
     remarks.push_back("radial planet forces cancel on the central bearings");
   }
-  return fmt::format("  {}{}{}\n",
+  return fmt::format("  {}{}{}{}\n",
+                     one.efficiency ? "without mesh losses: " : "",
                      fmt::join(parts, "; "),
                      remarks.empty() ? "" : "\n  ",
                      fmt::join(remarks, "; "));

@@ -294,7 +294,8 @@ GraphModel power_model(const Analysis& analysis, std::size_t which) {
   KINESTAT_EXPECTS(which < analysis.cases.size() && analysis.cases[which].power.has_value());
   const CaseAnalysis& one = analysis.cases[which];
   GraphModel model = bare_model(analysis, "power_flow", "");
-  model.title = picture_title_of_case("Power flow", one, analysis);
+  model.title = picture_title_of_case(
+      one.efficiency ? "Power flow without mesh losses" : "Power flow", one, analysis);
   PowerModeller(analysis, one, model).add();
   return model;
 }

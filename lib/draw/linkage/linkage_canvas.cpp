@@ -327,7 +327,7 @@ void LinkageCanvas::draw_legend() {
     const double arrow = kLongestArrow * units.to_si(QuantityKind::force, force) / largest_force_;
     svg_.arrow(
         {.x = x, .y = y}, {.x = x + arrow, .y = y}, {.stroke = Ink::vermilion, .width = 1.8}, 9.0);
-    const std::string words = fmt::format("{} {}; in couplings of tail on head",
+    const std::string words = fmt::format("{} {}; in couplings the first body on the second",
                                           short_number(force),
                                           units.text(QuantityKind::force));
     svg_.text({.x = x + arrow + 8, .y = y + 4}, words, kSmall);

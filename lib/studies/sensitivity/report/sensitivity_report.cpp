@@ -31,9 +31,37 @@ std::vector<std::size_t> by_strength(const SensitivityValue& value, const Parame
   return order;
 }
 
-Table table_of(const SensitivityValue& value, const Parameters& parameters) {
+// Whether no value of the case has a derivative by it.
+bool has_none(const CaseSensitivity& one, std::size_t parameter) {
+  return std::ranges::none_of(one.values, [parameter](const SensitivityValue& value) {
+    return value.derivatives[parameter].has_value();
+  });
+}
+
+// "  no derivatives by Ns1, Ns2: …"; empty if each parameter has one.
+std::string lacks_text(const CaseSensitivity& one, const Parameters& parameters) {
+  std::vector<std::string> names;
+  for (std::size_t p = 0; p < parameters.size(); ++p) {
+    if (has_none(one, p)) {
+      names.push_back(parameters[p].name);
+    }
+  }
+  return names.empty() ? ""
+                       : fmt::format(
+                             "  no derivatives by {}: of tooth numbers, of what a curve follows, "
+                             "at a kink and "
+                             "where the mechanism would no longer close there are none\n\n",
+                             plain_list(names));
+}
+
+Table table_of(const CaseSensitivity& one,
+               const SensitivityValue& value,
+               const Parameters& parameters) {
   Table table({"by", "at", "derivative", "unit", "relative"});
   for (const std::size_t p : by_strength(value, parameters)) {
+    if (has_none(one, p)) {
+      continue;
+    }
     const SensitivityParameter& parameter = parameters[p];
     const auto derivative = value.derivatives[p];
     const auto relative = relative_sensitivity(value, parameter, derivative);
@@ -113,15 +141,18 @@ std::optional<double> relative_sensitivity(const SensitivityValue& value,
 }
 
 TextBlocks sensitivity_blocks(const CaseSensitivity& one, const Parameters& parameters) {
-  TextBlocks blocks;
+  TextBlocks blocks(lacks_text(one, parameters));
   for (const SensitivityValue& value : one.values) {
+    if (std::ranges::none_of(value.derivatives, &std::optional<double>::has_value)) {
+      continue;
+    }
     blocks += fmt::format("  {} = {}{}{}{}\n",
                           value.name,
                           format_short(value.value),
                           value.unit.empty() ? "" : " ",
                           value.unit,
                           note_of(value));
-    blocks += TextBlocks(table_of(value, parameters), "    ");
+    blocks += TextBlocks(table_of(one, value, parameters), "    ");
     blocks += "\n";
   }
   return blocks;

@@ -365,7 +365,7 @@ class ShiftTables {
         const std::optional<LoadedCoupling>& one = gear.values.*member;
         name.cells.push_back(!one ? "open" : one->name.empty() ? "none" : one->name);
         force.cells.push_back(one ? format_short(in_.force(one->force)) : "-");
-        has_any = has_any || one.has_value();
+        has_any = has_any || (one && !one->name.empty());
       }
       if (has_any) {
         columns.push_back(std::move(name));

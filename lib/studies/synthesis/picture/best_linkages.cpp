@@ -237,7 +237,7 @@ std::array<std::string, 4> words_of(const LinkagePlace& place, const SynthesisAn
   const LinkageCandidate& one = analysis.tasks[place.task].linkages[place.number];
   const PlaneText plane(analysis.description.units);
   const std::string kind =
-      in_words(one.grashof ? word_of(one.grashof->kind) : word_of(one.linkage.type()));
+      hyphenated(one.grashof ? word_of(one.grashof->kind) : word_of(one.linkage.type()));
   const FileUnits& units = analysis.description.units;
   const std::string verdict =
       one.is_usable() ? fmt::format("margin {} {}",
@@ -247,7 +247,7 @@ std::array<std::string, 4> words_of(const LinkagePlace& place, const SynthesisAn
   return {name_of(place, analysis),
           kind,
           verdict,
-          fmt::format("links to {} {}, 1 : {}",
+          fmt::format("longest link {} {}, {} : 1",
                       short_number(units.from_si(QuantityKind::length, one.longest)),
                       units.text(QuantityKind::length),
                       short_number(one.ratio))};

@@ -392,17 +392,36 @@ class BurmesterWriter {
     draw_verdict(y);
   }
 
+  // "A: dyad 1, B: dyad 3, C: dyad 0", by their numbers in the tables.
+  std::string dyads_text() const {
+    std::vector<std::string> names;
+    for (const DrawnDyad& drawn : plane_.dyads) {
+      for (std::size_t i = 0; task_.dyads && i < task_.dyads->dyads.size(); ++i) {
+        if (is_same(task_.dyads->dyads[i], drawn.dyad)) {
+          names.push_back(fmt::format("{}: dyad {}", drawn.letter, i));
+        }
+      }
+    }
+    return fmt::format("{}", fmt::join(names, ", "));
+  }
+
   // What is wrong with the linkage that is drawn, if anything.
   void draw_verdict(double y) {
+    const std::string dyads = dyads_text();
+    if (!dyads.empty()) {
+      svg_.text({.x = 0.0, .y = y + 4}, dyads, kSmall);
+      y += 17.0;
+    }
     if (task_.linkages.empty()) {
       return;
     }
     const LinkageCandidate& best = task_.linkages.front();
     const std::string verdict =
         best.is_usable() ? std::string("usable") : "rejected: " + in_words(word_of(best.defect()));
-    svg_.text({.x = 0.0, .y = y + 4},
-              fmt::format("linkage A, B: {}, {}", in_words(word_of(best.linkage.type())), verdict),
-              kSmall);
+    svg_.text(
+        {.x = 0.0, .y = y + 4},
+        fmt::format("linkage A, B: {}, {}", hyphenated(word_of(best.linkage.type())), verdict),
+        kSmall);
   }
 
   const SynthesisAnalysis& analysis_;

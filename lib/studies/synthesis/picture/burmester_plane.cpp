@@ -83,10 +83,8 @@ class PlaneFinder {
   }
 
   bool is_known(const Dyad& dyad) const {
-    return std::ranges::any_of(result_.dyads, [&](const DrawnDyad& other) {
-      return other.dyad.kind == dyad.kind && other.dyad.circle_point == dyad.circle_point &&
-             other.dyad.centre_point == dyad.centre_point;
-    });
+    return std::ranges::any_of(result_.dyads,
+                               [&](const DrawnDyad& other) { return is_same(other.dyad, dyad); });
   }
 
   // Those of the best linkage first.
@@ -281,6 +279,11 @@ std::string find_rejection(const std::vector<PositionJets>& positions,
   const std::array<Dyad, 2> pair = {*partner, *dyad};
   const std::vector<LinkageCandidate> found = rank_linkages(pair, positions, of_any_type);
   return found.front().is_usable() ? "" : std::string(word_of(found.front().defect()));
+}
+
+bool is_same(const Dyad& one, const Dyad& other) {
+  return one.kind == other.kind && one.circle_point == other.circle_point &&
+         one.centre_point == other.centre_point;
 }
 
 }  // namespace kinestat

@@ -64,4 +64,7 @@ std::string find_rejection(const std::vector<PositionJets>& positions,
                            const std::optional<Dyad>& partner,
                            const Point& circle_point);
 
+/// Whether they are one dyad of the task.
+bool is_same(const Dyad& one, const Dyad& other);
+
 }  // namespace kinestat
