@@ -236,6 +236,7 @@ void check_report_names(const std::vector<Name>& names,
 }
 
 void check_report_quantities(const std::vector<Name>& names,
+                             bool have_columns,
                              const Topology& topology,
                              Diagnostics& found) {
   std::map<std::string, std::vector<std::string>> by_coupling;
@@ -260,7 +261,13 @@ void check_report_quantities(const std::vector<Name>& names,
         name.where,
         fmt::format(
             "'{}' is neither a freedom nor an action of coupling '{}'", name.text, at->first),
-        guess_before(name.text, at->second, "it has " + plain_list(at->second)));
+        guess_before(
+            name.text,
+            at->second,
+            fmt::format("it has {}{}",
+                        plain_list(at->second),
+                        have_columns ? fmt::format("; columns have a slash: {}/QUANTITY", at->first)
+                                     : "")));
   }
 }
 

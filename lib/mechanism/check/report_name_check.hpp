@@ -35,8 +35,10 @@ void check_report_names(const std::vector<Name>& names,
                         const SectionContext& context);
 
 /// Adds an error for each freedom or action that its coupling does not have. Names without a
-/// coupling are ignored.
+/// coupling are ignored. Where the section has columns (`have_columns`), the hint tells how their
+/// names are written.
 void check_report_quantities(const std::vector<Name>& names,
+                             bool have_columns,
                              const Topology& topology,
                              Diagnostics& found);
 

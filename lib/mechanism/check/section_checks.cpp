@@ -106,7 +106,7 @@ void check_reported_quantities(const MechanismDescription& description,
     std::erase_if(names, [](const Name& one) {
       return one.text.find('/') != std::string::npos || std::ranges::count(one.text, '.') > 1;
     });
-    check_report_quantities(names, topology, found);
+    check_report_quantities(names, true, topology, found);
   }
   if (description.sweep) {
     // Names of more parts are figures of a motion, or have had their complaint.
@@ -114,7 +114,7 @@ void check_reported_quantities(const MechanismDescription& description,
     std::erase_if(names, [](const Name& one) {
       return motion_figure_of(one.text).has_value() || std::ranges::count(one.text, '.') > 1;
     });
-    check_report_quantities(names, topology, found);
+    check_report_quantities(names, false, topology, found);
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/text.hpp"
 #include "core/utf8.hpp"
 #include "core/version.hpp"
 #include "report/json_archive.hpp"
@@ -235,7 +236,8 @@ std::string comparison_text(const ReportComparison& comparison) {
   }
   std::string text = table.text("");
   if (all.size() > kMostPlaces) {
-    text += fmt::format("and {} more places; --format json lists all\n", all.size() - kMostPlaces);
+    text += fmt::format("and {}; --format json lists all\n",
+                        counted(all.size() - kMostPlaces, "more place"));
   }
   return text + "\n" + summary(comparison);
 }

@@ -16,7 +16,7 @@ TEST(ReportNameCheck, KnowsTheFreedomsAndActionsOfACoupling) {
                                    {.text = "velocity", .where = {}}};
   Diagnostics found;
 
-  check_report_quantities(names, mechanism.topology, found);
+  check_report_quantities(names, false, mechanism.topology, found);
 
   EXPECT_EQ(complaints_of(found),
             (Complaints{"3:1 E0313 'b.vx' is neither a freedom nor an action of coupling 'b'"}));

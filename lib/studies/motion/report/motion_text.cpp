@@ -261,10 +261,12 @@ class MotionWriter {
                                                   : "singular position";
   }
 
-  // " +- 7e-11 deg": how uncertain the first drive is.
+  // " ± 7e-11 deg": how uncertain the first drive is, nothing where it is exact.
   std::string bracket_text(const MotionEvent& event) const {
     const std::string& unit = motion_.drives.front().unit;
-    return fmt::format(" +- {:.0e}{}{}", event.uncertainty, unit.empty() ? "" : " ", unit);
+    return event.uncertainty == 0.0
+               ? ""
+               : fmt::format(" ± {:.0e}{}{}", event.uncertainty, unit.empty() ? "" : " ", unit);
   }
 
   std::string when_text(const MotionEvent& event) const {

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "core/text.hpp"
 #include "studies/motion/task/motion_findings.hpp"
 #include "studies/motion/task/position_findings.hpp"
 
@@ -44,7 +45,7 @@ void add_friction_turn_findings(const FoundMotion& motion,
     const std::size_t count = turn.turns.size();
     const std::string more = count == 1   ? ""
                              : count == 2 ? ", and once more"
-                                          : fmt::format(", and {} more times", count - 1);
+                                          : ", and " + counted(count - 1, "more time");
     found.warning(
         "W0508",
         at->where,

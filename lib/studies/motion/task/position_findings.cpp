@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "cases/case_efficiency.hpp"
+#include "core/text.hpp"
 #include "core/tolerance.hpp"
 #include "report/number_format.hpp"
 #include "studies/motion/report/motion_time.hpp"
@@ -50,7 +51,7 @@ std::string brackets_text(const std::vector<std::size_t>& rows, const MotionTabl
                      fmt::join(brackets, ", "),
                      drive.unit.empty() ? "" : " ",
                      drive.unit,
-                     more == 0 ? std::string() : fmt::format(" and {} more ranges", more),
+                     more == 0 ? std::string() : " and " + counted(more, "more range"),
                      rows.size(),
                      table.rows.size());
 }

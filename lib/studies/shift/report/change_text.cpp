@@ -42,7 +42,7 @@ class ChangeText {
                                        head("elements"),
                                        head("step"),
                                        head("slip to synchronise", QuantityKind::angular_velocity),
-                                       head("on the way back")};
+                                       head("in the reverse change")};
     for (const GearChange& one : changes) {
       add_row({change_text(one.from, one.to),
                elements_text(one.opens),

@@ -94,10 +94,10 @@ const Record<ChangeView>& change_record() {
     keys.text("from", "One gear.", [](const View& v) { return v.state(v.change.from); });
     keys.text("to", "The other.", [](const View& v) { return v.state(v.change.to); });
     keys.names("opens",
-               "The elements that open on the way; on the way back they engage.",
+               "The elements that open in this change; in the reverse change they engage.",
                emit_changing(&GearChange::opens));
     keys.names("engages",
-               "The elements that engage on the way; on the way back they open.",
+               "The elements that engage in this change; in the reverse change they open.",
                emit_changing(&GearChange::engages));
     add_change_numbers(keys);
   });

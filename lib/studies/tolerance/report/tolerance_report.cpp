@@ -67,7 +67,7 @@ Table table_of(const ToleranceStack& stack,
         turns_in_plane ? "-" : direction_text(share.direction, description.space)};
     if (has_tolerances) {
       row.push_back(share.tolerance == 0.0 ? "exact"
-                                           : "+-" + with_unit(share.tolerance, share.kind, units));
+                                           : "±" + with_unit(share.tolerance, share.kind, units));
       row.push_back(format_short(InUnits(units).of(of, share.moved)));
     }
     table.add(row);
@@ -76,7 +76,7 @@ Table table_of(const ToleranceStack& stack,
 }
 
 std::string worst_text(const ToleranceStack& stack, const FileUnits& units) {
-  return fmt::format("worst case +-{}, root sum square +-{}",
+  return fmt::format("worst case ±{}, root sum square ±{}",
                      with_unit(stack.worst_case, stack.position.kind, units),
                      with_unit(stack.root_sum_square, stack.position.kind, units));
 }
