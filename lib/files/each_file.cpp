@@ -20,8 +20,9 @@ const std::vector<NamedTable>& no_rows() {
 
 // A line end within quotes ends no row.
 std::string with_file_column(const std::string& table, const std::string& path) {
-  std::string cell = csv_line(std::array{printable(path)});
-  cell.back() = ',';
+  std::string cell;
+  append_csv_cell(printable(path), cell);
+  cell += ',';
   std::string text = "file,";
   bool is_quoted = false;
   for (std::size_t i = 0; i < table.size(); ++i) {

@@ -1,22 +1,48 @@
 #include "report/csv.hpp"
 
+#include <algorithm>
+
 namespace kinestat {
+
+namespace {
+
+bool needs_quotes(char c) {
+  return c == ',' || c == '"' || c == '\r' || c == '\n';
+}
+
+template <class Cell>
+void append_cells(std::span<const Cell> cells, std::string& text) {
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (i > 0) {
+      text += ',';
+    }
+    append_csv_cell(cells[i], text);
+  }
+  text += '\n';
+}
+
+}  // namespace
+
+void append_csv_cell(std::string_view cell, std::string& text) {
+  if (std::ranges::none_of(cell, needs_quotes)) {
+    text += cell;
+    return;
+  }
+  text += '"';
+  for (const char c : cell) {
+    text.append(c == '"' ? 2 : 1, c);
+  }
+  text += '"';
+}
+
+void append_csv_line(std::span<const std::string_view> cells, std::string& text) {
+  append_cells(cells, text);
+}
 
 std::string csv_line(std::span<const std::string> cells) {
   std::string line;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    line += i == 0 ? "" : ",";
-    if (cells[i].find_first_of(",\"\r\n") == std::string::npos) {
-      line += cells[i];
-      continue;
-    }
-    line += '"';
-    for (const char c : cells[i]) {
-      line.append(c == '"' ? 2 : 1, c);
-    }
-    line += '"';
-  }
-  return line + "\n";
+  append_cells(cells, line);
+  return line;
 }
 
 }  // namespace kinestat

@@ -43,8 +43,10 @@ class MotionCsv {
 
   std::string run() {
     for (const MotionRow& row : motion_.rows) {
+      const std::string step = std::to_string(row.step);
+      const std::string drive = cell(row.values[0]);
       for (std::size_t c = 0; c < row.values.size(); ++c) {
-        line(motion_.columns[c], row.values[c], row.status, row.step, row.values[0]);
+        line(motion_.columns[c], row.values[c], row.status, step, drive);
       }
     }
     for (const MotionEvent& event : motion_.events) {
@@ -52,12 +54,12 @@ class MotionCsv {
         const MotionColumn column{.element = event.element,
                                   .quantity = "event/" + event.kind + "/" + motion_.drives[d].name,
                                   .unit = motion_.drives[d].unit};
-        line(column, event.drive[d], event.kind, event.step, event.drive[0]);
+        event_line(column, event.drive[d], event);
       }
       const MotionColumn width{.element = event.element,
                                .quantity = "event/" + event.kind + "/uncertainty",
                                .unit = motion_.drives[0].unit};
-      line(width, event.uncertainty, event.kind, event.step, event.drive[0]);
+      event_line(width, event.uncertainty, event);
       add_jumps(event);
     }
     add_gaps(motion_.drawn_gaps, "drawn_gap");
@@ -70,19 +72,27 @@ class MotionCsv {
  private:
   void line(const MotionColumn& column,
             const std::optional<double>& value,
-            const std::string& status,
-            const std::optional<int>& step,
-            const std::optional<double>& drive) {
-    text_ += csv_line(std::array<std::string, 10>{mechanism_,
-                                                  motion_.label,
-                                                  "motion",
-                                                  column.element,
-                                                  column.quantity,
-                                                  cell(value),
-                                                  column.unit,
-                                                  status,
-                                                  step ? std::to_string(*step) : "",
-                                                  cell(drive)});
+            std::string_view status,
+            std::string_view step,
+            std::string_view drive) {
+    const std::string number = cell(value);
+    append_csv_line(std::array<std::string_view, 10>{mechanism_,
+                                                     motion_.label,
+                                                     "motion",
+                                                     column.element,
+                                                     column.quantity,
+                                                     number,
+                                                     column.unit,
+                                                     status,
+                                                     step,
+                                                     drive},
+                    text_);
+  }
+
+  void event_line(const MotionColumn& column,
+                  const std::optional<double>& value,
+                  const MotionEvent& event) {
+    line(column, value, event.kind, std::to_string(event.step), cell(event.drive[0]));
   }
 
   // Of friction that turns round: what columns come to on either side.
@@ -93,7 +103,7 @@ class MotionCsv {
             .element = event.element,
             .quantity = fmt::format("event/{}/{}/{}", event.kind, which, motion_.columns[c].name()),
             .unit = motion_.columns[c].unit};
-        line(column, value, event.kind, event.step, event.drive[0]);
+        event_line(column, value, event);
       };
       if (event.is_jump_of(c)) {
         side("before", event.value_before(c));
@@ -103,7 +113,7 @@ class MotionCsv {
   }
 
   void fixed_line(const MotionColumn& column, double value) {
-    line(column, value, std::string(word_of(motion_.end)), std::nullopt, std::nullopt);
+    line(column, value, word_of(motion_.end), {}, {});
   }
 
   void add_gaps(const std::vector<CouplingGap>& gaps, const std::string& quantity) {

@@ -221,17 +221,11 @@ std::string simulation_csv(const SimulationReportView& v) {
                         const std::optional<double>& value,
                         const std::string& state,
                         const std::string& step) {
-    text +=
-        csv_line(std::array<std::string, 10>{name,
-                                             "",
-                                             "simulation",
-                                             element,
-                                             quantity,
-                                             value ? format_exact(units.from_si(kind, *value)) : "",
-                                             units.text(kind),
-                                             state,
-                                             step,
-                                             ""});
+    const std::string number = value ? format_exact(units.from_si(kind, *value)) : "";
+    append_csv_line(
+        std::array<std::string_view, 10>{
+            name, "", "simulation", element, quantity, number, units.text(kind), state, step, ""},
+        text);
   };
   const std::vector<SimulationColumn> columns = simulation_columns(v);
   for (std::size_t r = 0; r < v.solution.rows.size(); ++r) {

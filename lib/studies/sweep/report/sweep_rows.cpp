@@ -19,9 +19,9 @@ std::string title_of(const std::string& name, const std::string& unit) {
 }
 
 std::string csv_cell(const std::string& text) {
-  const std::string cells[] = {text};
-  const std::string line = csv_line(cells);
-  return line.substr(0, line.size() - 1);
+  std::string cell;
+  append_csv_cell(text, cell);
+  return cell;
 }
 
 }  // namespace
