@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <fcntl.h>
+#include <filesystem>
 #include <optional>
 #include <string_view>
 #include <sys/stat.h>
@@ -154,6 +155,20 @@ bool check_places(std::span<const OutputFile> files,
   return plan_files(files, overwrite, inputs, found).size() == files.size();
 }
 
+namespace {
+
+// What to do where there is no such folder. Who names it like a file may want one.
+std::string hint_on_missing(const std::string& folder) {
+  const std::string make = fmt::format("mkdir -p '{}'", folder);
+  return std::filesystem::path(folder).has_extension()
+             ? fmt::format("--out names a folder: {}; for one file write > '{}' in place of --out",
+                           make,
+                           folder)
+             : make;
+}
+
+}  // namespace
+
 bool check_output_folder(const std::string& folder, Diagnostics& found) {
   const std::string path = folder.empty() ? "." : folder;
   struct stat status = {};
@@ -162,7 +177,7 @@ bool check_output_folder(const std::string& folder, Diagnostics& found) {
     found.error("E0152",
                 {},
                 fmt::format("output folder '{}': {}", path, std::generic_category().message(error)),
-                error == ENOENT ? fmt::format("mkdir -p '{}'", path) : "");
+                error == ENOENT ? hint_on_missing(path) : "");
     return false;
   }
   if (!S_ISDIR(status.st_mode)) {
