@@ -35,7 +35,6 @@ constexpr auto kSpellings = std::to_array<Spelling>({
 
 // Units of everyday use that are none here.
 constexpr auto kForeignUnits = std::to_array<Spelling>({
-    {"kJ", "1000 J"},
     {"mN", "0.001 N"},
     {"MN", "1000 kN"},
     {"kPa", "1000 Pa"},
