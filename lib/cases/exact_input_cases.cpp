@@ -216,6 +216,7 @@ void ExactInputCases::improve_beside(std::size_t which,
 }
 
 bool ExactInputCases::improve(std::size_t which,
+                              const Mechanism& loaded,
                               const std::vector<int>& turned,
                               const KinematicSolution* motion,
                               StaticSolution& action) {
@@ -225,7 +226,7 @@ bool ExactInputCases::improve(std::size_t which,
       !is_needed({.status = action.status,
                   .answer = action.answer,
                   .evidence = action.evidence,
-                  .values = comparable_actions(*mechanism_, action),
+                  .values = comparable_actions(loaded, action),
                   .beside = motion != nullptr ? &motion->evidence : nullptr}) ||
       find() == nullptr) {
     return false;
@@ -237,7 +238,7 @@ bool ExactInputCases::improve(std::size_t which,
     actions[static_cast<std::size_t>(turning)] = exact_input_->other_flanks[flank];
   }
   auto better = solve_action_of_exact_input(
-      *mechanism_, actions, mechanism_->cases[which], exact_input_->cases[which], action);
+      loaded, actions, mechanism_->cases[which], exact_input_->cases[which], action);
   if (!better) {
     return false;
   }
@@ -245,6 +246,7 @@ bool ExactInputCases::improve(std::size_t which,
   const bool has_answer = better->status != SolveStatus::inconsistent;
   if (!is_new || request_.accuracy == Accuracy::exact) {
     better->ignored = std::move(action.ignored);
+    better->held_cables = std::move(action.held_cables);
     if (!is_new) {
       better->self_stresses = std::move(action.self_stresses);
     }

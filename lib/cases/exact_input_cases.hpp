@@ -50,9 +50,10 @@ class ExactInputCases {
   /// case, followed by those that it assumes at rest.
   bool improve(std::size_t which, std::span<const Primary> known, KinematicSolution& motion);
 
-  /// The same for the actions, with the teeth of `turned` on their coast flanks. `motion` is that
-  /// of the case; it may be null or underdetermined.
+  /// The same for the actions of `loaded`, the mechanism with the teeth of `turned` on their coast
+  /// flanks. `motion` is that of the case; it may be null or underdetermined.
   bool improve(std::size_t which,
+               const Mechanism& loaded,
                const std::vector<int>& turned,
                const KinematicSolution* motion,
                StaticSolution& action);

@@ -311,8 +311,12 @@ CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const CaseRe
     flanks = solve_on_loaded_flanks(drawn, bases, which, request.accuracy, motion);
     if (request.exact_input != nullptr && has_typed_loads(request.which, which) &&
         find_frictions(drawn, which, motion).laws.empty()) {
-      request.certainty->has_exact_input_action = request.exact_input->improve(
-          request.index, flanks.turned, result.motion ? &*result.motion : nullptr, flanks.action);
+      request.certainty->has_exact_input_action =
+          request.exact_input->improve(request.index,
+                                       flanks.mechanism ? *flanks.mechanism : drawn,
+                                       flanks.turned,
+                                       result.motion ? &*result.motion : nullptr,
+                                       flanks.action);
     }
     if (request.exact_input != nullptr && motion != nullptr) {
       request.exact_input->improve_beside(

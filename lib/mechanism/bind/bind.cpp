@@ -52,13 +52,14 @@ void refuse_planar_order(const MechanismDescription& description,
 
 // A planar order must hold every screw of its side.
 void check_order(const MechanismDescription& description,
-                 const Geometry& geometry,
+                 const Mechanism& mechanism,
                  Diagnostics& found) {
-  if (description.kinematic_order == OrderChoice::planar &&
+  const Geometry& geometry = mechanism.geometry;
+  if (mechanism.kinematic_order == OrderChoice::planar &&
       std::ranges::any_of(geometry.motions, leaves_plane<Twist>)) {
     refuse_planar_order(description, "the motions of this mechanism", found);
   }
-  if (description.static_order == OrderChoice::planar &&
+  if (mechanism.static_order == OrderChoice::planar &&
       std::ranges::any_of(geometry.actions, leaves_plane<Wrench>)) {
     refuse_planar_order(description, "the actions of this mechanism", found);
   }
@@ -110,7 +111,7 @@ bool bind_structure(const MechanismDescription& description,
 
 bool bind_graph(const MechanismDescription& description, Diagnostics& found, Mechanism& result) {
   const int errors_before = found.error_count();
-  check_order(description, result.geometry, found);
+  check_order(description, result, found);
   std::optional<CouplingGraph> graph = bind_coupling_graph(description, result.topology, found);
   if (graph) {
     result.graph = *std::move(graph);
@@ -335,6 +336,10 @@ std::optional<Mechanism> bind_in_space(const MechanismDescription& description,
   Evaluator evaluator = make_evaluator(description, found);
   Mechanism result;
   if (bind_structure(description, ScrewSpaces{}, evaluator, found, result)) {
+    // A planar order is that of the screws in the plane; in space, they may be more.
+    for (OrderChoice* const order : {&result.kinematic_order, &result.static_order}) {
+      *order = *order == OrderChoice::planar ? OrderChoice::minimal : *order;
+    }
     bind_graph(description, found, result);
   }
   return found.error_count() == errors_before ? std::optional(std::move(result)) : std::nullopt;
