@@ -75,11 +75,6 @@ std::optional<double> read_bare(const std::string& option,
   return rule ? std::optional(rule->value) : std::nullopt;
 }
 
-// Whether values of a kind may have the dimension.
-bool measures(const Dimension& dimension, const std::string& kind) {
-  return std::get<ValueUnit>(read_unit(si_unit_of(dimension))).kind == kind;
-}
-
 std::optional<ToleranceRule> read_rule(const std::string& text, Diagnostics& found) {
   OptionReader reader(fmt::format("--tolerance '{}'", printable(text)), found);
   const std::size_t equals = text.rfind('=');
@@ -100,9 +95,10 @@ std::optional<ToleranceRule> read_rule(const std::string& text, Diagnostics& fou
   if (!rule) {
     return {};
   }
-  if (rule->dimension && !is_place && !measures(*rule->dimension, key)) {
-    return reader.refuse(fmt::format("this is {}, not a {}", phrase_of(*rule->dimension), key),
-                         "write a unit that fits, or the number alone");
+  if (rule->dimension && !is_place && !may_measure(*rule->dimension, key)) {
+    return reader.refuse(
+        fmt::format("this is {}, not of the kind '{}'", phrase_of(*rule->dimension), key),
+        "write a unit that fits, or the number alone");
   }
   rule->key = key;
   return rule;

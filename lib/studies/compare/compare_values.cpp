@@ -37,10 +37,24 @@ std::vector<std::string> list_kinds() {
   return kinds;
 }
 
-std::string kind_of(const Dimension& dimension) {
-  for (const QuantityKind kind : all_quantity_kinds()) {
-    if (has_word(kind) && fits(dimension, kind)) {
-      return word_of(kind);
+// Moments have units that are products, energies have names such as kJ for them.
+bool is_of_energy(const UnitExpression& unit) {
+  return fits(unit.dimension, QuantityKind::energy) &&
+         unit.text.find_first_of("*/") == std::string::npos;
+}
+
+// A stiffness about an axis fits moments, too, as an angle has no dimension.
+std::string kind_of(const UnitExpression& unit) {
+  if (is_of_energy(unit)) {
+    return word_of(QuantityKind::energy);
+  }
+  for (const bool is_exact : {true, false}) {
+    for (const QuantityKind kind : all_quantity_kinds()) {
+      const bool is_meant =
+          is_exact ? dimension_of(kind) == unit.dimension : fits(unit.dimension, kind);
+      if (has_word(kind) && is_meant) {
+        return word_of(kind);
+      }
     }
   }
   return "number";
@@ -68,6 +82,15 @@ std::size_t hash_of(std::string_view parent, std::string_view key) {
 const std::vector<std::string>& value_kinds() {
   static const std::vector<std::string> kinds = list_kinds();
   return kinds;
+}
+
+bool may_measure(const Dimension& dimension, std::string_view kind) {
+  for (const QuantityKind one : all_quantity_kinds()) {
+    if (has_word(one) && word_of(one) == kind) {
+      return fits(dimension, one);
+    }
+  }
+  return kind_of({.scale = {}, .dimension = dimension, .text = si_unit_of(dimension)}) == kind;
 }
 
 ValueUnit count_unit() {
@@ -135,7 +158,7 @@ std::variant<ValueUnit, ExpressionError> read_unit(std::string_view text) {
                      : std::variant<ValueUnit, ExpressionError>(*error);
   }
   const auto& unit = std::get<UnitExpression>(parsed);
-  return ValueUnit{.kind = kind_of(unit.dimension),
+  return ValueUnit{.kind = kind_of(unit),
                    .text = unit.text,
                    .scale = unit.scale,
                    .dimension = unit.dimension,

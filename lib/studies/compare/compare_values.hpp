@@ -32,6 +32,9 @@ struct ValueUnit {
 /// The kinds that a number may have.
 const std::vector<std::string>& value_kinds();
 
+/// Whether numbers of that kind may have the dimension.
+bool may_measure(const Dimension& dimension, std::string_view kind);
+
 /// The unit of counts, which must be equal whatever the tolerances are.
 ValueUnit count_unit();
 

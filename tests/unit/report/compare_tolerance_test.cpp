@@ -1,5 +1,6 @@
 #include "studies/compare/compare_tolerance.hpp"
 
+#include <algorithm>
 #include <string>
 #include <variant>
 #include <vector>
@@ -81,6 +82,35 @@ TEST(Tolerance, WithAUnitIsForValuesOfThisDimension) {
   EXPECT_DOUBLE_EQ(allowed(2.0, 1.0, "N*m", by), 0.0);
 }
 
+TEST(Tolerance, OfEnergyIsForUnitsWithANameOfTheirOwn) {
+  const Tolerances by = tolerances({"energy=2 J", "moment=3 N*m"}, "0");
+
+  EXPECT_DOUBLE_EQ(allowed(2.0, 1.0, "kJ", by), 0.002);
+  EXPECT_DOUBLE_EQ(allowed(2.0, 1.0, "N*mm", by), 3000.0);
+}
+
+TEST(Tolerance, OfAStiffnessAboutAnAxisIsNotForMoments) {
+  const Tolerances by = tolerances({"angular_stiffness=2 N*m/rad"}, "0");
+
+  EXPECT_DOUBLE_EQ(allowed(2.0, 1.0, "N*mm/rad", by), 2000.0);
+  EXPECT_DOUBLE_EQ(allowed(2.0, 1.0, "N*m", by), 0.0);
+}
+
+// A kind that tolerances may name, and a unit of which no value has it, would never hold.
+TEST(Tolerance, OfEveryKindHasItsUnits) {
+  for (const QuantityKind kind : all_quantity_kinds()) {
+    std::string word(name_of(kind));
+    std::ranges::replace(word, ' ', '_');
+    if (std::ranges::find(value_kinds(), word) == value_kinds().end()) {
+      continue;
+    }
+    const std::string text = kind == QuantityKind::energy ? "J" : si_unit_of(dimension_of(kind));
+
+    EXPECT_EQ(unit(text).kind, word) << text;
+    EXPECT_EQ(tolerances({word + "=1 " + text}).rules.size(), 1U);
+  }
+}
+
 TEST(Tolerance, MayBeAPercentage) {
   EXPECT_DOUBLE_EQ(allowed(2.0, -4.0, "N", tolerances({"force=0.1%"})), 0.004);
 }
@@ -152,7 +182,7 @@ TEST(Tolerance, IsRefusedIfItIsNoNumber) {
 
 TEST(Tolerance, IsRefusedIfItMeasuresSomethingElse) {
   EXPECT_EQ(tolerance_complaint("moment=1 N"),
-            "--tolerance 'moment=1 N': this is a force, not a moment");
+            "--tolerance 'moment=1 N': this is a force, not of the kind 'moment'");
 }
 
 TEST(Tolerance, ForEveryKindHasNoUnit) {
