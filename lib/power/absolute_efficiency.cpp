@@ -38,7 +38,15 @@ Exchange exchange_of(double into_head, double supplied) {
 // The powers between the network and its outside, body by body.
 struct Outside {
   std::vector<double> enters;
-  std::vector<double> leaves;  ///< by the outputs alone
+  std::vector<double> leaves;   ///< by the outputs alone
+  std::vector<double> through;  ///< what one actuator of a coupling gives another, within the body
+};
+
+// Powers of the actuators on one coupling, none of them negative.
+struct ActuatorPowers {
+  double given = 0.0;
+  double taken = 0.0;
+  double to_outputs = 0.0;  ///< of `taken`
 };
 
 class OutsideFinder {
@@ -47,8 +55,9 @@ class OutsideFinder {
       : topology_(mechanism.topology), which_(which), flow_(flow) {}
 
   Outside run() {
-    result_.enters.assign(topology_.bodies.size(), 0.0);
-    result_.leaves.assign(topology_.bodies.size(), 0.0);
+    for (auto* const list : {&result_.enters, &result_.leaves, &result_.through}) {
+      list->assign(topology_.bodies.size(), 0.0);
+    }
     for (int e = 0; e < topology_.coupling_count(); ++e) {
       add(CouplingId{e});
     }
@@ -58,13 +67,29 @@ class OutsideFinder {
  private:
   void add(CouplingId id) {
     const auto e = static_cast<std::size_t>(id.value);
-    if (!flow_.into_head[e] || flow_.supplied[e] == 0.0) {
+    if (!flow_.into_head[e]) {
       return;
     }
-    const Exchange exchange = exchange_of(*flow_.into_head[e], flow_.supplied[e]);
-    const double useful = to_outputs(id) / flow_.supplied[e];
-    add(topology_.couplings[e].tail, exchange.into_tail, useful);
-    add(topology_.couplings[e].head, exchange.into_head, useful);
+    const ActuatorPowers powers = powers_on(id);
+    const double through = std::min(powers.given, powers.taken);
+    const double useful = powers.taken == 0.0 ? 0.0 : powers.to_outputs / powers.taken;
+    if (through > 0.0) {
+      const CouplingTopology& coupling = topology_.couplings[e];
+      const BodyId body = coupling.head.value != 0 ? coupling.head : coupling.tail;
+      const auto b = static_cast<std::size_t>(body.value);
+      result_.enters[b] += through;
+      result_.leaves[b] += useful * through;
+      result_.through[b] += through;
+    }
+    const double supplied = flow_.supplied[e];
+    if (supplied == 0.0) {
+      return;
+    }
+    // Friction in the coupling may take the rest.
+    const double leaves = useful * (powers.taken - through) / std::abs(supplied);
+    const Exchange exchange = exchange_of(*flow_.into_head[e], supplied);
+    add(topology_.couplings[e].tail, exchange.into_tail, leaves);
+    add(topology_.couplings[e].head, exchange.into_head, leaves);
   }
 
   void add(BodyId body, double into, double useful) {
@@ -72,16 +97,21 @@ class OutsideFinder {
     (into > 0.0 ? result_.enters[b] : result_.leaves[b]) += into > 0.0 ? into : useful * -into;
   }
 
-  // What the outputs on the coupling supply: negative, and all that it does unless there is
-  // friction in it.
-  double to_outputs(CouplingId coupling) const {
-    double sum = 0.0;
-    for (const int output : which_.outputs) {
-      const auto i = static_cast<std::size_t>(output);
+  ActuatorPowers powers_on(CouplingId coupling) const {
+    ActuatorPowers powers;
+    for (std::size_t i = 0; i < topology_.actuators.size(); ++i) {
       const auto freedom = static_cast<std::size_t>(topology_.actuators[i].freedom);
-      sum += topology_.freedoms[freedom].coupling == coupling ? flow_.actuators[i] : 0.0;
+      if (topology_.freedoms[freedom].coupling != coupling) {
+        continue;
+      }
+      const double power = flow_.actuators[i];
+      const bool is_output =
+          std::ranges::find(which_.outputs, static_cast<int>(i)) != which_.outputs.end();
+      powers.given += std::max(power, 0.0);
+      powers.taken += std::max(-power, 0.0);
+      powers.to_outputs += is_output ? std::max(-power, 0.0) : 0.0;
     }
-    return sum;
+    return powers;
   }
 
   const Topology& topology_;
@@ -101,7 +131,8 @@ std::optional<double> find_absolute_efficiency(const Mechanism& mechanism,
   }
   const Outside outside = OutsideFinder(mechanism, which, flow).run();
   const auto given = [&](BodyId body) {
-    return graph.bodies[static_cast<std::size_t>(body.value)]->given;
+    const auto b = static_cast<std::size_t>(body.value);
+    return graph.bodies[b]->given + outside.through[b];
   };
   const int count = mechanism.topology.body_count();
   SparseMatrix system{.rows = count, .columns = count, .entries = {}};
