@@ -95,7 +95,7 @@ UsageMessage unknown_word(const CLI::App& app, const CLI::App& command, const st
     return unknown_option(app, command, word);
   }
   if (&command != &app) {
-    return {"'" + command.get_name() + "' has no use for '" + printable(word) + "'",
+    return {"unexpected argument '" + printable(word) + "' of '" + command.get_name() + "'",
             help_hint(command)};
   }
   if (word == "-" || is_file_name(word)) {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/text.hpp"
+#include "core/utf8.hpp"
 
 namespace kinestat {
 
@@ -22,12 +23,20 @@ const Case* choose_case(const std::vector<Case>& cases,
   for (const Case& one : cases) {
     labels.push_back(one.label);
   }
+  refuse_case(label, labels, found);
+  return nullptr;
+}
+
+void refuse_case(const std::string& label,
+                 std::span<const std::string> labels,
+                 Diagnostics& found) {
   found.error("E0101",
               {},
-              fmt::format("--case: there is no case '{}'", label),
+              fmt::format("--case: there is no case '{}'", printable(label)),
               labels.empty() ? "the file has no cases; leave --case out"
-                             : fmt::format("its cases are {}", quoted_list(labels)));
-  return nullptr;
+                             : fmt::format("{} {}",
+                                           labels.size() == 1 ? "its case is" : "its cases are",
+                                           quoted_list(labels)));
 }
 
 }  // namespace kinestat

@@ -1,6 +1,7 @@
 // The case that --case names.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,5 +15,8 @@ namespace kinestat {
 const Case* choose_case(const std::vector<Case>& cases,
                         const std::string& label,
                         Diagnostics& found);
+
+/// Complains of --case: there is no case with this label (E0101). `labels` are those of the file.
+void refuse_case(const std::string& label, std::span<const std::string> labels, Diagnostics& found);
 
 }  // namespace kinestat

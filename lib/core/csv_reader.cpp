@@ -14,6 +14,15 @@ std::string_view trimmed(std::string_view text) {
                                          : text.substr(first, last - first + 1);
 }
 
+std::string_view other_separators(const CsvRow& head) {
+  const auto has = [&](char separator) {
+    return std::ranges::any_of(head.cells, [separator](const std::string& cell) {
+      return cell.find(separator) != std::string::npos;
+    });
+  };
+  return has('\t') ? "tabs" : has(';') ? "semicolons" : "";
+}
+
 CsvReader::CsvReader(std::string_view text) : rest_(text) {
   if (rest_.starts_with(kByteOrderMark)) {
     rest_.remove_prefix(kByteOrderMark.size());

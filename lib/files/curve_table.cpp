@@ -48,9 +48,16 @@ class CurveTableReader {
   std::optional<std::vector<CurvePointDescription>> read(std::string_view text) {
     CsvReader reader(text);
     const std::optional<CsvRow> head = reader.next();
+    const std::string_view separators = head ? other_separators(*head) : std::string_view();
+    if (!separators.empty()) {
+      refuse(1,
+             fmt::format("{} separate the columns", separators),
+             "separate them by a comma, and write numbers with a decimal point");
+      return std::nullopt;
+    }
     if (!head || head->cells.size() != units_.size()) {
       refuse(1,
-             "a table of a curve has two columns, places and values",
+             "a table of a curve has two columns, arguments and values",
              "its first line names them with their units: turn [deg],force [N]");
       return std::nullopt;
     }

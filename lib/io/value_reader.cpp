@@ -239,10 +239,13 @@ std::optional<double> read_number(const YamlNode& node, const Title& what, Diagn
   static const FileUnits units;  // a plain number has none
   const auto number = evaluate_as(QuantityKind::dimensionless, value->expression, units, no_names);
   if (const auto* error = std::get_if<ExpressionError>(&number)) {
-    found.error(error->code,
-                place_in(*value, *error),
-                fmt::format("{} must be a plain number: {}", what, error->message),
-                error->hint);
+    found.error(
+        error->code,
+        place_in(*value, *error),
+        fmt::format("{} must be a plain number: {}", what, error->message),
+        error->code == std::string_view("E0309")
+            ? "write the number of the report, in the unit that it has there, without the unit"
+            : error->hint);
     return std::nullopt;
   }
   return std::get<double>(number);

@@ -12,7 +12,20 @@ namespace kinestat {
 
 namespace {
 
-void miss(const PublishedValue& published, double value, Diagnostics& found) {
+// What --set says in place of the file.
+std::string set_numbers(const MechanismDescription& description) {
+  std::string all;
+  for (const ParameterDescription& one : description.parameters) {
+    all +=
+        one.set_by.empty() ? "" : fmt::format("{}--set '{}'", all.empty() ? "" : ", ", one.set_by);
+  }
+  return all;
+}
+
+void miss(const PublishedValue& published,
+          double value,
+          const std::string& set,
+          Diagnostics& found) {
   found.error("E0901",
               published.is_where,
               fmt::format("published value {} is missed: {} is {}, off by {} (tolerance {}{}{})",
@@ -23,7 +36,8 @@ void miss(const PublishedValue& published, double value, Diagnostics& found) {
                           format_short(published.tolerance),
                           published.where.empty() ? "" : "; ",
                           published.where),
-              "check the model against the source, and the source against its errata");
+              set.empty() ? "check the model against the source, and the source against its errata"
+                          : fmt::format("the value is that of the file as it is, without {}", set));
 }
 
 }  // namespace
@@ -41,9 +55,9 @@ WantedKeys keys_of(const std::vector<PublishedValue>& published) {
 }
 
 void check_published(const Json& report,
-                     const std::vector<PublishedValue>& published,
+                     const MechanismDescription& description,
                      Diagnostics& found) {
-  for (const PublishedValue& one : published) {
+  for (const PublishedValue& one : description.published) {
     const PointerTarget target = follow_pointer(report, one.pointer.text);
     if (target.value == nullptr) {
       found.error("E0902", one.pointer.where, target.problem, target.hint);
@@ -56,7 +70,7 @@ void check_published(const Json& report,
                                   : "let the pointer lead to a single number of the report");
     } else if (const double value = target.value->get<double>();
                !(std::abs(value - one.is) <= one.tolerance)) {
-      miss(one, value, found);
+      miss(one, value, set_numbers(description), found);
     }
   }
 }

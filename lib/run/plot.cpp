@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/chosen_case.hpp"
 #include "core/text.hpp"
 #include "core/utf8.hpp"
 #include "draw/catalogue/catalogue.hpp"
@@ -103,11 +104,7 @@ class PictureJob {
     }
     const auto at = std::ranges::find(labels, choice_.case_label);
     if (at == labels.end()) {
-      found_.error("E0101",
-                   {},
-                   fmt::format("--case: there is no case '{}'", choice_.case_label),
-                   labels.empty() ? "the file has no cases; leave --case out"
-                                  : fmt::format("its cases are {}", quoted_list(labels)));
+      refuse_case(choice_.case_label, labels, found_);
       return false;
     }
     source.which = static_cast<std::size_t>(at - labels.begin());

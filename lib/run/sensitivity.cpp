@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/chosen_case.hpp"
 #include "cases/findings/case_findings.hpp"
 #include "cases/solve_cases.hpp"
 #include "core/text.hpp"
@@ -168,10 +169,7 @@ class SensitivityJob {
       found_.error("E0101", {}, "the file has no cases to differentiate", "add a case: help cases");
     } else if (!choice_.case_label.empty() &&
                std::ranges::find(labels, choice_.case_label) == labels.end()) {
-      found_.error("E0101",
-                   {},
-                   fmt::format("--case: there is no case '{}'", printable(choice_.case_label)),
-                   fmt::format("its cases are {}", quoted_list(labels)));
+      refuse_case(choice_.case_label, labels, found_);
     }
   }
 

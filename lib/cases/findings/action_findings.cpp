@@ -303,29 +303,6 @@ void add_friction_at_rest(const JudgedFile& file, const CaseAnalysis& one, CaseF
                           start_hint(motion_side(file, one.which), one.which)));
 }
 
-// Of cables that do not slip on what stands still; what holds a slipping one is an action.
-void add_held_cables(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
-  if (one.motion && one.motion->status != SolveStatus::solved) {
-    return;  // why it has no answer is said of the motion
-  }
-  std::vector<CouplingId> held;
-  std::ranges::copy_if(one.action->held_cables, std::back_inserter(held), [&](CouplingId coupling) {
-    return !is_slip_of_cable(coupling, file.mechanism);
-  });
-  if (held.empty()) {
-    return;
-  }
-  found.warning("W0609",
-                one.which.where,
-                fmt::format("case '{}': the drum or pulley on {} {}, so 'eta' has no direction: "
-                            "actions are those without its loss",
-                            one.which.label,
-                            names_of(held, file.mechanism.topology),
-                            one.motion ? "is at rest" : "has no known motion"),
-                "for a start from rest give its drive a very small speed in the direction of the "
-                "coming motion, 1e-3 rpm for example");
-}
-
 // What has no value, neither from equilibrium nor from what completes it.
 std::vector<int> find_open(const StaticSolution& action) {
   std::vector<int> open;
@@ -494,7 +471,6 @@ void add_action_value_findings(const JudgedFile& file,
   add_other_equilibrium(file, one, found);
   add_pulling_contacts(file, one, found);
   add_cable_findings(file, one, found);
-  add_held_cables(file, one, found);
 }
 
 }  // namespace kinestat

@@ -94,12 +94,54 @@ void add_slipping_cables(const JudgedFile& file,
   }
 }
 
+// Of pulleys that stand still, and of cables that do not slip where they may: the couple by which
+// an actuator holds a cable is an action, but 'eta' is left out.
+void add_held_cables(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
+  if (one.motion && one.motion->status != SolveStatus::solved) {
+    return;  // why it has no answer is said of the motion
+  }
+  std::vector<std::string> held;
+  std::vector<std::string> gripped;
+  for (const CouplingId coupling : one.action->held_cables) {
+    const std::string& name = file.mechanism.topology.coupling(coupling).name;
+    const auto contact =
+        std::ranges::find(file.mechanism.contacts, std::optional(coupling), &CableContact::slips);
+    if (contact == file.mechanism.contacts.end()) {
+      held.push_back(name);
+    } else if (contact->efficiency < 1.0) {
+      gripped.push_back(name);
+    }
+  }
+  const auto warn = [&](const std::string& of, std::string hint) {
+    found.warning("W0609",
+                  one.which.where,
+                  fmt::format("case '{}': {}, so 'eta' has no direction: actions are those without "
+                              "its loss",
+                              one.which.label,
+                              of),
+                  std::move(hint));
+  };
+  if (!gripped.empty()) {
+    warn(fmt::format("the cable does not slip on {}", quoted_list(gripped)),
+         "remove 'slip' where the pulley turns with its cable: 'eta' then acts where the pulley "
+         "turns");
+  }
+  if (!held.empty()) {
+    warn(fmt::format("the drum or pulley on {} {}",
+                     quoted_list(held),
+                     one.motion ? "is at rest" : "has no known motion"),
+         "for a start from rest give its drive a very small speed in the direction of the coming "
+         "motion, 1e-3 rpm for example");
+  }
+}
+
 }  // namespace
 
 void add_cable_findings(const JudgedFile& file, const CaseAnalysis& one, CaseFindings& found) {
   const std::vector<CouplingId> pushed = find_pushed_segments(file.mechanism, *one.action);
   add_pushed_segments(file, one, pushed, found);
   add_slipping_cables(file, one, pushed, found);
+  add_held_cables(file, one, found);
 }
 
 }  // namespace kinestat

@@ -100,7 +100,7 @@ Outcome raise(const Quantity& base, const Quantity& exponent) {
   }
   if (base.value < 0.0 && !is_whole) {
     return Fault{.code = "E0316",
-                 .message = "a negative number has no broken power",
+                 .message = "a negative number has no fractional power",
                  .hint = "write a whole exponent, or a base that is not negative",
                  .part = Fault::Part::left};
   }

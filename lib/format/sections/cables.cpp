@@ -74,12 +74,14 @@ void declare_slip(Mapping<CableStation>& m) {
   m.key("friction",
         "Coefficient of friction between cable and pulley. The report gives the limit exp(mu "
         "theta) of the tension ratio and whether the cable sticks; if a case lets it slip, the "
-        "tensions have this ratio.")
+        "tensions have this ratio, over 'eta' if that is given.")
       .may(&CableStation::friction, not_negative(), "0.3")
       .usual("0");
   m.key("eta",
-        "Efficiency of the pulley, above 0 and at most 1: the tension behind is eta times that "
-        "ahead, in the direction in which the cable runs.")
+        "Efficiency of the pulley, above 0 and at most 1: the couple lost is 1 - eta times the "
+        "tension ahead times the radius. On a pulley without a torque, the tension behind is eta "
+        "times that ahead, in the direction in which the cable runs relative to what it turns or "
+        "slips on.")
       .may(&CableStation::eta, efficiency(), "0.95")
       .usual("1");
 }

@@ -199,7 +199,7 @@ constexpr auto kRows = std::to_array<KeyRow>({
      [](Key key) {
        const auto sign = choice_of<OneWay>({{"+", "engages while its torque is positive"},
                                             {"-", "engages while its torque is negative"}});
-       key.may(&Coupling::one_way, called(sign, "the bearing direction of {0}"), "+");
+       key.may(&Coupling::one_way, called(sign, "'one_way' of {0}"), "+");
      }},
     {CouplingKey::stator,
      "stator",

@@ -171,12 +171,14 @@ void report_unanalysed(const std::vector<Unanalysed>& list, Purpose purpose, Dia
 void bind_inertia(const SectionContext& context, Mechanism& result) {
   if (!context.description.dynamics && std::ranges::none_of(result.masses, &BodyMass::counts)) {
     const auto one = std::ranges::find_if(context.description.cases, &CaseDescription::has_inertia);
-    context.found.warning("W0312",
-                          one != context.description.cases.end() ? one->label.where
-                                                                 : context.description.shift->where,
-                          "accelerations have no effect, because no body has mass or inertia",
-                          "give bodies 'mass', 'centre_of_mass' and 'inertia', or remove "
-                          "'acceleration'");
+    context.found.warning(
+        "W0312",
+        one != context.description.cases.end() ? one->label.where
+                                               : context.description.shift->where,
+        "accelerations cause no forces, because no body has mass or inertia",
+        fmt::format("give bodies 'mass', 'centre_of_mass' and 'inertia'{}",
+                    // Of a motion they decide how fast it goes.
+                    context.description.motion ? "" : ", or remove 'acceleration'"));
   }
   result.drawn_couplings = bind_drawn_couplings(context.description, result);
 }

@@ -19,6 +19,7 @@ struct CableContact {
   std::optional<double>
       wrap;  ///< contact angle θ with full turns [rad]; empty if the sense is not known
   std::optional<double> friction;  ///< coefficient μ
+  double efficiency = 1.0;         ///< η of the pulley
   SourceRange where;
 };
 

@@ -162,13 +162,14 @@ class CurveBinder {
   void check_rising() {
     for (std::size_t i = 1; i < result_.at.size(); ++i) {
       if (!(result_.at[i - 1] < result_.at[i])) {
-        refuse("E0325",
-               curve_.points[i].at.where,
-               fmt::format("the places of curve '{}' do not rise: {} comes behind {}",
-                           curve_.name.text,
-                           curve_.points[i].at.expression.text(),
-                           curve_.points[i - 1].at.expression.text()),
-               "write the points in the order of their places, each place once");
+        refuse(
+            "E0325",
+            curve_.points[i].at.where,
+            fmt::format("the points of curve '{}' are not in increasing order: {} comes after {}",
+                        curve_.name.text,
+                        curve_.points[i].at.expression.text(),
+                        curve_.points[i - 1].at.expression.text()),
+            "write the points in increasing order, none of them twice");
         return;
       }
     }

@@ -41,6 +41,13 @@ class TableReader {
       refuse(1, "E0303", "the table is empty", "its first line names the columns");
       return;
     }
+    if (const std::string_view separators = other_separators(*head); !separators.empty()) {
+      refuse(1,
+             "E0308",
+             fmt::format("{} separate the columns", separators),
+             "separate them by commas, and write numbers with a decimal point");
+      return;
+    }
     for (const std::string& cell : head->cells) {
       columns_.push_back(column_of(cell));
     }

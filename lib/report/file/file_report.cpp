@@ -28,7 +28,7 @@ FileReport make_report(const Analysis& analysis,
     const WantedKeys wanted = keys_of(published);
     PartialArchive partial(units, wanted);
     report_record().write(view, partial);
-    check_published(Json::parse(partial.take()), published, found);
+    check_published(Json::parse(partial.take()), analysis.description, found);
   }
   view.found = &found;
   FileReport report;

@@ -103,7 +103,7 @@ class ReasonWriter {
       text += fmt::format(
           "{}the speed of {} follows from that of '{}'",
           text.empty() ? "" : "; ",
-          plain_list(following),
+          quoted_list(following),
           actuator_name(plan_.inputs[static_cast<std::size_t>(state_.moving.front())].actuator));
     }
     if (!state_.surplus.empty()) {

@@ -134,8 +134,11 @@ std::vector<std::string> watched_names(const Mechanism& mechanism,
     names.push_back(topology.freedom_name(f));
   }
   std::ranges::transform(points, std::back_inserter(names), &TracedPoint::name);
+  // A body may have the name of an actuator.
   for (std::size_t b = 1; b < topology.bodies.size(); ++b) {
-    names.push_back(topology.bodies[b].name);
+    if (std::ranges::find(names, topology.bodies[b].name) == names.end()) {
+      names.push_back(topology.bodies[b].name);
+    }
   }
   return names;
 }

@@ -20,15 +20,19 @@ Json report() {
 }
 
 // What is said about one published value.
-Diagnostics check(const std::string& pointer, double is, double tolerance = 0.0) {
+Diagnostics check(const std::string& pointer,
+                  double is,
+                  double tolerance = 0.0,
+                  const std::string& set_by = "") {
+  MechanismDescription description;
+  description.parameters = {{.name = {.text = "a", .where = {}}, .value = {}, .set_by = set_by}};
+  description.published = {{.pointer = {.text = pointer, .where = kPointer},
+                            .is = is,
+                            .tolerance = tolerance,
+                            .where = "Tab. 1",
+                            .is_where = kNumber}};
   Diagnostics found;
-  check_published(report(),
-                  {{.pointer = {.text = pointer, .where = kPointer},
-                    .is = is,
-                    .tolerance = tolerance,
-                    .where = "Tab. 1",
-                    .is_where = kNumber}},
-                  found);
+  check_published(report(), description, found);
   return found;
 }
 
@@ -52,6 +56,11 @@ TEST(Published, SaysWhatIsMissedAndByHowMuch) {
             "(tolerance 0.25; Tab. 1)");
   EXPECT_EQ(found.items().front().code, "E0901");
   EXPECT_EQ(found.items().front().where, kNumber);
+}
+
+TEST(Published, NamesTheNumberOfTheCommandLineThatIsNotOfTheFile) {
+  EXPECT_EQ(check("/cases/M1/ratio", 2.0, 0.25, "a=3").items().front().hint,
+            "the value is that of the file as it is, without --set 'a=3'");
 }
 
 TEST(Published, ReadsAnEscapedSlash) {

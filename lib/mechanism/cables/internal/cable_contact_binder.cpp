@@ -106,6 +106,7 @@ class ContactBinder {
                                      .radius = pulley.radius,
                                      .wrap = wrap,
                                      .friction = mu,
+                                     .efficiency = eta,
                                      .where = station.where});
     }
     if ((mu.value_or(0.0) > 0.0 || eta < 1.0) && !check_sense(station)) {

@@ -77,7 +77,7 @@ class ConverterBinder {
     for (std::size_t i = 1; i < at_.size(); ++i) {
       if (!(value_of(at_[i - 1]) < value_of(at_[i]))) {
         refuse(given_.speed_ratio[i].where,
-               fmt::format("the speed ratios of '{}' do not rise", coupling_.name.text),
+               fmt::format("the speed ratios of '{}' do not increase", coupling_.name.text),
                "write the points from stall, 0, to 1");
         return;
       }

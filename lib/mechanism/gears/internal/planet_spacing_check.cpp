@@ -112,13 +112,16 @@ class PlanetSpacingCheck {
             sum_in_teeth(meshes, blocking),
             set.count,
             static_cast<double>(blocking) / set.count),
-        fitting_counts(sums));
+        fitting_counts(set, sums));
   }
 
-  static std::string fitting_counts(const std::vector<long long>& sums) {
+  // Planets that would touch their neighbours fit no more than others.
+  std::string fitting_counts(PlanetSet set, const std::vector<long long>& sums) const {
     std::string list;
     for (int n = 2; n <= kMostCount; ++n) {
-      if (std::ranges::all_of(sums, [&](long long sum) { return sum % n == 0; })) {
+      set.count = n;
+      if (std::ranges::all_of(sums, [&](long long sum) { return sum % n == 0; }) &&
+          find_touching(set, layout_, numbers_).empty()) {
         list += fmt::format("{}{}", list.empty() ? "" : ", ", n);
       }
     }

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/chosen_case.hpp"
 #include "core/index.hpp"
 #include "core/text.hpp"
 #include "core/utf8.hpp"
@@ -196,10 +197,7 @@ class ToleranceJob {
     }
     if (!choice_.case_label.empty() &&
         std::ranges::find(labels, choice_.case_label) == labels.end()) {
-      found_.error("E0101",
-                   {},
-                   fmt::format("--case: there is no case '{}'", printable(choice_.case_label)),
-                   fmt::format("its cases are {}", quoted_list(labels)));
+      refuse_case(choice_.case_label, labels, found_);
       return false;
     }
     return true;
@@ -235,7 +233,9 @@ class ToleranceJob {
       found_.error("E0101",
                    {},
                    "no case has velocities that follow from its drives",
-                   "give the motion of the drives that are held: help cases");
+                   mechanism_.topology.actuators.empty()
+                       ? "give a case 'motion: {}', in which nothing moves"
+                       : "give the motion of the drives that are held: help cases");
     }
   }
 
