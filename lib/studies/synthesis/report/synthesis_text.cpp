@@ -282,12 +282,13 @@ std::string unusable_text(const SelectionCounts& counts) {
   for (std::size_t i = 0; i < kMissingCount; ++i) {
     if (counts.missing[i] > 0) {
       reasons.push_back(
-          fmt::format("{} {}", phrase_of(static_cast<Missing>(i)), counts.missing[i]));
+          fmt::format("{} ({})", phrase_of(static_cast<Missing>(i)), counts.missing[i]));
     }
   }
   for (std::size_t i = 1; i < kDefectCount; ++i) {
     if (counts.defects[i] > 0) {
-      reasons.push_back(fmt::format("{} {}", phrase_of(static_cast<Defect>(i)), counts.defects[i]));
+      reasons.push_back(
+          fmt::format("{} ({})", phrase_of(static_cast<Defect>(i)), counts.defects[i]));
     }
   }
   return fmt::format("{}", fmt::join(reasons, ", "));
