@@ -277,6 +277,14 @@ std::optional<CaseAnalysis> solve_by_converter(const Mechanism& drawn,
   return result;
 }
 
+// Of loads that are themselves results of doubles, such as forces of inertia: more digits would
+// tell their roundings from zero.
+AccuracyRequest of_doubles(AccuracyRequest asked) {
+  const bool is_beyond = asked.accuracy == Accuracy::exact || asked.accuracy == Accuracy::high;
+  asked.accuracy = is_beyond ? Accuracy::automatic : asked.accuracy;
+  return asked;
+}
+
 CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const CaseRequest& request) {
   CaseAnalysis result;
   result.which = request.which;
@@ -308,8 +316,10 @@ CaseAnalysis solve_case(const Mechanism& drawn, const Bases& bases, const CaseRe
   }
   LoadedFlanks flanks;
   if (which.asks_actions && !result.has_unknown_loads()) {
-    flanks = solve_on_loaded_flanks(drawn, bases, which, request.accuracy, motion);
-    if (request.exact_input != nullptr && has_typed_loads(request.which, which) &&
+    const bool are_typed = has_typed_loads(request.which, which);
+    flanks = solve_on_loaded_flanks(
+        drawn, bases, which, are_typed ? request.accuracy : of_doubles(request.accuracy), motion);
+    if (request.exact_input != nullptr && are_typed &&
         find_frictions(drawn, which, motion).laws.empty()) {
       request.certainty->has_exact_input_action =
           request.exact_input->improve(request.index,
