@@ -224,6 +224,7 @@ DECISIONS: dict[str, dict[str, str]] = {
     },
     "lib/studies/simulation/internal/extreme_watch.cpp": {
         "climb": "search: what exceeds an extreme by less is none",
+        "extremes": "search: where values touch zero between two looks",
     },
     "lib/studies/simulation/internal/simulator_events.cpp": {
         "distance": "search: where sliding begins anew",
@@ -238,6 +239,9 @@ DECISIONS: dict[str, dict[str, str]] = {
     },
     "lib/studies/simulation/task/simulation_findings.cpp": {
         "least_slip": "consistency: slip by what the integration is off is none",
+    },
+    "lib/studies/simulation/internal/state_in_time.cpp": {
+        "settled": "bound: roundings of what the integration adds up",
     },
     "lib/studies/simulation/reduced_system.cpp": {
         "accelerate": "a sum and its own terms: what holds a freedom, beyond what closures leave",

@@ -124,12 +124,126 @@ actuators: {shaft: {coupling: a}}
 simulation: {action: {shaft: 0}, start: {shaft: {speed: 10}}, time: 0.1, steps: 4}
 """
 
+# A four-bar, a slide on a spring beside it, and a rotor far away, none of which feels the others.
+FAR = """
+kinestat: 1
+space: planar
+ground: frame
+gravity: [0, -9.81]
+parameters: {D: 1, k: 400 N/m}
+bodies: {k2: {mass: 1, centre_of_mass: [0.05, 0], inertia: 0.01},
+         k3: {mass: 1, centre_of_mass: [0.3, 0.2], inertia: 0.01},
+         k4: {mass: 1, centre_of_mass: [0.5, 0.2], inertia: 0.01},
+         far: {mass: 1, centre_of_mass: [D, 0], inertia: 0.01}}
+couplings:
+  a: {type: revolute, bodies: [frame, k2], at: [0, 0]}
+  b: {type: revolute, bodies: [k2, k3], at: [0.1, 0]}
+  c: {type: revolute, bodies: [k3, k4], at: [0.5, 0.4]}
+  d: {type: revolute, bodies: [frame, k4], at: [0.5, 0]}
+  e: {type: revolute, bodies: [frame, far], at: [D, 0]}
+actuators: {m: {coupling: a}, f: {coupling: e}}
+simulation: {action: {m: 0.1, f: 0.2}, time: 0.2, steps: 2}
+"""
+# A ram driven by a crank on a spring far from a rotor: m x'' = -k x.
+FAR_RAM = """
+kinestat: 1
+space: planar
+ground: frame
+parameters: {D: 1}
+bodies: {crank: {}, rod: {}, ram: {mass: 2, centre_of_mass: [0.3, 0]},
+         far: {mass: 1, centre_of_mass: [D, 0], inertia: 0.01}}
+couplings:
+  a: {type: revolute, bodies: [frame, crank], at: [0, 0]}
+  b: {type: revolute, bodies: [crank, rod], at: [0, 0.1]}
+  c: {type: revolute, bodies: [rod, ram], at: [0.3, 0]}
+  d: {type: prismatic, bodies: [frame, ram], at: [0.3, 0], axis: x}
+  e: {type: revolute, bodies: [frame, far], at: [D, 0]}
+actuators: {p: {coupling: d}, f: {coupling: e}}
+springs: {s: {coupling: d, stiffness: 800 N/m, free: 0}}
+simulation: {action: {p: 0, f: 0.2}, start: {p: {speed: 0.2}}, time: 1, steps: 4}
+"""
+# Two masses on a rough rail, pulled against their stops.
+TWO_STOPS = """
+kinestat: 1
+space: planar
+ground: frame
+bodies: {m: {mass: 2, centre_of_mass: [0, 0]}, k: {mass: 1, centre_of_mass: [3, 0]}}
+couplings:
+  g: {type: prismatic, bodies: [frame, m], at: [0, 0], axis: x}
+  h: {type: prismatic, bodies: [frame, k], at: [3, 0], axis: x}
+actuators: {p: {coupling: g}, q: {coupling: h}}
+simulation: {action: {p: 20 N, q: 20 N}, time: 2, steps: 4,
+             stops: {p: {to: 0.4, restitution: 0}, q: {to: 0.4 + 1, restitution: 0.5}}}
+"""
+
 
 def agm(a: float, b: float) -> float:
     """The arithmetic-geometric mean, by which a pendulum swings."""
     for _ in range(8):
         a, b = (a + b) / 2, math.sqrt(a * b)
     return a
+
+
+class FarBodies(unittest.TestCase):
+    """What is far away from others changes nothing of them."""
+
+    def values(self, text: str, distance: float) -> tuple[list[str], list[list[float | None]]]:
+        text = text.replace("{D: 1", f"{{D: {distance}")
+        simulation = program.run("simulate", "-", text=text)["simulation"]
+        self.assertEqual(simulation["status"], "complete", distance)
+        return [one["name"] for one in simulation["columns"]], simulation["rows"]
+
+    def test_a_rotor_far_from_a_four_bar(self) -> None:
+        names, near = self.values(FAR, 1)
+        for sizes, within in ((10, 1e-12), (1e3, 1e-11), (1e5, 1e-9), (1e6, 1e-8)):
+            _, far = self.values(FAR, 0.64 * sizes)
+            for c, name in enumerate(names):
+                if name.startswith("energy"):  # from differences of high potentials and works
+                    continue
+                largest = max(abs(row[c] or 0.0) for row in near)
+                for row, other in zip(near, far):
+                    self.assertIsNotNone(other[c], (sizes, name))
+                    self.assertAlmostEqual(row[c], other[c], delta=within * largest,
+                                           msg=f"{name} {sizes}")
+
+    def test_motions_have_the_same_accelerations(self) -> None:
+        section = ("cases: {run: {motion: {m: 1, f: 1}}}\n"
+                   "motion: {drives: [{drive: m, to: 0.2}, {drive: f, to: 0.2}], case: run, steps: 2,\n"
+                   "         report: [velocity, acceleration]}\n")
+        text = FAR[:FAR.index("simulation:")] + section
+
+        def row(distance: float) -> dict[str, float | None]:
+            motion = program.run("motion", "-", text=text.replace("{D: 1", f"{{D: {distance}"))
+            names = [one["name"] for one in motion["motion"]["columns"]]
+            return dict(zip(names, motion["motion"]["rows"][-1]))
+
+        near, far = row(1.0), row(6.4e4)
+        for name, value in near.items():
+            if not name.startswith("far"):
+                self.assertIsNotNone(far[name], name)
+                self.assertAlmostEqual(value, far[name], delta=1e-8, msg=name)
+
+    def test_a_slide_far_from_a_rotor_swings_as_its_spring_says(self) -> None:
+        for distance in (1.0, 1e3, 3e5):
+            names, rows = self.values(FAR_RAM, distance)
+            place = names.index("d.vx/position")
+            for row in rows:
+                self.assertAlmostEqual(row[place], 0.2 / 20 * math.sin(20 * row[0]), delta=1e-9,
+                                       msg=str(distance))
+
+
+class Stops(unittest.TestCase):
+    def test_what_rests_rests_once(self) -> None:
+        """p comes to rest at sqrt(2 0.4 / 10) s; q bounces on while it does."""
+        simulation = program.run("simulate", "-", text=TWO_STOPS)["simulation"]
+        rests = [(one["element"], one["time"]) for one in simulation["events"] if one["kind"] == "rest"]
+        self.assertEqual([of for of, _ in rests], ["p", "q"])
+        self.assertAlmostEqual(rests[0][1], math.sqrt(0.08), delta=1e-9)
+        # Each flight of q takes half as long as the one before, and the first v / a, v of its fall.
+        falls = math.sqrt(2 * 1.4 / 20)
+        self.assertAlmostEqual(rests[1][1], falls + 2 * falls, delta=1e-6)
+        impacts = [one for one in simulation["events"] if one["kind"] == "impact"]
+        self.assertGreater(len([one for one in impacts if one["element"] == "q"]), 5)
 
 
 class Edges(unittest.TestCase):

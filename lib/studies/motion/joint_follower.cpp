@@ -9,6 +9,7 @@
 #include "core/simulation_tolerance.hpp"
 #include "core/tolerance.hpp"
 #include "math/dense/span.hpp"
+#include "studies/motion/internal/closure_parts.hpp"
 #include "studies/motion/internal/closure_system.hpp"
 #include "studies/motion/internal/largest.hpp"
 #include "studies/motion/internal/motion_limits.hpp"
@@ -36,7 +37,10 @@ bool has_coordinate(const MotionJoint& joint) {
 template <class Frames>
 class Follower {
  public:
-  explicit Follower(const MotionNetwork& network) : network_(network), system_(network) {
+  explicit Follower(const MotionNetwork& network)
+      : network_(network),
+        system_(network),
+        parts_(network, system_.is_length(), system_.rates_of_rows()) {
     for (const int rate : network.driven_rates) {
       const MotionJoint& joint = *joint_of_rate(network, rate);
       coordinates_.push_back(joint.coordinate);
@@ -217,7 +221,8 @@ class Follower {
       if (size > last && !is_closed) {
         return false;
       }
-      const bool is_last = is_closed || size <= kLeastCorrection || size > last;
+      const bool is_last = parts_.largest(system_.residuals()) <= kMotionClosure ||
+                           size <= kLeastCorrection || size > last;
       last = size;
       std::ranges::fill(step_, 0.0);
       for (std::size_t i = 0; i < unknown_.size(); ++i) {
@@ -239,6 +244,7 @@ class Follower {
 
   const MotionNetwork& network_;
   ClosureSystem<Frames> system_;
+  ClosureParts parts_;
   PivotedQr qr_;
   std::vector<int> coordinates_;  // of the drives
   std::vector<double> units_;     // likewise
@@ -318,6 +324,12 @@ std::vector<int> independent_rates(const MotionNetwork& network,
                                    MatX motions,
                                    std::span<const int> first) {
   std::vector<int> chosen;
+  // A slide is as large as it is in its part of the mechanism.
+  for (const MotionJoint& joint : network.joints) {
+    if (joint.rate >= 0 && joint.freedom >= 0 && joint.motion.kind == ElementaryKind::slide) {
+      motions.row(joint.rate) *= network.length / network.part_lengths[at(joint.freedom)];
+    }
+  }
   const double largest_entry = motions.size() > 0 ? motions.cwiseAbs().maxCoeff() : 0.0;
   // Takes the motion of a joint out of what is left to tell apart.
   const auto take = [&](int rate) {

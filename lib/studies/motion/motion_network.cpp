@@ -67,6 +67,7 @@ class NetworkMaker {
     find_arcs();
     find_drives();
     find_passive();
+    find_part_lengths();
     return std::move(network_);
   }
 
@@ -394,6 +395,38 @@ class NetworkMaker {
       one.rates.cwiseAbs().maxCoeff(&most);
       network_.passive_motions.push_back(rates);
       network_.passive_freedoms.push_back(static_cast<int>(most));
+    }
+  }
+
+  // A part without extent is as large as the mechanism, of which nothing else tells its lengths.
+  void find_part_lengths() {
+    network_.part_lengths.assign(topology_.freedoms.size(), network_.length);
+    Components parts(topology_.body_count());
+    int count = topology_.body_count() - 1;
+    const auto part_of = [&](int e) {
+      return parts.root(std::max(coupling(e).tail.value, coupling(e).head.value));
+    };
+    for (int e = 0; e < topology_.coupling_count(); ++e) {
+      const auto [tail, head] = std::pair(coupling(e).tail.value, coupling(e).head.value);
+      count -= tail != 0 && head != 0 && parts.join(tail, head) ? 1 : 0;
+    }
+    if (count < 2) {
+      return;
+    }
+    std::vector<Eigen::AlignedBox3d> boxes(at(topology_.body_count()));
+    for (int e = 0; e < topology_.coupling_count(); ++e) {
+      for (const ClosureCondition& one : law(e).conditions) {
+        if (one.kind != ClosureKind::across) {
+          boxes[at(part_of(e))].extend(one.tail_point).extend(one.head_point);
+        }
+      }
+    }
+    for (std::size_t f = 0; f < topology_.freedoms.size(); ++f) {
+      const Eigen::AlignedBox3d& box = boxes[at(part_of(topology_.freedoms[f].coupling.value))];
+      const double extent = box.isEmpty() ? 0.0 : box.diagonal().norm();
+      if (extent > 0.0) {
+        network_.part_lengths[f] = std::min(extent, network_.length);
+      }
     }
   }
 

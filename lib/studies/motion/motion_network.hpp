@@ -108,7 +108,9 @@ struct CouplingMiss {
 /// Frame 0 is the ground. Lengths in m, points from the origin of the mechanism.
 struct MotionNetwork {
   Space space = Space::spatial;
-  double length = 1.0;  ///< [m]
+  double length = 1.0;               ///< [m]
+  std::vector<double> part_lengths;  ///< of each freedom: the size of its part, which only the
+                                     ///< ground joins to others [m]
   int frame_count = 1;
   int coordinate_count = 0;
   int rate_count = 0;

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <optional>
 
 #include "core/contract.hpp"
 #include "core/index.hpp"
 #include "core/motion_tolerance.hpp"
 #include "core/tolerance.hpp"
+#include "studies/motion/internal/closure_parts.hpp"
 #include "studies/motion/internal/closure_system.hpp"
 #include "studies/motion/internal/freedom_places.hpp"
 #include "studies/motion/internal/joint_errors.hpp"
@@ -100,7 +100,11 @@ template <class Frames>
 class StateSolver {
  public:
   StateSolver(const MotionNetwork& network, const Mechanism& mechanism)
-      : network_(network), mechanism_(mechanism), system_(network), errors_(network) {
+      : network_(network),
+        mechanism_(mechanism),
+        system_(network),
+        parts_(network, system_.is_length(), system_.rates_of_rows()),
+        errors_(network) {
     for (int rate = 0; rate < network.rate_count; ++rate) {
       if (std::ranges::find(network.driven_rates, rate) == network.driven_rates.end()) {
         unknown_.push_back(rate);
@@ -260,16 +264,24 @@ class StateSolver {
       const auto first = system_.jacobian().begin() + column * rows;
       matrix_.insert(matrix_.end(), first, first + rows);
     }
-    qr_.factor(matrix_, rows, static_cast<int>(unknown_.size()), kSize);
+    const int columns = static_cast<int>(unknown_.size());
+    qr_.factor(matrix_, rows, columns, kSize);
+    reciprocal_condition_ = qr_.reciprocal_condition_beside(passive_count());
+    largest_residual_ = system_.largest_residual();
+    if (!parts_.are_whole()) {
+      parts_.measure(matrix_, unknown_);
+      PivotedQr in_parts;
+      in_parts.factor(matrix_, rows, columns, kSize);
+      reciprocal_condition_ = in_parts.reciprocal_condition_beside(passive_count());
+      largest_residual_ = parts_.largest(system_.residuals());
+    }
   }
 
   // A closure by least squares misses something everywhere.
   bool is_too_flat() const {
-    const double reciprocal_condition = qr_.reciprocal_condition_beside(passive_count());
     const bool is_square = system_.row_count() == static_cast<int>(unknown_.size());
-    return reciprocal_condition < kFlatVelocity ||
-           (is_square && system_.largest_residual() >
-                             kMostVelocityError * reciprocal_condition * reciprocal_condition);
+    const double least = std::sqrt(largest_residual_ / kMostVelocityError);
+    return reciprocal_condition_ < (is_square ? std::max(kFlatVelocity, least) : kFlatVelocity);
   }
 
   double unit_of_rate(int rate) const {
@@ -368,8 +380,7 @@ class StateSolver {
       state.twists.push_back(moving.twist);
       state.twist_rates.push_back(moving.rate);
     }
-    if (detail == StateDetail::velocity ||
-        qr_.reciprocal_condition_beside(passive_count()) < kFlatAcceleration) {
+    if (detail == StateDetail::velocity || reciprocal_condition_ < kFlatAcceleration) {
       state.twist_rates.clear();
       state.rate_rates.clear();
     }
@@ -430,6 +441,9 @@ class StateSolver {
   const MotionNetwork& network_;
   const Mechanism& mechanism_;
   ClosureSystem<Frames> system_;
+  ClosureParts parts_;
+  double reciprocal_condition_ = 1.0;
+  double largest_residual_ = 0.0;
   Configuration configuration_;  // in which it stands
   bool has_stood_ = false;
   std::vector<double> matrix_;

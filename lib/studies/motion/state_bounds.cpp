@@ -13,6 +13,14 @@ Vec3 settled_rates(const Vec3& value, double bound, double rounding) {
   return value.unaryExpr([&](double x) { return settled_rate(x, bound, rounding); });
 }
 
+void settle_positions(const StateBounds& bounds, std::vector<std::optional<double>>& positions) {
+  for (std::size_t f = 0; f < positions.size(); ++f) {
+    if (positions[f]) {
+      positions[f] = zero_within_bound(*positions[f], bounds.positions[f]);
+    }
+  }
+}
+
 double position_bound(const BodyBounds& body, const Vec3& arm, const Vec3& position) {
   const double r = arm.norm();
   return body.shift + body.turn * r + 4.0 * kEpsilon * (r + position.norm());

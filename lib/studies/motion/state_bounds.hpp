@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "screw/twist.hpp"
@@ -35,6 +36,9 @@ struct StateBounds {
 double settled_rate(double value, double bound, double rounding);
 
 Vec3 settled_rates(const Vec3& value, double bound, double rounding);
+
+/// Of freedoms: makes zero what the bounds do not tell from it.
+void settle_positions(const StateBounds& bounds, std::vector<std::optional<double>>& positions);
 
 /// Whether a value that was set to zero says anything. One whose bound is larger than itself,
 /// and more than rounding, may be anything within it, and is not reported.

@@ -30,6 +30,14 @@ void add_force(double force, std::size_t drive, VecX& forces, VecX& sizes) {
   sizes[static_cast<Eigen::Index>(drive)] += std::abs(force);
 }
 
+std::vector<std::optional<double>> settled_positions(MotionStates& states,
+                                                     const Configuration& configuration,
+                                                     const MotionState& state) {
+  auto positions = states.freedom_positions(configuration);
+  settle_positions(state.bounds, positions);
+  return positions;
+}
+
 double kinetic_of(const Mechanism& mechanism, const MotionState& state) {
   double sum = 0.0;
   for (std::size_t b = 0; b < mechanism.masses.size(); ++b) {
@@ -384,7 +392,7 @@ ReducedState ReducedSystem::tell(const Configuration& configuration,
   ReducedState result;
   set_speeds(speeds, accelerations);
   result.state = states_.solve_bounded(configuration, speeds_, StateDetail::acceleration);
-  result.positions = freedom_positions(network_, mechanism_, configuration);
+  result.positions = settled_positions(states_, configuration, result.state);
   result.held = held_;
   result.actions = actions_;
   result.friction = friction_;
@@ -402,7 +410,7 @@ ReducedState ReducedSystem::tell(const Configuration& configuration,
     balance_->place(configuration, result.state.poses, result.state.bounds.place);
     find_borne(result.state, result);
   }
-  result.kinetic = kinetic_of(mechanism_, state_);
+  result.kinetic = kinetic_of(mechanism_, result.state);
   result.potential = potential(state_);
   return result;
 }
@@ -415,7 +423,7 @@ std::optional<ReducedState> ReducedSystem::tell_singular(const Configuration& co
   ReducedState result;
   set_speeds(speeds, {});
   result.state = states_.solve_bounded(configuration, speeds_, StateDetail::velocity);
-  result.positions = freedom_positions(network_, mechanism_, configuration);
+  result.positions = settled_positions(states_, configuration, result.state);
   MotionState& state = result.state;
   if (state.is_singular) {
     state.rates.assign(mechanism_.topology.freedoms.size(), std::nullopt);

@@ -178,12 +178,7 @@ void MotionPositions::hold_known(const Case& which, MotionState& state) const {
 // Where freedoms and bodies stand, zero where nothing tells it from that.
 void MotionPositions::place(const Configuration& configuration, MotionPosition& position) {
   position.freedoms = states_.freedom_positions(configuration);
-  for (std::size_t f = 0; f < position.freedoms.size(); ++f) {
-    std::optional<double>& freedom = position.freedoms[f];
-    if (freedom) {
-      freedom = zero_within_bound(*freedom, position.state.bounds.positions[f]);
-    }
-  }
+  settle_positions(position.state.bounds, position.freedoms);
   if (mechanism_.space == Space::planar) {
     position.turns = body_turns(network_, configuration);
     for (std::size_t b = 0; b < position.turns.size(); ++b) {

@@ -5,6 +5,7 @@
 
 #include "core/extreme_tolerance.hpp"
 #include "core/tolerance.hpp"
+#include "math/numbers/zero_within_bound.hpp"
 #include "studies/motion/peak_search.hpp"
 
 namespace kinestat {
@@ -39,6 +40,22 @@ void ExtremeWatch::note(std::size_t column, double value, double time) {
   }
   double& largest = largest_[readings_[column].kind];
   largest = std::max(largest, std::abs(value));
+}
+
+// Where values touch zero between two looks, the least of them is found but for roundings of the
+// others.
+std::vector<SimulationExtremes> ExtremeWatch::extremes() const {
+  constexpr double kRoundings = 4.0;
+  std::vector<SimulationExtremes> settled = extremes_;
+  for (SimulationExtremes& of : settled) {
+    if (of.least && of.greatest) {
+      const double largest = std::max(std::abs(of.least->value), std::abs(of.greatest->value));
+      for (SimulationExtreme* const one : {&*of.least, &*of.greatest}) {
+        one->value = zero_within_bound(one->value, kRoundings * kEpsilon * largest);
+      }
+    }
+  }
+  return settled;
 }
 
 ExtremeWatch::Sample ExtremeWatch::sample_of(const SimulationRow& row, const SimulationRow& first) {

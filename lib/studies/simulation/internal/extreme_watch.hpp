@@ -37,7 +37,7 @@ class ExtremeWatch {
   void look(const Step& step, const SimulationRow& first, const RowAt& row_at);
 
   /// Of each of the readings that are wanted.
-  std::vector<SimulationExtremes> extremes() const { return extremes_; }
+  std::vector<SimulationExtremes> extremes() const;
 
   std::vector<SimulationSides> sides() const { return sides_; }
 

@@ -118,8 +118,8 @@ class Simulator : private StateInTime {
   // before and rests again behind, if it does.
   bool strike(std::size_t index);
 
-  // What would leave its stop by less than the tolerance rests there; else it flies.
-  bool settle(const std::vector<bool>& touched);
+  // What leaves its stop by less than the tolerance rests, `rested` maybe before; else it flies.
+  bool settle(const std::vector<bool>& touched, const std::vector<bool>& rested);
 
   bool choose_rests(const std::vector<bool>& candidates, const VecX& rates);
   bool bears(const std::vector<std::size_t>& touched, const VecX& rates);

@@ -248,6 +248,7 @@ bool Simulator::strike(std::size_t index) {
   }
   const double before = speed_at(plan_.stops[index].of.freedom, time_, state_).value_or(0.0);
   const bool had_rest = std::ranges::count(rests_, true) > 0;
+  std::vector<bool> rested = rests_;  // and was not struck since
   std::vector<bool> touched = rests_;
   touched[index] = true;
   if (had_rest || has_dry()) {
@@ -285,6 +286,7 @@ bool Simulator::strike(std::size_t index) {
         state_[free + j] += by * impulse->speeds[static_cast<Eigen::Index>(j)];
       }
       note_impact(stop, s == index && is_new ? before : stop.side * into);
+      rested[s] = false;
       is_new = is_new && s != index;
       for (Eigen::Index k = 0; k < impulse->held.size(); ++k) {
         supplied_ += by * impulse->held[k] * held_speed(static_cast<std::size_t>(k));
@@ -299,10 +301,10 @@ bool Simulator::strike(std::size_t index) {
   if (is_new) {
     note_impact(plan_.stops[index], before);
   }
-  return settle(touched);
+  return settle(touched, rested);
 }
 
-bool Simulator::settle(const std::vector<bool>& touched) {
+bool Simulator::settle(const std::vector<bool>& touched, const std::vector<bool>& rested) {
   std::optional<VecX> rates = joint_rates(anchor_, speeds_of(state_));
   if (!rates) {
     return false;
@@ -350,7 +352,7 @@ bool Simulator::settle(const std::vector<bool>& touched) {
     return false;
   }
   for (std::size_t s = 0; s < touched.size(); ++s) {
-    if (rests_[s]) {
+    if (rests_[s] && !rested[s]) {
       note(SimulationEvent::Kind::rest, plan_.stops[s].of).time += series[s];
       result_.events.back().speed = 0.0;
       lost_ += left[s];
@@ -435,7 +437,7 @@ bool Simulator::begin_contacts() {
       return meet({.kind = SimulationEvent::Kind::impact, .index = s, .time = time_});
     }
   }
-  return settle(touched);
+  return settle(touched, std::vector<bool>(touched.size(), false));
 }
 
 }  // namespace kinestat

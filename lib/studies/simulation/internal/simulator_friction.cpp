@@ -422,7 +422,7 @@ std::optional<double> Simulator::breakaway(std::size_t group,
   std::vector<double> speeds;
   const std::vector<int>& driven = trial.network().driven_rates;
   for (std::size_t d = 0; d < driven.size(); ++d) {
-    speeds.push_back((*rates)[driven[d]] * unit(trial.network().driven_freedoms[d]));
+    speeds.push_back((*rates)[driven[d]] * unit_of_rate(trial.network().driven_freedoms[d]));
   }
   std::vector<double> accelerations(trial.free_count());
   ++evaluations_;

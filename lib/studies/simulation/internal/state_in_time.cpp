@@ -8,6 +8,8 @@
 
 #include "core/index.hpp"
 #include "core/simulation_tolerance.hpp"
+#include "core/tolerance.hpp"
+#include "math/numbers/zero_within_bound.hpp"
 #include "mechanism/couplings/one_sided_actions.hpp"
 #include "studies/motion/configuration.hpp"
 #include "studies/motion/contact_rates.hpp"
@@ -24,6 +26,20 @@ std::vector<std::optional<double>> reported(std::vector<std::optional<double>> v
   for (std::size_t f = 0; f < count; ++f) {
     if (values[f] && !is_reported(*values[f], bounds[f])) {
       values[f].reset();
+    }
+  }
+  return values;
+}
+
+// What was added up over time is rounded by some roundings of the largest that it has been.
+std::vector<std::optional<double>> settled(std::vector<std::optional<double>> values,
+                                           std::vector<double>& largest) {
+  constexpr double kRoundings = 16.0;
+  largest.resize(values.size(), 0.0);
+  for (std::size_t f = 0; f < values.size(); ++f) {
+    if (values[f]) {
+      largest[f] = std::max(largest[f], std::abs(*values[f]));
+      values[f] = zero_within_bound(*values[f], kRoundings * kEpsilon * largest[f]);
     }
   }
   return values;
@@ -58,7 +74,11 @@ StateInTime::StateInTime(const Mechanism& mechanism,
 }
 
 double StateInTime::unit(int freedom) const {
-  return topology_.freedoms[at(freedom)].is_rotation ? 1.0 : mechanism_.geometry.length;
+  return topology_.freedoms[at(freedom)].is_rotation ? 1.0 : network_.part_lengths[at(freedom)];
+}
+
+double StateInTime::unit_of_rate(int freedom) const {
+  return topology_.freedoms[at(freedom)].is_rotation ? 1.0 : network_.length;
 }
 
 double StateInTime::unit_of(std::size_t drive) const {
@@ -119,7 +139,8 @@ std::optional<VecX> StateInTime::joint_rates(const Configuration& configuration,
   }
   VecX scaled(static_cast<Eigen::Index>(speeds.size()));
   for (std::size_t d = 0; d < speeds.size(); ++d) {
-    scaled[static_cast<Eigen::Index>(d)] = speeds[d] / unit_of(d);
+    scaled[static_cast<Eigen::Index>(d)] =
+        speeds[d] / unit_of_rate(system_->network().driven_freedoms[d]);
   }
   return *units * scaled;
 }
@@ -138,7 +159,8 @@ void StateInTime::begin_at(double time, const VecX& rates) {
   state_.assign(2 * free + 2, 0.0);
   for (std::size_t j = 0; j < free; ++j) {
     state_[j] = drives[j];
-    state_[free + j] = rates[system_->network().driven_rates[j]] * unit_of(j);
+    state_[free + j] = rates[system_->network().driven_rates[j]] *
+                       unit_of_rate(system_->network().driven_freedoms[j]);
   }
   state_[2 * free] = supplied_;
   state_[2 * free + 1] = lost_;
@@ -248,9 +270,10 @@ std::optional<SimulationRow> StateInTime::row_at(double time, std::span<const do
   return SimulationRow{
       .time = time,
       .configuration = std::move(configuration),
-      .positions = std::move(now.positions),
-      .rates = reported(std::move(now.state.rates), bounds.rates, count),
-      .rate_rates = reported(std::move(now.state.rate_rates), bounds.rate_rates, count),
+      .positions = settled(std::move(now.positions), largest_.positions),
+      .rates = settled(reported(std::move(now.state.rates), bounds.rates, count), largest_.rates),
+      .rate_rates = settled(reported(std::move(now.state.rate_rates), bounds.rate_rates, count),
+                            largest_.rate_rates),
       .actions = std::move(now.actions),
       .held = std::move(now.held),
       .borne = std::move(now.borne),
@@ -276,18 +299,19 @@ std::optional<SimulationRow> StateInTime::singular_row_at(double time,
   const std::size_t count = topology_.freedoms.size();
   const std::size_t free = free_count();
   using Unknown = std::vector<std::optional<double>>;
-  return SimulationRow{.time = time,
-                       .configuration = std::move(configuration),
-                       .positions = std::move(now->positions),
-                       .rates = reported(now->state.rates, now->state.bounds.rates, count),
-                       .rate_rates = Unknown(count),
-                       .borne = Unknown(topology_.actions.size()),
-                       .friction = Unknown(frictions_.size()),
-                       .kinetic = now->kinetic,
-                       .potential = now->potential,
-                       .supplied = y[2 * free],
-                       .lost = y[2 * free + 1],
-                       .lacks_accelerations = true};
+  return SimulationRow{
+      .time = time,
+      .configuration = std::move(configuration),
+      .positions = settled(std::move(now->positions), largest_.positions),
+      .rates = settled(reported(now->state.rates, now->state.bounds.rates, count), largest_.rates),
+      .rate_rates = Unknown(count),
+      .borne = Unknown(topology_.actions.size()),
+      .friction = Unknown(frictions_.size()),
+      .kinetic = now->kinetic,
+      .potential = now->potential,
+      .supplied = y[2 * free],
+      .lost = y[2 * free + 1],
+      .lacks_accelerations = true};
 }
 
 void StateInTime::allow(std::span<const double> y,

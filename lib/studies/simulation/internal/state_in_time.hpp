@@ -27,9 +27,12 @@ class StateInTime {
 
   std::size_t free_count() const { return system_->free_count(); }
 
-  // Of places and speeds of a freedom: 1 rad, or the size of the mechanism [m].
+  // Of places and speeds of a freedom: 1 rad, or the size of its part of the mechanism [m].
   double unit(int freedom) const;
   double unit_of(std::size_t drive) const;
+
+  // Of the rate of its joint: 1 rad, or the size of the mechanism [m].
+  double unit_of_rate(int freedom) const;
 
   // Of joints: what is held, what rests at stops, what sticks.
   std::vector<int> held_rates() const;
@@ -121,6 +124,15 @@ class StateInTime {
   double supplied_ = 0.0;
   double lost_ = 0.0;
   double fastest_ = 0.0;  // [rad/s or sizes/s]
+
+  // Of each freedom, so far.
+  struct Largest {
+    std::vector<double> positions;
+    std::vector<double> rates;
+    std::vector<double> rate_rates;
+  };
+
+  Largest largest_;
   std::optional<double> step_;
   bool begins_anew_ = true;  // another state, or something else acts
   int starts_ = 0;           // of the integration
