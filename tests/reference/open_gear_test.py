@@ -132,7 +132,10 @@ class OpenGear(unittest.TestCase):
         for name in ("speed.ring", "speed.carrier", "planet_speed.planet"):
             self.assertIsNone(state["limits"][name]["use"], name)
             self.assertIsNone(state["limits"][name]["speed"], name)
-        self.assertIsNone(state["limit_use"])
+        self.assertAlmostEqual(state["limit_use"], 2.0)  # what nobody knows uses nothing
+        rows, _ = swept(text, "{vary: {a: [20, 25]}, cases: [direct], report: [limit_use]}")
+        for row in rows:
+            self.assertAlmostEqual(row["limit_use"], 2.0)
         for stderr in (done.stderr, program.call("duty", "-", text=text).stderr):
             of_direct = [line for line in stderr.splitlines()
                          if "W0712" in line and "gear 'direct'" in line]

@@ -74,8 +74,12 @@ std::optional<double> size_of(const std::optional<double>& value) {
   return value ? std::optional(std::abs(*value)) : std::nullopt;
 }
 
+bool moves(const SolvedGear& gear) {
+  return gear.motion != nullptr && gear.motion->status == SolveStatus::solved;
+}
+
 std::optional<double> speed_of(const SolvedGear& gear, const LimitedPart& part) {
-  if (gear.motion == nullptr || gear.motion->status != SolveStatus::solved) {
+  if (!moves(gear)) {
     return std::nullopt;
   }
   const BodyId body{part.limit.index};
@@ -86,6 +90,12 @@ std::optional<double> speed_of(const SolvedGear& gear, const LimitedPart& part) 
   const Vec3 turning = bodies[static_cast<std::size_t>(body.value)].angular -
                        bodies[static_cast<std::size_t>(part.seen_from.value)].angular;
   return turning.norm();
+}
+
+LimitUse speed_use(const SolvedGear& gear,
+                   const LimitedPart& part,
+                   const std::optional<double>& size) {
+  return {.part = part, .size = size, .is_open = !size && moves(gear)};
 }
 
 // Losses that lock a gear leave its torques open.
@@ -123,11 +133,11 @@ std::vector<LimitUse> find_limit_uses(const SolvedGear& gear) {
         uses.push_back(torque_use(gear, part));
         break;
       case LimitKind::slip:
-        uses.push_back({.part = part, .size = size_of(slip_of(gear, index))});
+        uses.push_back(speed_use(gear, part, size_of(slip_of(gear, index))));
         break;
       case LimitKind::speed:
       case LimitKind::planet_speed:
-        uses.push_back({.part = part, .size = speed_of(gear, part)});
+        uses.push_back(speed_use(gear, part, speed_of(gear, part)));
         break;
     }
   }
@@ -137,8 +147,11 @@ std::vector<LimitUse> find_limit_uses(const SolvedGear& gear) {
 const LimitUse* find_largest_use(std::span<const LimitUse> uses) {
   const LimitUse* largest = nullptr;
   for (const LimitUse& one : uses) {
-    if (!one.size) {
+    if (!one.size && !one.is_open) {
       return nullptr;
+    }
+    if (one.is_open) {
+      continue;
     }
     if (largest == nullptr || *one.use() > *largest->use() * (1.0 + kSameValue)) {
       largest = &one;

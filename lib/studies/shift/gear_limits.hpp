@@ -20,6 +20,7 @@ struct LimitedPart {
 struct LimitUse {
   LimitedPart part;
   std::optional<double> size;  ///< [N·m or rad/s]; empty where the case does not tell it
+  bool is_open = false;        ///< as it is a speed that the gear leaves open: it uses nothing
   bool has_losses = false;     ///< it is a torque that losses of meshes make larger
 
   /// Above 1 the limit is exceeded.
@@ -36,7 +37,8 @@ std::vector<LimitedPart> find_limited_parts(const Mechanism& mechanism, const Sh
 /// In the order of the file.
 std::vector<LimitUse> find_limit_uses(const SolvedGear& gear);
 
-/// The largest; of equal ones the first. Null where a value is missing, or there are none.
+/// The largest; of equal ones the first. Null where a value is missing that is not open, or there
+/// are none.
 const LimitUse* find_largest_use(std::span<const LimitUse> uses);
 
 /// "torque.C1", "planet_speed.planet".

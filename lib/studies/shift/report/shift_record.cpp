@@ -303,14 +303,16 @@ void add_gear(Record<StateView>& keys) {
       .only_if(is_gear);
   add_worst(keys, "worst_bearing", worst_bearing_record(), &GearValues::bearing);
   add_worst(keys, "worst_mesh", worst_mesh_record(), &GearValues::mesh);
-  keys.number("limit_use",
-              Bare::ratio,
-              "The largest of its torques and speeds over their limits, of a file that gives "
-              "'limits': above 1 one of them is exceeded; null where one is not known.",
-              [](const StateView& v) {
-                const LimitUse* largest = find_largest_use(v.gear->limits);
-                return largest != nullptr ? largest->use() : std::nullopt;
-              })
+  keys.number(
+          "limit_use",
+          Bare::ratio,
+          "The largest of its torques and speeds over their limits, of a file that gives "
+          "'limits': above 1 one of them is exceeded; speeds that the gear leaves open count for "
+          "nothing; null where another one is not known.",
+          [](const StateView& v) {
+            const LimitUse* largest = find_largest_use(v.gear->limits);
+            return largest != nullptr ? largest->use() : std::nullopt;
+          })
       .only_if(has_limits);
   keys.map("limits",
            limit_record(),
