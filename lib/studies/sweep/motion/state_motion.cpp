@@ -144,10 +144,12 @@ std::string StateMotion::find_figures(const MechanismDescription& description,
   if (found.has_errors()) {
     return std::string(word_of(table.end));
   }
-  // Where nothing is open but the direction of friction, figures are those of the rows about it.
+  // Where nothing is open but the direction of friction, and at the limit to which it goes, figures
+  // are those of the rows about it.
   const bool rests = table.duration && !of_positions.has_errors();
   const auto matters = [&](const MotionRow& row) {
     return row.status != kFrictionReversalEvent &&
+           !(table.until_limit && row.status == kLimitEvent) &&
            !(rests && row.status == word_of(SolveStatus::at_rest));
   };
   const FigureReader reader(table);
@@ -168,10 +170,8 @@ std::string StateMotion::find_figures(const MechanismDescription& description,
   if (gap != nullptr && gap->status != kSolved) {
     return gap->status;
   }
-  const auto unsolved = std::ranges::find_if(table.rows, [&](const MotionRow& one) {
-    return one.status != kSolved && matters(one) &&
-           !(table.until_limit && one.status == kLimitEvent);
-  });
+  const auto unsolved = std::ranges::find_if(
+      table.rows, [&](const MotionRow& one) { return one.status != kSolved && matters(one); });
   if (unsolved != table.rows.end()) {
     return unsolved->status;
   }
