@@ -220,6 +220,32 @@ TEST(MotionCharts, LeadTheLineToEitherSideOfARowOnAJump) {
   EXPECT_DOUBLE_EQ(drawn.x[6], 0.75);
 }
 
+TEST(MotionCharts, BreakTheLineBesideARowThatHasTheValueOfOneSide) {
+  MotionTable table = there_and_back();
+  MotionEvent& event = table.events[0];
+  event.kind = kFrictionReversalEvent;
+  event.row = 3.0;
+  event.drive = {45.0};
+  event.before = {std::nullopt, std::nullopt, -1.0};
+  event.after = {std::nullopt, std::nullopt, -3.0};
+
+  const Series behind = drawn_series(motion_figure(table, "").charts.at(1).series.at(0));
+  ASSERT_EQ(behind.x.size(), 8U);  // the peak, and the side before row 3
+  EXPECT_EQ(behind.y[4], -1.0);
+  EXPECT_TRUE(std::isnan(behind.y[5]));
+  EXPECT_EQ(behind.y[6], -3.0);
+  EXPECT_DOUBLE_EQ(behind.x[4], 0.75);
+
+  event.before = {std::nullopt, std::nullopt, -3.0};
+  event.after = {std::nullopt, std::nullopt, -1.0};
+  const Series ahead = drawn_series(motion_figure(table, "").charts.at(1).series.at(0));
+  ASSERT_EQ(ahead.x.size(), 8U);
+  EXPECT_EQ(ahead.y[4], -3.0);
+  EXPECT_TRUE(std::isnan(ahead.y[5]));
+  EXPECT_EQ(ahead.y[6], -1.0);
+  EXPECT_DOUBLE_EQ(ahead.x[6], 0.75);
+}
+
 TEST(MotionCharts, StandOverAnyColumn) {
   const MotionTable table = there_and_back();
   const Figure over_drive = motion_figure(table, "", find_abscissa(table, "motor"));

@@ -82,19 +82,31 @@ class MotionLine {
     }
   }
 
-  // A row upon it has no value of its own, and is the gap.
+  // A row upon it that has no value of its own is the gap; else the line is broken there beside its
+  // value, where a side is another one.
   void add_around_row(std::size_t row,
                       double x,
                       const std::optional<double>& from,
                       const std::optional<double>& to) {
-    if (row >= motion_.rows.size() || motion_.rows[row].values[column_]) {
+    if (row >= motion_.rows.size()) {
       return;
     }
-    if (from) {
-      add(static_cast<double>(row), row, x, *from);
+    const auto at = static_cast<double>(row);
+    const std::optional<double>& own = motion_.rows[row].values[column_];
+    const auto is_other = [&](const std::optional<double>& side) {
+      return side && (!own || std::abs(*side - *own) > kJump * range_);
+    };
+    if (is_other(from)) {
+      add(at, row, x, *from);
+      if (own) {
+        add(at, row, x, std::numeric_limits<double>::quiet_NaN());
+      }
     }
-    if (to) {
-      add(static_cast<double>(row), row + 1, x, *to);
+    if (is_other(to)) {
+      if (own) {
+        add(at, row + 1, x, std::numeric_limits<double>::quiet_NaN());
+      }
+      add(at, row + 1, x, *to);
     }
   }
 
