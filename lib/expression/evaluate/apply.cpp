@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "core/contract.hpp"
-#include "core/tolerance.hpp"
 #include "expression/evaluate/arithmetic.hpp"
 #include "expression/evaluate/settled_whole.hpp"
 #include "math/numbers/typed_angle.hpp"
@@ -32,11 +31,6 @@ Fault value_fault(std::string message, std::string hint) {
           .part = Fault::Part::left};
 }
 
-// An angle that is a pole of the tangent but for its rounding: the value would be noise.
-bool is_pole(double angle) {
-  return std::abs(std::cos(angle)) <= kCancellation * std::abs(angle);
-}
-
 Outcome apply_to_angle(Function function, const Quantity& a) {
   using enum Function;
   if (a.dimension != kAngleDimension) {
@@ -44,7 +38,7 @@ Outcome apply_to_angle(Function function, const Quantity& a) {
         fmt::format("'{}' takes an angle, not {}", name_of(function), phrase_of(a.dimension)),
         "write 30 deg or 0.52 rad, here or where its value is given");
   }
-  if (function == tan && is_pole(a.value)) {
+  if (function == tan && cosine(a.value) == 0.0) {
     return value_fault("'tan' of an odd multiple of 90 deg does not exist",
                        "check the values that the angle is made of");
   }
