@@ -10,6 +10,7 @@ import math
 import re
 
 import motion_case
+import program
 from motion_case import CLOSURE, DEAD_POINT, MotionTest, derivative, in_library, run, turned
 
 
@@ -173,6 +174,14 @@ class SpatialLinkages(MotionTest):
             a = math.pi / 4 + angle
             self.assertIsNotNone(torque, f"at {angle}")
             self.close(torque, 2 / (math.sin(a) ** 2 + 4 * math.cos(a) ** 2), 1e-9, f"at {angle}")
+
+    def test_a_velocity_that_cancels_is_zero(self) -> None:
+        """The axes of both joints between frame and right arm meet on the x axis: a turn about any
+        line through there moves the origin across x alone."""
+        report = program.run("mobility", str(in_library("spatial/schatz_linkage.yaml")))
+        arm = report["mobility"]["motions"][0]["bodies"]["right_arm"]
+        self.assertEqual(arm["twist"][3], 0.0)
+        self.assertEqual(arm["screw"]["pitch"], 0.0)
 
     def test_bennett_with_rounded_axes_has_the_torque_of_its_motor(self) -> None:
         """It closes by least squares, and the torque is right to that."""

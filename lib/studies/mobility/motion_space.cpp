@@ -118,7 +118,11 @@ class PitchErrors {
         const double product = twist.angular.dot(twist.linear);
         if (may_be_rounding(twist) &&
             zero_within_bound(product, bound_of(motion, b, motions)) == 0.0) {
-          twist.linear -= product / twist.angular.squaredNorm() * twist.angular;
+          // What is no more than what is taken is rounding, too.
+          const Vec3 taken = product / twist.angular.squaredNorm() * twist.angular;
+          twist.linear = (twist.linear - taken).unaryExpr([&](double x) {
+            return zero_within_bound(x, 2.0 * taken.norm());
+          });
         }
       }
     }
