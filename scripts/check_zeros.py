@@ -200,11 +200,17 @@ DECISIONS: dict[str, dict[str, str]] = {
         "holds_at_twice": "consistency: whether actions go with the square of speed",
         "solve": "bound: what polynomials leave of the function itself",
     },
+    "lib/studies/motion/task/figures/motion_corners.cpp": {
+        "find_rest": "search: whether friction stands where a drive turns back or stops",
+    },
     "lib/studies/motion/task/figures/motion_figures.cpp": {
         "samples_with_jumps": "search: whether a column jumps at a place",
     },
     "lib/studies/motion/task/figures/unbounded_quotients.cpp": {
         "is_unbounded": "search: whether a divisor jumps there",
+    },
+    "lib/studies/motion/task/figures/value_ends.cpp": {
+        "zero_beyond": "search: where a value runs on to zero at a jam, before which rounding ends it",
     },
     "lib/studies/motion/task/idle_rates.cpp": {"moves_point": "rank: what a passive freedom moves"},
     "lib/studies/motion/task/motion_events.cpp": {

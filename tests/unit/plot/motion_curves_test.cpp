@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/motion_tolerance.hpp"
 #include "files/load_file.hpp"
 #include "mechanism/bind/bind.hpp"
 #include "studies/motion/picture/motion_abscissa.hpp"
@@ -161,6 +162,12 @@ MotionTable there_and_back() {
   return table;
 }
 
+// Where the speed jumps: just before and just behind.
+std::vector<MotionPlace> sides_at(double row, double time, double before, double after) {
+  return {{.row = row - kApproach, .values = {std::nullopt, time, before}},
+          {.row = row + kApproach, .values = {std::nullopt, time, after}}};
+}
+
 TEST(MotionCharts, StandOverTimeWhereTheDriveComesBack) {
   const Figure figure = motion_figure(there_and_back(), "");
 
@@ -182,10 +189,7 @@ TEST(MotionCharts, StandOverTimeWhereTheDriveComesBack) {
 
 TEST(MotionCharts, LeadTheLineToEitherSideOfAJump) {
   MotionTable table = there_and_back();
-  MotionEvent& event = table.events[0];
-  event.kind = kFrictionReversalEvent;
-  event.before = {std::nullopt, std::nullopt, -1.0};
-  event.after = {std::nullopt, std::nullopt, -2.5};
+  table.places = sides_at(2.5, 0.625, -1.0, -2.5);
 
   const Figure figure = motion_figure(table, "");
 
@@ -201,12 +205,7 @@ TEST(MotionCharts, LeadTheLineToEitherSideOfAJump) {
 
 TEST(MotionCharts, LeadTheLineToEitherSideOfARowOnAJump) {
   MotionTable table = there_and_back();
-  MotionEvent& event = table.events[0];
-  event.kind = kFrictionReversalEvent;
-  event.row = 3.0;
-  event.drive = {45.0};
-  event.before = {std::nullopt, std::nullopt, -1.0};
-  event.after = {std::nullopt, std::nullopt, -2.5};
+  table.places = sides_at(3.0, 0.75, -1.0, -2.5);
   table.rows[3].values[2] = std::nullopt;
 
   const Figure figure = motion_figure(table, "");
@@ -222,13 +221,7 @@ TEST(MotionCharts, LeadTheLineToEitherSideOfARowOnAJump) {
 
 TEST(MotionCharts, BreakTheLineBesideARowThatHasTheValueOfOneSide) {
   MotionTable table = there_and_back();
-  MotionEvent& event = table.events[0];
-  event.kind = kFrictionReversalEvent;
-  event.row = 3.0;
-  event.drive = {45.0};
-  event.before = {std::nullopt, std::nullopt, -1.0};
-  event.after = {std::nullopt, std::nullopt, -3.0};
-
+  table.places = sides_at(3.0, 0.75, -1.0, -3.0);
   const Series behind = drawn_series(motion_figure(table, "").charts.at(1).series.at(0));
   ASSERT_EQ(behind.x.size(), 8U);  // the peak, and the side before row 3
   EXPECT_EQ(behind.y[4], -1.0);
@@ -236,8 +229,7 @@ TEST(MotionCharts, BreakTheLineBesideARowThatHasTheValueOfOneSide) {
   EXPECT_EQ(behind.y[6], -3.0);
   EXPECT_DOUBLE_EQ(behind.x[4], 0.75);
 
-  event.before = {std::nullopt, std::nullopt, -3.0};
-  event.after = {std::nullopt, std::nullopt, -1.0};
+  table.places = sides_at(3.0, 0.75, -3.0, -1.0);
   const Series ahead = drawn_series(motion_figure(table, "").charts.at(1).series.at(0));
   ASSERT_EQ(ahead.x.size(), 8U);
   EXPECT_EQ(ahead.y[4], -3.0);

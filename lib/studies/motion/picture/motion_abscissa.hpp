@@ -45,6 +45,8 @@ class MotionAbscissa {
   std::optional<double> place_of(const MotionEvent& event) const;
   std::optional<double> place_of(const ColumnExtreme& extreme) const;
 
+  std::optional<double> place_of(const MotionPlace& place) const { return place.values[column_]; }
+
   /// Whether place_of of an extreme is more than that straight line.
   bool knows_places_of_extremes() const { return column_ == 0 || is_time(); }
 

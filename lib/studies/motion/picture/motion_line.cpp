@@ -28,103 +28,92 @@ class MotionLine {
                    .y = column_values(motion_, column_)};
     const FiniteRange ends = range_of(line.y);
     range_ = ends.high - ends.low;
+    for (const MotionPlace& place : motion_.places) {
+      add(over_.place_of(place), place.values[column_], place.row);
+    }
     for (const MotionEvent& event : motion_.events) {
-      add(event);
+      const bool has_places = column_ < event.places.size() && event.row >= 0.0;
+      add_unless_there(
+          over_.place_of(event), has_places ? event.places[column_] : std::nullopt, event.row);
     }
     if (column_ < motion_.figures.size()) {
       const ColumnFigures& figures = motion_.figures[column_];
       line.breaks = figures.poles;
-      add(figures.least);
-      add(figures.greatest);
+      for (const std::optional<ColumnExtreme>& one : {figures.least, figures.greatest}) {
+        if (one && over_.knows_places_of_extremes() && one->row >= 0.0) {
+          add_unless_there(over_.place_of(*one), one->value, one->row);
+        }
+      }
     }
     std::ranges::stable_sort(points_, {}, &PlacedPoint::row);
-    for (const PlacedPoint& one : points_) {
+    for (std::size_t i = 0; i < points_.size(); ++i) {
       // On which side of a pole it is, nobody knows.
-      const std::size_t before = one.point.before;
-      if (before > 0 && before < line.x.size() &&
-          !std::ranges::binary_search(line.breaks, before)) {
-        line.between.push_back(one.point);
+      const PointBetween& one = points_[i].point;
+      if (one.before == 0 || one.before >= line.x.size() ||
+          std::ranges::binary_search(line.breaks, one.before)) {
+        continue;
       }
+      if (i > 0 && points_[i - 1].point.before == one.before &&
+          points_[i].row - points_[i - 1].row < kSameApproach && !is_gap(one) &&
+          !is_gap(points_[i - 1].point)) {
+        if (!jumps(points_[i - 1].point.y, one.y)) {
+          continue;
+        }
+        line.between.push_back(gap_at(one));
+      }
+      line.between.push_back(one);
     }
     return line;
   }
 
  private:
-  static bool is_at(const PlacedPoint& one, double row) {
-    return std::abs(one.row - row) < kSameApproach;
+  // What stands at a row and has its value says no more than the row; the line is broken between
+  // that value and another one.
+  void add(const std::optional<double>& x, const std::optional<double>& y, double row) {
+    const double nearest = std::round(row);
+    const auto at = static_cast<std::size_t>(nearest);
+    const bool is_at_row = std::abs(row - nearest) < kSameApproach && at < motion_.rows.size();
+    if (!x || !y) {
+      return;
+    }
+    if (!is_at_row) {
+      add(row, static_cast<std::size_t>(std::ceil(row)), *x, *y);
+    } else if (const std::optional<double>& there = motion_.rows[at].values[column_]; !there) {
+      if (row <= nearest) {
+        add(row, at, *x, *y);
+      }
+      if (row >= nearest) {
+        add(row, at + 1, *x, *y);
+      }
+    } else if (jumps(*there, *y)) {
+      const bool is_before = row <= nearest;
+      const PointBetween side = {.before = is_before ? at : at + 1, .x = *x, .y = *y};
+      points_.push_back({.row = row, .point = is_before ? side : gap_at(side)});
+      points_.push_back({.row = row, .point = is_before ? gap_at(side) : side});
+    }
   }
 
   void add(double row, std::size_t before, double x, double y) {
     points_.push_back({.row = row, .point = {.before = before, .x = x, .y = y}});
   }
 
-  void add(const MotionEvent& event) {
-    const std::optional<double> x = event.row >= 0.0 ? over_.place_of(event) : std::nullopt;
-    // Of events at one place the first has what all come to.
-    if (!x || (!points_.empty() && is_at(points_.back(), event.row))) {
-      return;
-    }
-    const std::optional<double> from = event.value_before(column_);
-    const std::optional<double> to = event.value_after(column_);
-    const auto row = static_cast<std::size_t>(event.row);
-    if (event.row == std::floor(event.row)) {
-      add_around_row(row, *x, from, to);
-    } else if (from && to) {
-      add(event.row, row + 1, *x, *from);
-      if (std::abs(*to - *from) > kJump * range_) {
-        add(event.row, row + 1, *x, std::numeric_limits<double>::quiet_NaN());
-      }
-      add(event.row, row + 1, *x, *to);
-    } else if (from || to) {
-      add(event.row, row + 1, *x, from ? *from : *to);
-    } else if (column_ < event.places.size() && event.places[column_]) {
-      add(event.row, row + 1, *x, *event.places[column_]);
-    }
-  }
-
-  // A row upon it that has no value of its own is the gap; else the line is broken there beside its
-  // value, where a side is another one.
-  void add_around_row(std::size_t row,
-                      double x,
-                      const std::optional<double>& from,
-                      const std::optional<double>& to) {
-    if (row >= motion_.rows.size()) {
-      return;
-    }
-    const auto at = static_cast<double>(row);
-    const std::optional<double>& own = motion_.rows[row].values[column_];
-    const auto is_other = [&](const std::optional<double>& side) {
-      return side && (!own || std::abs(*side - *own) > kJump * range_);
+  void add_unless_there(const std::optional<double>& x,
+                        const std::optional<double>& y,
+                        double row) {
+    const auto is_there = [row](const PlacedPoint& one) {
+      return std::abs(one.row - row) < kSameApproach;
     };
-    if (is_other(from)) {
-      add(at, row, x, *from);
-      if (own) {
-        add(at, row, x, std::numeric_limits<double>::quiet_NaN());
-      }
-    }
-    if (is_other(to)) {
-      if (own) {
-        add(at, row + 1, x, std::numeric_limits<double>::quiet_NaN());
-      }
-      add(at, row + 1, x, *to);
+    if (std::ranges::none_of(points_, is_there)) {
+      add(x, y, row);
     }
   }
 
-  void add(const std::optional<ColumnExtreme>& extreme) {
-    if (!extreme || !over_.knows_places_of_extremes() || !(extreme->row >= 0.0)) {
-      return;
-    }
-    const std::optional<double> x = over_.place_of(*extreme);
-    const auto is_there = [&](const PlacedPoint& one) { return is_at(one, extreme->row); };
-    if (!x || std::ranges::any_of(points_, is_there)) {
-      return;
-    }
-    const auto row = static_cast<std::size_t>(extreme->row);
-    if (extreme->row == std::floor(extreme->row)) {
-      add_around_row(row, *x, extreme->value, extreme->value);
-    } else {
-      add(extreme->row, row + 1, *x, extreme->value);
-    }
+  bool jumps(double from, double to) const { return std::abs(to - from) > kJump * range_; }
+
+  static bool is_gap(const PointBetween& one) { return std::isnan(one.y); }
+
+  static PointBetween gap_at(const PointBetween& one) {
+    return {.before = one.before, .x = one.x, .y = std::numeric_limits<double>::quiet_NaN()};
   }
 
   const MotionTable& motion_;

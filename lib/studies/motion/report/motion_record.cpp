@@ -362,6 +362,13 @@ void add_rows(Record<MotionTable>& keys) {
            figures_record(),
            "Summary of each column: extremes and mean, by its name as in 'columns'.",
            emit_figures);
+  keys.flag("extremes_at_steps",
+            "Always true: with so many columns extremes are those of the steps and, of positions, "
+            "of dead points alone; no key where they are looked for between them.",
+            [](const MotionTable& v) { return !v.looks_between_steps; })
+      .only_if([](const MotionTable& v) {
+        return !v.looks_between_steps && v.columns.size() > v.drives.size();
+      });
   keys.list("events",
             event_record(),
             "Events during the motion, in order.",

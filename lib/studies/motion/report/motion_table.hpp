@@ -75,6 +75,12 @@ struct CouplingGap {
   double angle = 0.0;     ///< in the file's unit of angle
 };
 
+/// A position between the rows, at which or beside which values turn sharply or jump.
+struct MotionPlace {
+  double row = 0.0;                           ///< where between the rows, as of an event
+  std::vector<std::optional<double>> values;  ///< parallel to the columns
+};
+
 /// Where a column is least or greatest.
 struct ColumnExtreme {
   double value = 0.0;  ///< in the unit of the column
@@ -105,6 +111,7 @@ struct MotionTable {
   std::vector<ColumnFigures> figures;  ///< parallel to the columns
   bool looks_between_steps = false;    ///< extremes are more than those of steps and dead points
   std::vector<double> corners;         ///< steps at which values turn sharply or jump
+  std::vector<MotionPlace> places;     ///< there, in order
   bool may_lack_dead_points = false;   ///< more would have had to be looked at than is feasible
   std::vector<FrictionTurn> friction_turns;  ///< where actions are reported
   double worst_closure =

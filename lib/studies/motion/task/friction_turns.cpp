@@ -174,8 +174,9 @@ CaseFindings told_of_row(const CaseFindings& said,
           fmt::format("case '{}': friction has no direction while {}",
                       table.label,
                       table.drives.size() > 1 ? "a drive rests" : "the drive rests"),
-          "at rest it may be anything up to its limit: these rows have no actions; means, RMS and "
-          "energies leave it out there, and its own are over the rest of the time");
+          "at rest it may be anything up to its limit: these rows have no actions; extremes, "
+          "means, "
+          "RMS and energies leave it out there, and its own are over the rest of the time");
     } else if (row.status != kFrictionReversalEvent) {
       told.add(one);
     }

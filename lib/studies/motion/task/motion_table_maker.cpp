@@ -16,7 +16,10 @@
 #include "studies/motion/task/columns/motion_columns.hpp"
 #include "studies/motion/task/columns/reaction_columns.hpp"
 #include "studies/motion/task/drive_counts.hpp"
+#include "studies/motion/task/figures/approach_limits.hpp"
+#include "studies/motion/task/figures/finer_rows.hpp"
 #include "studies/motion/task/figures/motion_corners.hpp"
+#include "studies/motion/task/figures/motion_steps.hpp"
 #include "studies/motion/task/figures/poles.hpp"
 #include "studies/motion/task/figures/unbounded_quotients.hpp"
 #include "studies/motion/task/figures/values_between.hpp"
@@ -178,7 +181,9 @@ class TableMaker {
                        : FrictionSliding{};
         },
         table_);
-    tell_findings();
+    for (std::size_t r = 0; r < said_.size(); ++r) {
+      found_.add(r, told_of_row(said_[r], sliding_[r], table_.rows[r], table_));
+    }
     table_.columns.push_back(
         {.element = "", .quantity = std::string(kClosureErrorColumn), .unit = ""});
     tell_named(table_.columns.back());
@@ -192,28 +197,26 @@ class TableMaker {
     }
   }
 
+  // What was said of the last row that is kept is not worded again.
   void judge(const MotionPosition& position, const Mechanism& moved) {
-    if (!position.solved) {
+    const std::size_t row = said_.size();
+    if (!position.solved || !found_.keeps(row)) {
       said_.emplace_back();
+      last_said_ = found_.keeps(row) ? row : last_said_;
       return;
     }
     const std::optional<ShiftAnalysis> no_shift;
     const JudgedFile file = {.description = description_, .mechanism = moved, .shift = no_shift};
     const auto is_reported = [this](std::string_view code, SourceRange where) {
       return !said_.empty() &&
-             std::ranges::any_of(said_.back().items(), [&](const CaseFinding& one) {
+             std::ranges::any_of(said_[last_said_].items(), [&](const CaseFinding& one) {
                return one.code == code && one.where == where;
              });
     };
     said_.push_back(find_case_findings(file, *position.solved, is_reported));
+    last_said_ = row;
     if (plan_.report.efficiency) {
       add_efficiency_findings(mechanism_, *position.solved, said_.back());
-    }
-  }
-
-  void tell_findings() {
-    for (std::size_t r = 0; r < said_.size(); ++r) {
-      found_.add(r, told_of_row(said_[r], sliding_[r], table_.rows[r], table_));
     }
   }
 
@@ -241,12 +244,11 @@ class TableMaker {
     }
     row.at_rest = values_at_rest(position, solution_.shares[static_cast<std::size_t>(p)]);
     table_.rows.push_back(std::move(row));
-    quotients_.look(readings_,
-                    position,
-                    step_of_row(motion_, static_cast<std::size_t>(p)),
-                    has_drive_at_rest(plan_, position));
+    steps_.push_back(step_of_row(motion_, static_cast<std::size_t>(p)));
+    quotients_.look(readings_, position, steps_.back(), has_drive_at_rest(plan_, position));
     sliding_.push_back(sliding_at(mechanism_, plan_, position));
-    coast_flanks_.push_back(position.solved ? position.solved->coast_flanks : std::vector<int>());
+    coast_flanks_.push_back(position.solved ? std::optional(position.solved->coast_flanks)
+                                            : std::nullopt);
     springs_.push_back(position.solved ? position.solved->springs : std::vector<SpringState>());
   }
 
@@ -308,18 +310,15 @@ class TableMaker {
            column.quantity.starts_with("rotation/");
   }
 
-  static bool is_any(const MotionColumn& /*column*/) { return true; }
-
-  // Of the columns that are wanted, beside the drives.
-  template <class IsWanted>
+  // Of all columns, or of the drives and of places alone.
   std::vector<std::optional<double>> values_at(const MotionPosition& position,
                                                double share,
-                                               const IsWanted& is_wanted) const {
+                                               bool of_places = false) const {
     const std::vector<double> drives = drives_at(share);
     std::vector<std::optional<double>> values(drives.begin(), drives.end());
     for (const MotionReading& reading : readings_) {
       const std::optional<double> value =
-          is_wanted(reading.column) ? reading.value(position) : std::nullopt;
+          of_places && !is_place(reading.column) ? std::nullopt : reading.value(position);
       values.push_back(value && std::isfinite(*value) ? std::optional(in_unit(reading.kind, *value))
                                                       : std::nullopt);
     }
@@ -333,7 +332,7 @@ class TableMaker {
     if (!position.without_friction) {
       return {};
     }
-    auto values = values_at(position.or_without_friction(), share, is_any);
+    auto values = values_at(position.or_without_friction(), share);
     for (std::size_t r = 0; r < readings_.size(); ++r) {
       if (readings_[r].is_of_friction) {
         values[table_.drives.size() + r] = read_column(readings_, r, position, units_);
@@ -348,7 +347,7 @@ class TableMaker {
     if (point.step < 0 || readings_.empty()) {
       return {};
     }
-    return values_at(positions.at(point.configuration, point.share), point.share, is_place);
+    return values_at(positions.at(point.configuration, point.share), point.share, true);
   }
 
   void add_events() {
@@ -406,26 +405,16 @@ class TableMaker {
       return FigureWhere{.drive = drives_at(share).front(), .step = step_at_share(motion_, share)};
     };
     const auto share_at = [this](double step) { return share_at_step(motion_, step); };
-    for (std::size_t r = 0; r < table_.rows.size(); ++r) {
-      steps_.push_back(step_of_row(motion_, r));
-    }
     if (readings_.empty()) {
       add_figures(solution_.shares, steps_, {}, {}, {}, where_at, share_at, table_);
       return;
     }
     table_.looks_between_steps = scope_.extremes || table_.columns.size() <= kMostClimbed;
-    std::vector<FigureColumn> columns(table_.drives.size());
-    for (const MotionReading& one : readings_) {
-      columns.push_back({.is_climbed = scope_.extremes
-                                           ? is_among(*scope_.extremes, one.column.name())
-                                           : table_.looks_between_steps,
-                         .is_bounded = one.is_bounded,
-                         .is_of_motion = one.is_of_motion || one.needs.has_value()});
-      if (one.folds) {
-        columns.back().folds = {.least = in_unit(one.kind, one.folds->least),
-                                .greatest = in_unit(one.kind, one.folds->greatest)};
-      }
-    }
+    const std::vector<FigureColumn> columns =
+        figure_columns(readings_, table_.drives.size(), units_, [this](const MotionColumn& one) {
+          return scope_.extremes ? is_among(*scope_.extremes, one.name())
+                                 : table_.looks_between_steps;
+        });
     FollowedConfigurations configurations(mechanism_, motion_.network, solution_);
     ValuesBetween values(
         mechanism_, motion_, detail_, readings_, units_, configurations, quotients_);
@@ -444,11 +433,12 @@ class TableMaker {
                           position,
                           step_at_share(motion_, share),
                           has_drive_at_rest(plan_, position));
-          return FigureValues{.values = values_at(position, share, is_any),
+          return FigureValues{.values = values_at(position, share),
                               .at_rest = values_at_rest(position, share)};
         },
         configurations);
     table_.corners = std::move(corners.steps);
+    table_.places = places_of_lines(corners.places, steps_);
     BetweenSteps between;
     if (table_.looks_between_steps) {
       between.value = [&](std::size_t column, double share, Look look) {
@@ -477,9 +467,10 @@ class TableMaker {
   std::vector<CouplingReaction> reactions_ = coupling_reactions(mechanism_);
   std::vector<int> driven_;               // of each reading the drive whose position it is, or -1
   std::vector<FrictionSliding> sliding_;  // of each row
-  std::vector<std::vector<SpringState>> springs_;  // likewise
-  std::vector<std::vector<int>> coast_flanks_;     // likewise
-  std::vector<CaseFindings> said_;                 // likewise
+  std::vector<std::vector<SpringState>> springs_;              // likewise
+  std::vector<std::optional<std::vector<int>>> coast_flanks_;  // likewise
+  std::vector<CaseFindings> said_;                             // likewise
+  std::size_t last_said_ = 0;                                  // of the rows that are kept
   UnboundedQuotients quotients_;
   std::vector<double> steps_;     // at which the rows stand
   std::vector<double> poles_at_;  // in steps
@@ -493,7 +484,16 @@ MotionTable make_motion_table(const MechanismDescription& description,
                               const FoundMotion& motion,
                               const MotionScope& scope,
                               PositionFindings& found) {
-  return TableMaker(description, mechanism, motion, scope, found).run();
+  const bool has_figures = !scope.columns || !scope.columns->empty();
+  const std::optional<FinerMotion> finer =
+      has_figures ? divide_steps(mechanism, motion) : std::nullopt;
+  if (!finer) {
+    return TableMaker(description, mechanism, motion, scope, found).run();
+  }
+  found.keep(finer->rows);
+  MotionTable table = TableMaker(description, mechanism, finer->motion, scope, found).run();
+  keep_rows(*finer, motion.plan.steps, table);
+  return table;
 }
 
 }  // namespace kinestat

@@ -70,7 +70,17 @@ bool is_said(const CaseFinding& one,
 
 }  // namespace
 
+bool PositionFindings::keeps(std::size_t row) const {
+  return kept_.empty() || std::ranges::binary_search(kept_, row);
+}
+
 void PositionFindings::add(std::size_t row, const CaseFindings& found) {
+  if (!keeps(row)) {
+    return;
+  }
+  if (!kept_.empty()) {
+    row = static_cast<std::size_t>(std::ranges::lower_bound(kept_, row) - kept_.begin());
+  }
   for (const CaseFinding& one : found.items()) {
     const auto same = std::ranges::find_if(
         held_, [&](const Held& held) { return says_the_same(held.worst, one); });

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "cases/findings/case_findings.hpp"
@@ -17,6 +18,11 @@ namespace kinestat {
 /// Gathers the findings of the rows of a motion, in their order.
 class PositionFindings {
  public:
+  /// Of the rows that are added only these are kept, as rows with their own numbers.
+  void keep(std::vector<std::size_t> rows) { kept_ = std::move(rows); }
+
+  bool keeps(std::size_t row) const;
+
   /// Those of the row of that number, counted from 0.
   void add(std::size_t row, const CaseFindings& found);
 
@@ -36,6 +42,7 @@ class PositionFindings {
   };
 
   std::vector<Held> held_;
+  std::vector<std::size_t> kept_;  // empty: all
 };
 
 /// Cables that cross themselves in this configuration with these poses, unless the file says that

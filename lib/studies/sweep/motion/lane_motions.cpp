@@ -9,6 +9,7 @@
 #include "core/motion_tolerance.hpp"
 #include "expression/file_units.hpp"
 #include "mechanism/label_kind.hpp"
+#include "studies/motion/task/figures/finer_rows.hpp"
 #include "studies/motion/task/motion_events.hpp"
 
 namespace kinestat {
@@ -103,7 +104,7 @@ std::optional<LaneMotions> LaneMotions::make(const MechanismDescription& descrip
   std::optional<LaneLinkage> linkage = make_lane_linkage(mechanism, network);
   LaneQuestion question;
   question.drive = {.freedom = drive.freedom, .from = drive.from, .to = drive.to};
-  question.steps = plan.steps;
+  question.steps = plan.steps * parts_of_step(mechanism, plan.drives, plan.steps);
   std::vector<Source> sources;
   if (!linkage || !find_sources(mechanism, asked, network, question, sources)) {
     return std::nullopt;

@@ -5,11 +5,14 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "core/motion_tolerance.hpp"
 #include "math/dense/root_search.hpp"
 #include "math/numbers/zero_within_bound.hpp"
+#include "studies/motion/task/figures/approach_limits.hpp"
+#include "studies/motion/task/figures/motion_steps.hpp"
 
 namespace kinestat {
 
@@ -60,6 +63,9 @@ class CornerFinder {
     for (const double step : special_steps()) {
       add_approaches(step, found.places);
       steps_.push_back(step);
+    }
+    if (motion_.plan.schedule) {
+      add_inside_of_pieces(found.places);
     }
     for (const FrictionTurn& turn : special_.turns) {
       for (const RowsAround& rows : turn.turns) {
@@ -155,10 +161,13 @@ class CornerFinder {
 
   void add_flank_changes() {
     for (std::size_t row = 0; row + 1 < special_.coast_flanks.size(); ++row) {
-      const std::vector<int>& here = special_.coast_flanks[row];
+      if (!special_.coast_flanks[row] || !special_.coast_flanks[row + 1]) {
+        continue;
+      }
+      const std::vector<int>& here = *special_.coast_flanks[row];
       std::vector<int> changed;
       std::ranges::set_symmetric_difference(
-          here, special_.coast_flanks[row + 1], std::back_inserter(changed));
+          here, *special_.coast_flanks[row + 1], std::back_inserter(changed));
       for (const int flank : changed) {
         const auto is_among = [&](const std::vector<int>& coast) {
           return std::ranges::find(coast, flank) != coast.end();
@@ -232,8 +241,8 @@ class CornerFinder {
     }
     for (const FrictionTurn& turn : special_.turns) {
       for (const RowsAround& rows : turn.turns) {
-        if (const std::optional<double> step = step_of(turn, rows)) {
-          all.push_back(*step);
+        if (const std::optional<Rest> rest = rest_of(turn, rows)) {
+          all.insert(all.end(), {rest->begin, rest->end});
         }
       }
     }
@@ -244,14 +253,22 @@ class CornerFinder {
         all.push_back(std::min(time * motion_.plan.steps, last_step()));
       }
     }
-    for (double& step : all) {
-      step = std::abs(step - std::round(step)) < kSameStep ? std::round(step) : step;
-    }
+    std::ranges::transform(all, all.begin(), at_row);
     std::ranges::sort(all);
     const auto is_same = [](double a, double b) { return b - a < kSameStep; };
     all.erase(std::unique(all.begin(), all.end(), is_same), all.end());
     return all;
   }
+
+  static double at_row(double step) {
+    return std::abs(step - std::round(step)) < kSameStep ? std::round(step) : step;
+  }
+
+  // Where a friction turns round, in steps: at one place, or with a rest of its drive between.
+  struct Rest {
+    double begin = 0.0;
+    double end = 0.0;
+  };
 
   // Of two rows between which it slides one way and then the other, or of a row that it rests in.
   void add_friction_turns(std::size_t friction, std::vector<double>& steps) {
@@ -265,81 +282,111 @@ class CornerFinder {
       if (here.isZero(0.0) != next.isZero(0.0)) {
         steps.push_back(static_cast<double>(here.isZero(0.0) ? row : row + 1));
       } else if (here.dot(next) < 0.0) {
-        steps.push_back(turn_between(friction, here, static_cast<double>(row)));
+        const Rest rest = *rest_between(friction, {.before = row, .after = row + 1});
+        steps.insert(steps.end(), {rest.begin, rest.end});
       }
     }
   }
 
   // Sought once for the places beside it and for its event.
-  double turn_between(std::size_t friction, const Vec3& before, double row) {
-    const auto [at, is_new] = turns_.try_emplace(std::pair(friction, row));
+  std::optional<Rest> rest_between(std::size_t friction, const RowsAround& rows) {
+    const auto [at, is_new] = rests_.try_emplace(std::pair(friction, rows.before));
     if (is_new) {
-      at->second = find_turn(friction, before, row);
+      at->second = find_rest(friction, rows);
     }
     return at->second;
   }
 
-  double find_turn(std::size_t friction, const Vec3& before, double row) {
-    return root_between(
-        [&](double step) {
-          const std::optional<MotionPosition> position = position_at(step, seeking_);
-          const CouplingId id = mechanism_.frictions[friction].coupling;
-          return position && has_motion(*position)
-                     ? sliding_of(mechanism_.topology, id, position->state.rates).dot(before)
-                     : std::numeric_limits<double>::quiet_NaN();
-        },
-        row,
-        row + 1.0);
+  // Without a rest of a drive in which it rests it turns round where a drive does, between two
+  // rows, or in the one that is between them.
+  std::optional<Rest> find_rest(std::size_t friction, const RowsAround& rows) {
+    const double before = step_of_row(motion_, rows.before);
+    const double after = step_of_row(motion_, rows.after);
+    const Vec3 first = sliding_at(friction, before).value_or(Vec3::Zero());
+    const auto stands_at = [&](double step) {
+      const std::optional<Vec3> there = sliding_at(friction, step);
+      return there && there->norm() <= kSameStep * first.norm();
+    };
+    std::optional<Rest> rest;
+    for (const double time :
+         motion_.plan.schedule ? motion_.plan.schedule->turns() : std::vector<double>()) {
+      const double step = at_row(time * motion_.plan.steps);
+      if (before < step && step < after && stands_at(step)) {
+        const bool dwells = rest && stands_at(std::midpoint(rest->end, step));
+        rest = {.begin = dwells ? rest->begin : step, .end = step};
+      }
+    }
+    if (rest || rows.after > rows.before + 2) {
+      return rest;
+    }
+    const double step = rows.after == rows.before + 2
+                            ? static_cast<double>(rows.before) + 1.0
+                            : at_row(find_turn(friction, first, before, after));
+    return Rest{.begin = step, .end = step};
   }
 
-  // A longer rest has no place.
-  std::optional<double> step_of(const FrictionTurn& turn, const RowsAround& rows) {
-    const auto before = static_cast<double>(rows.before);
-    switch (rows.after - rows.before) {
-      case 0:
-        return step_of_row(motion_, rows.before);
-      case 1: {
-        const double step =
-            turn_between(turn.friction, special_.sliding[rows.before].rates[turn.friction], before);
-        return std::abs(step - std::round(step)) < kSameStep ? std::round(step) : step;
-      }
-      case 2:
-        return before + 1.0;
-      default:
-        return std::nullopt;
-    }
+  std::optional<Vec3> sliding_at(std::size_t friction, double step) {
+    const std::optional<MotionPosition> position = position_at(step, seeking_);
+    return position && has_motion(*position)
+               ? std::optional(sliding_of(mechanism_.topology,
+                                          mechanism_.frictions[friction].coupling,
+                                          position->state.rates))
+               : std::nullopt;
   }
 
-  // Without what grows towards it: what runs straight there comes nearer by as much each time.
-  static std::vector<std::optional<double>> limits_at(const FigurePlace& place) {
-    constexpr double kGrows = 0.01;
-    std::vector<std::optional<double>> limits = place.of.values;
-    for (std::size_t c = 0; c < limits.size() && !place.farther.empty(); ++c) {
-      const std::optional<double>& middle = place.farther[1][c];
-      const std::optional<double>& far = place.farther[0][c];
-      if (!limits[c] || !middle || limits[c] == 0.0) {
-        continue;
-      }
-      const double last = *limits[c] - *middle;
-      const bool is_straight = far && std::abs(last - (*middle - *far)) <= kGrows * std::abs(last);
-      const bool is_limit = is_straight || std::abs(last) <= kGrows * std::abs(*middle);
-      limits[c] = is_limit ? limits[c] : std::nullopt;
+  double find_turn(std::size_t friction, const Vec3& first, double before, double after) {
+    const auto along = [&](double step) {
+      const std::optional<Vec3> sliding = sliding_at(friction, step);
+      return sliding ? sliding->dot(first) : std::numeric_limits<double>::quiet_NaN();
+    };
+    return root_between(along, before, after);
+  }
+
+  std::optional<Rest> rest_of(const FrictionTurn& turn, const RowsAround& rows) {
+    if (rows.before != rows.after) {
+      return rest_between(turn.friction, rows);
     }
-    return limits;
+    const double step = step_of_row(motion_, rows.before);
+    return Rest{.begin = step, .end = step};
   }
 
   void add_reversal(const FrictionTurn& turn, const RowsAround& rows, Corners& found) {
-    const std::optional<double> step = step_of(turn, rows);
-    if (!step) {
+    const std::optional<Rest> rest = rest_of(turn, rows);
+    if (!rest) {
       return;
     }
-    FrictionReversal reversal{.coupling = turn.coupling, .step = *step};
+    FrictionReversal reversal{.coupling = turn.coupling, .step = rest->end};
     for (const FigurePlace& place : found.places) {
-      if (place.is_approach && std::abs(place.beside - *step) < kSameStep) {
-        (place.step < place.beside ? reversal.before : reversal.after) = limits_at(place);
+      if (!place.is_approach) {
+        continue;
+      }
+      if (place.step < place.beside && std::abs(place.beside - rest->begin) < kSameStep) {
+        reversal.before = limits_at(place);
+      } else if (place.step > place.beside && std::abs(place.beside - rest->end) < kSameStep) {
+        reversal.after = limits_at(place);
       }
     }
     found.reversals.push_back(std::move(reversal));
+  }
+
+  // Of a motion in time pieces between corners may be as short as its steps.
+  void add_inside_of_pieces(std::vector<FigurePlace>& places) {
+    constexpr int kLeastParts = 6;
+    constexpr std::size_t kMostPieces = 100;
+    std::vector<double> ends = {0.0};
+    for (const double time : motion_.plan.schedule->turns()) {
+      ends.push_back(std::min(time * motion_.plan.steps, last_step()));
+    }
+    ends.push_back(last_step());
+    for (std::size_t i = 0; i + 1 < std::min(ends.size(), kMostPieces); ++i) {
+      const double width = ends[i + 1] - ends[i];
+      for (int part = 1; part < kLeastParts && width > kSameStep && width < kLeastParts; ++part) {
+        const double step = ends[i] + width * part / kLeastParts;
+        if (std::abs(step - std::round(step)) > kSameStep) {
+          add_place(step, places);
+        }
+      }
+    }
   }
 
   void add_approaches(double step, std::vector<FigurePlace>& corners) {
@@ -389,32 +436,6 @@ class CornerFinder {
     corners.push_back(std::move(place));
   }
 
-  // Of values that run straight towards the place, by the parabola through the three; what that
-  // adds to the line bounds the error, and so does how well the place is known.
-  static void go_to_limits(FigurePlace& place) {
-    constexpr double kStraight = 0.01;
-    constexpr double kHalves = 0.6;  // of what is left, with half of the way left
-    const bool is_far = std::abs(place.step - place.beside) > kSameApproach;
-    const double uncertain = kSameStep / std::abs(place.step - place.beside);
-    for (std::size_t c = 0; c < place.of.values.size(); ++c) {
-      std::optional<double>& near = place.of.values[c];
-      const std::optional<double>& middle = place.farther[1][c];
-      const std::optional<double>& far = place.farther[0][c];
-      if (near && middle && far) {
-        const double last = *near - *middle;
-        const double bend = 2.0 * last - (*middle - *far);
-        const double share = last / (*middle - *far);
-        const double rest = last * share / (1.0 - share);  // by a power of the way
-        if (std::abs(bend) <= kStraight * std::abs(last)) {
-          near = zero_within_bound(*near + last + bend / 3.0,
-                                   std::abs(bend) + std::abs(last) * uncertain);
-        } else if (is_far && share > 0.0 && share <= kHalves) {
-          near = zero_within_bound(*near + rest, kStraight * std::abs(rest));
-        }
-      }
-    }
-  }
-
   const Mechanism& mechanism_;
   const FoundMotion& motion_;
   const SpecialSteps& special_;
@@ -423,41 +444,12 @@ class CornerFinder {
   MotionPositions reading_;
   FollowedConfigurations& configurations_;
   std::vector<double> steps_;
-  std::vector<double> jumps_;                               // of springs
-  std::map<std::pair<std::size_t, double>, double> turns_;  // steps, by friction and row before
+  std::vector<double> jumps_;  // of springs
+  std::map<std::pair<std::size_t, std::size_t>, std::optional<Rest>>
+      rests_;  // by friction and row before
 };
 
 }  // namespace
-
-double step_of_row(const FoundMotion& motion, std::size_t row) {
-  const bool is_last = row + 1 == motion.solution.shares.size();
-  return motion.plan.schedule && is_last
-             ? motion.plan.schedule->time_at(motion.solution.shares[row]) * motion.plan.steps
-             : static_cast<double>(row);
-}
-
-double share_at_step(const FoundMotion& motion, double step) {
-  if (motion.plan.schedule) {
-    return motion.plan.schedule->share_at(step / motion.plan.steps);
-  }
-  const std::vector<double>& shares = motion.solution.shares;
-  const auto row = static_cast<std::size_t>(step);
-  return row + 1 < shares.size() ? std::lerp(shares[row], shares[row + 1], step - std::floor(step))
-                                 : shares.back();
-}
-
-double step_at_share(const FoundMotion& motion, double share) {
-  if (motion.plan.schedule) {
-    return motion.plan.schedule->time_at(share) * motion.plan.steps;
-  }
-  const std::vector<double>& shares = motion.solution.shares;
-  const auto behind = std::ranges::upper_bound(shares, share);
-  if (behind == shares.begin() || behind == shares.end()) {
-    return behind == shares.begin() ? 0.0 : static_cast<double>(shares.size() - 1);
-  }
-  const double before = *std::prev(behind);
-  return static_cast<double>(behind - shares.begin() - 1) + (share - before) / (*behind - before);
-}
 
 Corners find_corners(const Mechanism& mechanism,
                      const FoundMotion& motion,

@@ -15,16 +15,6 @@
 
 namespace kinestat {
 
-/// The share of the ranges at which a motion is after so many steps, whole or not: in time where it
-/// is a motion in time.
-double share_at_step(const FoundMotion& motion, double step);
-
-/// The inverse.
-double step_at_share(const FoundMotion& motion, double share);
-
-/// At which step a row is: a motion in time that ends early has its last row between two of them.
-double step_of_row(const FoundMotion& motion, std::size_t row);
-
 /// What columns have at a position, at a share of the ranges.
 using ValuesAt = std::function<FigureValues(const MotionPosition& position, double share)>;
 
@@ -34,8 +24,10 @@ struct SpecialSteps {
   std::span<const FrictionTurn> turns;       ///< those that are events
   std::span<const std::vector<SpringState>> springs;  ///< of each row: those that act one way alone
                                                       ///< begin and cease to
-  std::span<const std::vector<int>> coast_flanks;  ///< of each row, as in CaseAnalysis: where teeth
-                                                   ///< change their flank forces have corners
+  std::span<const std::optional<std::vector<int>>> coast_flanks;  ///< of each row that is solved,
+                                                                  ///< as in CaseAnalysis: where
+                                                                  ///< teeth change their flank
+                                                                  ///< forces have corners
   std::span<const double> poles;  ///< in steps: where speeds may grow without bound
 };
 

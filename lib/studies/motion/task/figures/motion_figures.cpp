@@ -4,16 +4,15 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <numeric>
 #include <string>
-#include <utility>
 
 #include "core/motion_tolerance.hpp"
 #include "core/solve_status.hpp"
 #include "core/tolerance.hpp"
 #include "math/numbers/zero_within_bound.hpp"
 #include "studies/motion/peak_search.hpp"
+#include "studies/motion/task/figures/motion_steps.hpp"
 #include "studies/motion/task/figures/value_ends.hpp"
 
 namespace kinestat {
@@ -57,14 +56,7 @@ class FigureMaker {
                           .is_approach = place.is_approach});
     }
     std::ranges::stable_sort(samples_, {}, &Sample::step);
-    for (const Sample& sample : samples_) {
-      places_.push_back({.values = sample.values, .row = row_of(sample.place)});
-    }
-    for (const MotionEvent& event : table.events) {
-      if (!event.places.empty()) {
-        places_.push_back({.values = &event.places, .row = event.row});
-      }
-    }
+    find_dwells();
   }
 
   void run() {
@@ -96,6 +88,7 @@ class FigureMaker {
     const std::vector<std::optional<double>>* at_rest = nullptr;
     bool is_corner = false;
     bool is_approach = false;
+    bool dwells = false;  // it rests there for a while, and not only where it turns back
 
     // Friction has no direction there.
     bool rests() const { return !at_rest->empty(); }
@@ -103,12 +96,28 @@ class FigureMaker {
     std::optional<double> value_at_rest(std::size_t column) const {
       return at_rest->empty() ? std::nullopt : (*at_rest)[column];
     }
+
+    // What acts, without friction where it has no direction for a while.
+    std::optional<double> value(std::size_t column) const {
+      const std::optional<double>& moving = (*values)[column];
+      return moving || !dwells ? moving : value_at_rest(column);
+    }
   };
 
-  struct Place {
-    const std::vector<std::optional<double>>* values = nullptr;  // parallel to the columns
-    double row = 0.0;
-  };
+  void find_dwells() {
+    for (std::size_t first = 0; first < samples_.size();) {
+      std::size_t end = first;
+      while (end < samples_.size() && samples_[end].rests()) {
+        ++end;
+      }
+      const bool dwells =
+          end > first && samples_[end - 1].step - samples_[first].step > 2.0 * kSameApproach;
+      for (std::size_t i = first; dwells && i < end; ++i) {
+        samples_[i].dwells = true;
+      }
+      first = std::max(end, first + 1);
+    }
+  }
 
   // Whether rows lack it where friction has no direction, even without friction.
   bool is_open_at_rest(std::size_t column) const {
@@ -137,11 +146,11 @@ class FigureMaker {
     std::vector<Sample> all = samples_of(column);
     double largest = 0.0;
     for (const Sample& one : all) {
-      largest = std::max(largest, std::abs((*one.values)[column].value_or(0.0)));
+      largest = std::max(largest, std::abs(one.value(column).value_or(0.0)));
     }
     const auto jumps_between = [&](const Sample& one, const Sample& other) {
-      const std::optional<double>& here = (*one.values)[column];
-      const std::optional<double>& there = (*other.values)[column];
+      const std::optional<double> here = one.value(column);
+      const std::optional<double> there = other.value(column);
       return !here || !there || std::abs(*here - *there) > kJump * largest;
     };
     std::vector<Sample> kept;
@@ -164,11 +173,17 @@ class FigureMaker {
 
   std::optional<ColumnExtreme> extreme(std::size_t column, double sign) {
     std::optional<ColumnExtreme> found;
-    for (const Place& place : places_) {
-      const std::optional<double>& value = (*place.values)[column];
+    const auto look = [&](const std::optional<double>& value, double drive, double row) {
       if (value && (!found || sign * *value > sign * found->value)) {
-        found = ColumnExtreme{
-            .value = *value, .drive = (*place.values)[0].value_or(0.0), .row = place.row};
+        found = ColumnExtreme{.value = *value, .drive = drive, .row = row};
+      }
+    };
+    for (const Sample& one : samples_) {
+      look(one.value(column), (*one.values)[0].value_or(0.0), row_at(steps_, one.place));
+    }
+    for (const MotionEvent& event : table_.events) {
+      if (!event.places.empty()) {
+        look(event.places[column], event.places[0].value_or(0.0), event.row);
       }
     }
     for (const ColumnExtreme& end : ends_) {
@@ -182,19 +197,9 @@ class FigureMaker {
     return found;
   }
 
-  // Rows stand at steps, but the last one of a motion that ends early.
-  double row_of(double step) const {
-    const auto behind = std::ranges::upper_bound(steps_, step);
-    if (behind == steps_.begin() || behind == steps_.end()) {
-      return behind == steps_.begin() ? 0.0 : static_cast<double>(steps_.size() - 1);
-    }
-    const double before = *std::prev(behind);
-    return static_cast<double>(behind - steps_.begin() - 1) + (step - before) / (*behind - before);
-  }
-
   ColumnExtreme extreme_at(double value, double share) const {
     const FigureWhere where = where_at_(share);
-    return {.value = value, .drive = where.drive, .row = row_of(where.step)};
+    return {.value = value, .drive = where.drive, .row = row_at(steps_, where.step)};
   }
 
   // What acts turns round or jumps at corners, and so do the laws of drives.
@@ -223,17 +228,18 @@ class FigureMaker {
   void climb(std::size_t column, double sign, ColumnExtreme& found) {
     const std::vector<Sample> samples = samples_with_jumps(column, true);
     const auto joins_next = [&](std::size_t i) {  // not the other side of a jump
-      return i + 1 < samples.size() && samples[i + 1].step - samples[i].step >= kSameApproach;
+      return i + 1 < samples.size() && samples[i + 1].step - samples[i].step >= kSameApproach &&
+             samples[i + 1].dwells == samples[i].dwells;
     };
     const std::optional<ValueFolds>& folds = columns_[column].folds;
     const auto fold = [&] { return sign > 0.0 ? folds->greatest : -folds->least; };
     const bool is_size = !folds && std::ranges::none_of(samples, [column, sign](const Sample& one) {
-      return sign * (*one.values)[column].value_or(0.0) > 0.0;
+      return sign * one.value(column).value_or(0.0) > 0.0;
     });
     PeakSearch search(sign * found.value, folds ? std::optional(fold()) : std::nullopt, is_size);
     std::vector<PeakSample> run;
     for (std::size_t i = 0; i < samples.size(); ++i) {
-      const std::optional<double>& value = (*samples[i].values)[column];
+      const std::optional<double> value = samples[i].value(column);
       if (value) {
         run.push_back({.share = samples[i].share, .value = sign * *value});
       }
@@ -269,17 +275,18 @@ class FigureMaker {
     }
     double sum = 0.0;
     double size = 0.0;
-    double left_out = 0.0;  // rests in which it is open
-    double skipped = 0.0;   // jumps, which have no width but for rounding
+    double covered = 0.0;  // without rests in which it is open
+    double skipped = 0.0;  // jumps, which have no width but for rounding
     const auto add = [&](double from, double to, double width) {
+      covered += width;
       sum += width * measure(from, to);
       size += width * measure(std::abs(from), std::abs(to));
     };
     const std::vector<Sample> samples = samples_with_jumps(column, false);
     for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
       const double width = samples[i + 1].step - samples[i].step;
-      const std::optional<double>& low = (*samples[i].values)[column];
-      const std::optional<double>& high = (*samples[i + 1].values)[column];
+      const std::optional<double> low = samples[i].value(column);
+      const std::optional<double> high = samples[i + 1].value(column);
       if (width <= kSameStep) {
         skipped += width * measure(std::abs(low.value_or(0.0)), std::abs(high.value_or(0.0)));
         continue;
@@ -289,16 +296,9 @@ class FigureMaker {
         continue;
       }
       if (!low && !high) {
-        const auto inside = values_inside(column, samples[i], samples[i + 1]);
-        if (!inside && samples[i].rests() && samples[i + 1].rests()) {
-          left_out += width;
-          continue;
-        }
-        if (!inside) {
+        if (!samples[i].rests() || !samples[i + 1].rests()) {
           return std::nullopt;
         }
-        add(inside->first, inside->first, 0.5 * width);
-        add(inside->second, inside->second, 0.5 * width);
         continue;
       }
       const std::optional<double> value =
@@ -310,30 +310,9 @@ class FigureMaker {
       }
       add(*value, *value, width);
     }
-    const double whole = static_cast<double>(table_.rows.size() - 1);
-    return whole - left_out > kSameStep * whole
-               ? std::optional(zero_within_bound(sum, kCancellation * size + skipped) /
-                               (whole - left_out))
+    return covered > kSameStep * static_cast<double>(table_.rows.size() - 1)
+               ? std::optional(zero_within_bound(sum, kCancellation * size + skipped) / covered)
                : std::nullopt;
-  }
-
-  // By what to integrate between two samples that have no value, as friction has no direction
-  // there: at Gauss's two points, or on the straight line where nothing looks between the steps.
-  std::optional<std::pair<double, double>> values_inside(std::size_t column,
-                                                         const Sample& low,
-                                                         const Sample& high) const {
-    constexpr double kFirst = 0.5 - 0.5 * std::numbers::inv_sqrt3;
-    const auto inside = [&](double part) -> std::optional<double> {
-      if (between_.value) {
-        return value_before(column, low.step, high.step, 1.0 - part);
-      }
-      const std::optional<double> first = low.value_at_rest(column);
-      const std::optional<double> second = high.value_at_rest(column);
-      return first && second ? std::optional(std::lerp(*first, *second, part)) : std::nullopt;
-    };
-    const std::optional<double> first = inside(kFirst);
-    const std::optional<double> second = first ? inside(1.0 - kFirst) : std::nullopt;
-    return second ? std::optional(std::pair(*first, *second)) : std::nullopt;
   }
 
   // So much of the way from a step with a value is left to the end, which has none.
@@ -365,7 +344,11 @@ class FigureMaker {
       const double step = std::lerp(steps_[end], steps_[from], left);
       return is_singular && (is_of_motion(column) || !between_.is_jammed(share_at_(step)));
     };
-    const ValueEnd found = find_value_end(value, is_lost);
+    double size = 0.0;
+    for (const Sample& one : samples_) {
+      size = std::max(size, std::abs((*one.values)[column].value_or(0.0)));
+    }
+    const ValueEnd found = find_value_end(value, size, is_lost);
     growth.falls = growth.falls || (found.growth.falls && !is_bounded(column));
     growth.grows = growth.grows || (found.growth.grows && !is_bounded(column));
     if (found.value) {
@@ -421,8 +404,7 @@ class FigureMaker {
   const std::function<FigureWhere(double)>& where_at_;
   const std::function<double(double)>& share_at_;
   MotionTable& table_;
-  std::vector<Sample> samples_;  // steps and corners, in order
-  std::vector<Place> places_;
+  std::vector<Sample> samples_;      // steps and corners, in order
   std::vector<ColumnExtreme> ends_;  // of the column that is looked at
 };
 

@@ -65,11 +65,11 @@ struct FigureWhere {
 /// whose events are known. Extremes are those of the steps and of `places` between them, which are
 /// in order, of positions at dead points too; in the columns that are climbed, which may be fewer
 /// than all, they are looked for between these, and of bounded ones where their values end, too.
-/// Means take the middle of an interval where one of its ends has no value, as friction has none
-/// where it turns round; where both have none, what `between` says of it, or without that
-/// `at_rest`. Where values grow without bound on an approach, or towards a position that has none,
-/// there is no mean, and no extreme in that sense. `where_at` answers where a share is, `share_at`
-/// the share at so many steps.
+/// All of them take what is `at_rest` while drives dwell. Means take the middle of an interval
+/// where one of its ends has no value, as friction has none where it turns round. Where values grow
+/// without bound on an approach, or towards a position that has none, there is no mean, and no
+/// extreme in that sense. `where_at` answers where a share is, `share_at` the share at so many
+/// steps.
 void add_figures(std::span<const double> shares,
                  std::span<const double> steps,
                  std::span<const FigurePlace> places,

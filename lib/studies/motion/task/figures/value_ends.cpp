@@ -39,20 +39,19 @@ struct Limit {
   double error = 0.0;
 };
 
+constexpr std::size_t kTowards = 6;  // values by which a limit is known
+using Approach = std::array<double, kTowards>;
+
 // By Aitken's method, which is exact of any power of the way; the same without the last value
-// tells its error. Empty where the values do not come nearer to each other, or not as a power.
-std::optional<Limit> limit_of(const std::array<double, 4>& values) {
+// tells its error.
+std::optional<Limit> limit_of_power(const Approach& values) {
   constexpr double kOff = 0.02;  // of what is added to the last value
-  const auto [first, second, third, last] = values;
-  const double step = std::abs(last - third);
-  if (step <= kSameValue * std::abs(last)) {
-    return Limit{.value = last, .error = step};
-  }
   const auto extrapolated = [](double a, double b, double c) -> std::optional<double> {
     const double share = (c - b) / (b - a);
     return share > 0.0 && share < 1.0 ? std::optional(c + (c - b) * share / (1.0 - share))
                                       : std::nullopt;
   };
+  const auto [a, b, first, second, third, last] = values;
   const std::optional<double> before = extrapolated(first, second, third);
   const std::optional<double> found = extrapolated(second, third, last);
   if (!before || !found) {
@@ -60,8 +59,47 @@ std::optional<Limit> limit_of(const std::array<double, 4>& values) {
   }
   const double error = std::abs(*found - *before);
   return error <= kOff * std::abs(*found - last)
-             ? std::optional(Limit{.value = zero_within_bound(*found, error), .error = error})
+             ? std::optional(Limit{.value = *found, .error = error})
              : std::nullopt;
+}
+
+// By polynomials of a power of the way, by Neville's method; that of one degree less tells the
+// error.
+Limit limit_of_polynomial(const Approach& values, double power) {
+  Approach row = values;
+  double less = 0.0;
+  for (std::size_t degree = 1; degree < kTowards; ++degree) {
+    const double nearer = std::exp2(power * static_cast<double>(degree)) - 1.0;
+    less = row[kTowards - 1];
+    for (std::size_t k = kTowards - 1; k >= degree; --k) {
+      row[k] += (row[k] - row[k - 1]) / nearer;
+    }
+  }
+  const double found = row[kTowards - 1];
+  return {.value = found,
+          .error = std::max(std::abs(found - less), std::abs(found - row[kTowards - 2]))};
+}
+
+// Empty where the values do not come nearer to each other. Near a limit of the way they are mostly
+// polynomials of its root, near a jam of the way itself.
+std::optional<Limit> limit_of(const Approach& values) {
+  constexpr double kNearer = 0.9;
+  constexpr double kRounding = 0x1p-30;
+  const auto [a, b, c, d, third, last] = values;
+  const double step = std::abs(last - third);
+  if (step <= kSameValue * std::abs(last)) {
+    return Limit{.value = last, .error = step};
+  }
+  if (step > kNearer * std::abs(third - d)) {
+    return std::nullopt;
+  }
+  Limit best = limit_of_polynomial(values, 1.0);
+  for (const std::optional<Limit>& other :
+       {std::optional(limit_of_polynomial(values, 0.5)), limit_of_power(values)}) {
+    best = other && other->error < best.error ? *other : best;
+  }
+  best.value = zero_within_bound(best.value, best.error + kRounding * std::abs(a));
+  return best;
 }
 
 // However uncertain the place of the end is, farther from it each of some halves adds more, and at
@@ -101,14 +139,33 @@ double end_of(const ValueLeft& value, double left) {
   return left;
 }
 
+// Equilibrium is lost to rounding a little before a jam. What is next to nothing there and runs on
+// to zero comes to zero.
+std::optional<double> zero_beyond(const ValueLeft& value, double end, double size) {
+  constexpr double kNextToNothing = 0x1p-18;
+  const double step = 0x1p-10 * (1.0 - end);
+  const std::optional<double> last = value(end);
+  const std::optional<double> before = value(end + step);
+  if (!last || !before || !(std::abs(*last) <= kNextToNothing * size) ||
+      std::abs(*before) <= std::abs(*last)) {
+    return std::nullopt;
+  }
+  const double zero = end - *last / (*before - *last) * step;
+  return zero >= 0.0 && zero <= end ? std::optional(zero) : std::nullopt;
+}
+
 // Nearer to the end powers are purer, and rounding is larger.
 std::optional<double> limit_at(const ValueLeft& value, double end) {
+  constexpr double kGood = 0x1p-36;
   std::optional<Limit> best;
-  for (const double share : {0x1p-32, 0x1p-26, 0x1p-20, 0x1p-14, 0x1p-8, 0x1p-5, 0x1p-2}) {
-    const auto values = values_towards<4>(value, end, share * (1.0 - end));
+  for (const double share : {0x1p-8, 0x1p-5, 0x1p-14, 0x1p-20, 0x1p-2, 0x1p-26, 0x1p-32}) {
+    const auto values = values_towards<kTowards>(value, end, share * (1.0 - end));
     const std::optional<Limit> limit = values ? limit_of(*values) : std::nullopt;
     if (limit && (!best || limit->error < best->error)) {
       best = limit;
+    }
+    if (values && best && best->error <= kGood * std::abs((*values)[0])) {
+      break;
     }
   }
   return best ? std::optional(best->value) : std::nullopt;
@@ -124,7 +181,9 @@ Growth growth_of(const std::array<double, 3>& values) {
   return {.falls = has_any && last < 0.0, .grows = has_any && last > 0.0};
 }
 
-ValueEnd find_value_end(const ValueLeft& value, const std::function<bool(double left)>& is_lost) {
+ValueEnd find_value_end(const ValueLeft& value,
+                        double size,
+                        const std::function<bool(double left)>& is_lost) {
   const auto look = [&](double way) -> std::optional<ValueEnd> {
     const auto values = values_towards<3>(value, 0.0, 0.5 * way);
     if (!values) {
@@ -146,6 +205,9 @@ ValueEnd find_value_end(const ValueLeft& value, const std::function<bool(double 
         return *found;
       }
     }
+  }
+  if (const std::optional<double> zero = zero_beyond(value, end.left, size)) {
+    return {.growth = {}, .left = *zero, .value = 0.0};
   }
   end.growth = growth_beside(value, end.left);
   if (!end.growth.has_any()) {

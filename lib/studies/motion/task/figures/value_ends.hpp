@@ -29,9 +29,11 @@ struct ValueEnd {
 /// Of values with half of the way left each, the last the nearest: each adds more than the last.
 Growth growth_of(const std::array<double, 3>& values);
 
-/// Looks as near to the end as there are values. Where they end before is found by bisection;
-/// where they are only lost there, as `is_lost` says of so much that is left of the way, they come
-/// to what they are at the end of the way.
-ValueEnd find_value_end(const ValueLeft& value, const std::function<bool(double left)>& is_lost);
+/// Looks as near to the end as there are values, of which `size` is the largest. Where they end
+/// before is found by bisection; where they are only lost there, as `is_lost` says of so much that
+/// is left of the way, they come to what they are at the end of the way.
+ValueEnd find_value_end(const ValueLeft& value,
+                        double size,
+                        const std::function<bool(double left)>& is_lost);
 
 }  // namespace kinestat

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "studies/motion/task/figures/motion_corners.hpp"
+#include "studies/motion/task/figures/motion_steps.hpp"
 
 namespace kinestat {
 
@@ -38,6 +38,24 @@ std::optional<double> read_column(const std::vector<MotionReading>& readings,
     value = readings[r].value(position);
   }
   return in_unit(readings[reading], value, units);
+}
+
+std::vector<FigureColumn> figure_columns(
+    const std::vector<MotionReading>& readings,
+    std::size_t drives,
+    const FileUnits& units,
+    const std::function<bool(const MotionColumn& column)>& is_climbed) {
+  std::vector<FigureColumn> columns(drives);
+  for (const MotionReading& one : readings) {
+    columns.push_back({.is_climbed = is_climbed(one.column),
+                       .is_bounded = one.is_bounded,
+                       .is_of_motion = one.is_of_motion || one.needs.has_value()});
+    if (one.folds) {
+      columns.back().folds = {.least = *in_unit(one, one.folds->least, units),
+                              .greatest = *in_unit(one, one.folds->greatest, units)};
+    }
+  }
+  return columns;
 }
 
 ValuesBetween::ValuesBetween(const Mechanism& mechanism,

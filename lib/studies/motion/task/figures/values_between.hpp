@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <list>
 #include <map>
 #include <optional>
@@ -22,6 +23,13 @@ std::optional<double> read_column(const std::vector<MotionReading>& readings,
                                   std::size_t reading,
                                   const MotionPosition& position,
                                   const FileUnits& units);
+
+/// What is known of the drives of a table, and of the columns behind them.
+std::vector<FigureColumn> figure_columns(
+    const std::vector<MotionReading>& readings,
+    std::size_t drives,
+    const FileUnits& units,
+    const std::function<bool(const MotionColumn& column)>& is_climbed);
 
 /// Values at shares of the ranges of the drives. What quotients are made of there is shown to
 /// `quotients`. All that is given must outlive it.
