@@ -280,8 +280,9 @@ std::optional<CaseAnalysis> solve_by_converter(const Mechanism& drawn,
 // Of loads that are themselves results of doubles, such as forces of inertia: more digits would
 // tell their roundings from zero.
 AccuracyRequest of_doubles(AccuracyRequest asked) {
-  const bool is_beyond = asked.accuracy == Accuracy::exact || asked.accuracy == Accuracy::high;
-  asked.accuracy = is_beyond ? Accuracy::automatic : asked.accuracy;
+  if (asked.accuracy == Accuracy::exact || asked.accuracy == Accuracy::high) {
+    asked.accuracy = Accuracy::automatic;
+  }
   return asked;
 }
 

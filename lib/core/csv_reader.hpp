@@ -16,8 +16,7 @@ struct CsvRow {
 /// A cell without blanks around it.
 std::string_view trimmed(std::string_view cell);
 
-/// "semicolons" or "tabs" where these stand between the cells of a row; else empty. A cell within
-/// which a comma stands, as in decimal numbers, does not make commas separators.
+/// "semicolons" or "tabs" where these stand between the names of a head; else empty.
 std::string_view other_separators(const CsvRow& head);
 
 /// Reads row by row, by RFC 4180; lines may end with CR LF. The text must outlive it.

@@ -58,8 +58,82 @@ motion:
 
 WEIGHT, FRICTION = 60 * 9.81, 0.1 * 60 * 9.81
 
+# A crank and slider with friction in both guides, ten turns out and ten back.
+OUT_AND_BACK = """\
+kinestat: 1
+space: planar
+units: {length: mm, angle: deg}
+ground: frame
+bodies: [crank, rod, ram]
+couplings:
+  a: {type: revolute, bodies: [frame, crank], at: [0, 0], friction: {mu: 0.05, radius: 10}}
+  b: {type: revolute, bodies: [crank, rod], at: [40, 0]}
+  c: {type: revolute, bodies: [rod, ram], at: [160, 0]}
+  d: {type: prismatic, bodies: [frame, ram], at: [160, 0], axis: x, friction: 0.1}
+actuators: {in: {coupling: a}, out: {coupling: d}}
+cases: {run: {motion: {in: 0}, action: {out: 90 N}, input: in, output: out}}
+motion:
+  drives:
+    - drive: in
+      from: 17 deg
+      profile:
+        - {to: 3617 deg, time: 1 s, law: constant_speed}
+        - {to: 17 deg, time: 1 s, law: constant_speed}
+  case: run
+  report: [velocity, action]
+"""
+
+# A parallelogram, whose links come to lie on one line; its rocker turns as its crank does.
+PARALLELOGRAM = """\
+kinestat: 1
+space: planar
+units: {angle: deg}
+ground: frame
+bodies: [crank, coupler, rocker]
+couplings:
+  a: {type: revolute, bodies: [frame, crank], at: [0, 0]}
+  b: {type: revolute, bodies: [crank, coupler], at: [0, 3]}
+  c: {type: revolute, bodies: [coupler, rocker], at: [7, 3]}
+  d: {type: revolute, bodies: [frame, rocker], at: [7, 0]}
+actuators: {motor: {coupling: a}}
+cases: {turning: {motion: {motor: 1 rad/s}}}
+motion: {drive: motor, to: -180, case: turning, report: [d.wz]}
+"""
+
 
 class FewSteps(MotionTest):
+    def test_peaks_behind_a_dwell_are_found(self) -> None:
+        """That of modified sine is 4 pi^2 / (pi + 4) times the way over the square of the time."""
+        first = re.sub(r"profile:\n(.*\n){6}", "profile: [{dwell: 0.51 s}, {to: 1, time: 0.1 s, "
+                       "law: modified_sine}, {dwell: 0.52 s}]\n", TABLE)
+        peak = 4 * math.pi ** 2 / (math.pi + 4) / 0.1 ** 2
+        for steps in (24, 25, 40, 60):
+            figures = run(first, "--steps", str(steps)).report["figures"]["g.vx/acceleration"]
+            self.close(figures["greatest"], peak, 1e-8 * peak, f"{steps} steps")
+            self.close(figures["least"], -peak, 1e-8 * peak, f"{steps} steps")
+
+    def test_turns_there_and_back_are_all_seen(self) -> None:
+        """Two dead points a turn, at which the guide's friction reverses; both do where the drive does."""
+        for steps in (3, 24, 40):
+            events = run(OUT_AND_BACK, "--steps", str(steps)).report["events"]
+            kinds = [one["kind"] for one in events]
+            self.assertEqual(kinds.count("dead_point"), 40, steps)
+            self.assertEqual(kinds.count("friction_reversal"), 42, steps)
+
+    def test_what_does_not_jump_is_not_said_to(self) -> None:
+        """Where the table comes back from its short way, its servo alone goes from one to the other."""
+        table = TABLE.replace("SHORT", "0.3")
+        for steps in (40, 360):
+            last = run(table, "--steps", str(steps)).report["events"][-1]
+            self.assertEqual(last["drive"], [-0.2])
+            self.assertEqual(last["jumps"].keys(), {"servo/action"}, steps)
+
+    def test_what_is_constant_is_so_beside_a_singular_position(self) -> None:
+        for steps in (36, 40, 60, 90):
+            figures = run(PARALLELOGRAM, "--steps", str(steps)).report["figures"]["d.wz/velocity"]
+            self.close(figures["least"], 1.0, 1e-11, f"{steps} steps")
+            self.close(figures["greatest"], 1.0, 1e-11, f"{steps} steps")
+
     def test_that_all_stand_at_reversals_tell_what_many_do(self) -> None:
         """With the lean of the rod the guide bears PRESS LEAN / (1 -+ MU LEAN), where it is greatest."""
         figures = [run(PRESS_WITH_FRICTION, "--steps", str(steps)).report["figures"]

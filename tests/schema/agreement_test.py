@@ -94,7 +94,7 @@ EXCEPTIONS = [
     (r"'.*' of the friction of .* has no effect: .*",
      "compares the friction with the actions of the coupling"),
     (r"the friction of .* has a radius of zero", "the value of an expression"),
-    (r"the speed ratios of '.*' do not rise", "compares values, which may be expressions"),
+    (r"the speed ratios of '.*' do not increase", "compares values, which may be expressions"),
     (r"the characteristic of '.*' has \d+ speed ratios and \d+ values of '.*'",
      "compares the lengths of two lists"),
     (r"nothing supports the difference of the torques of '.*'", "looks beside the characteristic"),

@@ -122,9 +122,12 @@ void add_held_cables(const JudgedFile& file, const CaseAnalysis& one, CaseFindin
                   std::move(hint));
   };
   if (!gripped.empty()) {
-    warn(fmt::format("the cable does not slip on {}", quoted_list(gripped)),
-         "remove 'slip' where the pulley turns with its cable: 'eta' then acts where the pulley "
-         "turns");
+    warn(
+        fmt::format("{} on {}",
+                    one.motion ? "the cable does not slip" : "nothing says whether the cable slips",
+                    quoted_list(gripped)),
+        "remove 'slip' where the pulley turns with its cable: 'eta' then acts where the pulley "
+        "turns");
   }
   if (!held.empty()) {
     warn(fmt::format("the drum or pulley on {} {}",

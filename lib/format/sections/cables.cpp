@@ -74,7 +74,7 @@ void declare_slip(Mapping<CableStation>& m) {
   m.key("friction",
         "Coefficient of friction between cable and pulley. The report gives the limit exp(mu "
         "theta) of the tension ratio and whether the cable sticks; if a case lets it slip, the "
-        "tensions have this ratio, over 'eta' if that is given.")
+        "tensions have this ratio, divided by 'eta' if that is given.")
       .may(&CableStation::friction, not_negative(), "0.3")
       .usual("0");
   m.key("eta",

@@ -37,9 +37,10 @@ std::vector<std::string> list_kinds() {
   return kinds;
 }
 
-// Moments have units that are products, energies have names such as kJ for them.
+// Moments have products for units, one of which has the name Nm; the names of others, such as kJ,
+// are those of energies.
 bool is_of_energy(const UnitExpression& unit) {
-  return fits(unit.dimension, QuantityKind::energy) &&
+  return fits(unit.dimension, QuantityKind::energy) && unit.text != "Nm" &&
          unit.text.find_first_of("*/") == std::string::npos;
 }
 

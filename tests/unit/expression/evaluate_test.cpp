@@ -259,7 +259,8 @@ INSTANTIATE_TEST_SUITE_P(
         EvaluationFault{"logarithm", "ln(0)", 3, 1, "E0316", "'ln' of 0", "greater than zero"},
         EvaluationFault{"arcsine", "asin(2)", 5, 1, "E0316", "'asin' of 2", "-1 to 1"},
         EvaluationFault{"zero_power", "0^-1", 0, 1, "E0316", "division by zero", ""},
-        EvaluationFault{"broken_power", "(-8)^(1/3)", 1, 2, "E0316", "no broken power", "whole"},
+        EvaluationFault{
+            "broken_power", "(-8)^(1/3)", 1, 2, "E0316", "no fractional power", "whole"},
         EvaluationFault{"remainder", "mod(3, 0)", 7, 1, "E0316", "division by zero", ""},
         EvaluationFault{"remainder_of_rounded",
                         "mod(9007199254740993, 3)",

@@ -87,6 +87,7 @@ TEST(Tolerance, OfEnergyIsForUnitsWithANameOfTheirOwn) {
 
   EXPECT_DOUBLE_EQ(allowed(2.0, 1.0, "kJ", by), 0.002);
   EXPECT_DOUBLE_EQ(allowed(2.0, 1.0, "N*mm", by), 3000.0);
+  EXPECT_DOUBLE_EQ(allowed(2.0, 1.0, "Nm", by), 3.0);
 }
 
 TEST(Tolerance, OfAStiffnessAboutAnAxisIsNotForMoments) {

@@ -73,10 +73,13 @@ class MotionLine {
     const double nearest = std::round(row);
     const auto at = static_cast<std::size_t>(nearest);
     const bool is_at_row = std::abs(row - nearest) < kSameApproach && at < motion_.rows.size();
-    if (!x || !y) {
+    if (!x || (!y && is_at_row)) {
       return;
     }
-    if (!is_at_row) {
+    if (!y) {  // as in a dwell within a step, in which friction has no direction
+      const auto before = static_cast<std::size_t>(std::ceil(row));
+      points_.push_back({.row = row, .point = gap_at({.before = before, .x = *x, .y = 0.0})});
+    } else if (!is_at_row) {
       add(row, static_cast<std::size_t>(std::ceil(row)), *x, *y);
     } else if (const std::optional<double>& there = motion_.rows[at].values[column_]; !there) {
       if (row <= nearest) {
@@ -103,7 +106,7 @@ class MotionLine {
     const auto is_there = [row](const PlacedPoint& one) {
       return std::abs(one.row - row) < kSameApproach;
     };
-    if (std::ranges::none_of(points_, is_there)) {
+    if (y && std::ranges::none_of(points_, is_there)) {
       add(x, y, row);
     }
   }

@@ -21,6 +21,7 @@
 #include "studies/motion/task/figures/motion_corners.hpp"
 #include "studies/motion/task/figures/motion_steps.hpp"
 #include "studies/motion/task/figures/poles.hpp"
+#include "studies/motion/task/figures/reversal_events.hpp"
 #include "studies/motion/task/figures/unbounded_quotients.hpp"
 #include "studies/motion/task/figures/values_between.hpp"
 #include "studies/motion/task/friction_turns.hpp"

@@ -25,14 +25,19 @@ bool says_the_same(const CaseFinding& one, const CaseFinding& other) {
   return one.code == other.code && one.where == other.where && one.element == other.element;
 }
 
-// Of the first drive, without its unit.
+// Of the first drive, or in time where it dwells or comes back; without a unit.
 std::string position_text(const MotionTable& table, std::size_t row) {
-  return format_short(table.rows[row].values.front().value_or(0.0));
+  const std::optional<double>& drive = table.rows[row].values.front();
+  return format_short(
+      (is_told_by_time(table) ? time_at_row(table, static_cast<double>(row)) : drive)
+          .value_or(0.0));
 }
 
 // "M from 40 to 60 deg, 3 of 7 positions"
 std::string brackets_text(const std::vector<std::size_t>& rows, const MotionTable& table) {
+  const bool is_in_time = is_told_by_time(table);
   const DriveTravel& drive = table.drives.front();
+  const std::string& unit = is_in_time ? table.time_unit : drive.unit;
   std::vector<std::string> brackets;
   for (std::size_t first = 0; first < rows.size();) {
     std::size_t last = first;
@@ -46,11 +51,11 @@ std::string brackets_text(const std::vector<std::size_t>& rows, const MotionTabl
   }
   const std::size_t more = brackets.size() - std::min(brackets.size(), kMostBrackets);
   brackets.resize(brackets.size() - more);
-  return fmt::format("{} {}{}{}{}, {} of {} positions",
-                     drive.name,
+  return fmt::format("{}{}{}{}{}, {} of {} positions",
+                     is_in_time ? std::string() : drive.name + " ",
                      fmt::join(brackets, ", "),
-                     drive.unit.empty() ? "" : " ",
-                     drive.unit,
+                     unit.empty() ? "" : " ",
+                     unit,
                      more == 0 ? std::string() : " and " + counted(more, "more range"),
                      rows.size(),
                      table.rows.size());

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/motion_tolerance.hpp"
 #include "mechanism/couplings/coupling_reactions.hpp"
 
 namespace kinestat {
@@ -62,6 +63,18 @@ MotionEvent placed(const SimulationEvent& event,
   return placed;
 }
 
+// Through which lines are led to a jump, and from it.
+void add_sides(const MotionEvent& event, std::vector<MotionPlace>& places) {
+  const auto add = [&](const std::vector<std::optional<double>>& side, double beside) {
+    if (!side.empty()) {
+      places.push_back({.row = event.row + beside, .values = side});
+      places.back().values.front() = event.drive.front();  // the time
+    }
+  };
+  add(event.before, -kApproach);
+  add(event.after, kApproach);
+}
+
 }  // namespace
 
 MotionTable simulation_table(const SimulationReportView& view) {
@@ -101,7 +114,9 @@ MotionTable simulation_table(const SimulationReportView& view) {
   }
   for (const SimulationEvent& one : solution.events) {
     table.events.push_back(placed(one, columns, view));
+    add_sides(table.events.back(), table.places);
   }
+  std::ranges::stable_sort(table.places, {}, &MotionPlace::row);
   return table;
 }
 

@@ -104,7 +104,7 @@ std::optional<LaneMotions> LaneMotions::make(const MechanismDescription& descrip
   std::optional<LaneLinkage> linkage = make_lane_linkage(mechanism, network);
   LaneQuestion question;
   question.drive = {.freedom = drive.freedom, .from = drive.from, .to = drive.to};
-  question.steps = plan.steps * parts_of_step(mechanism, plan.drives, plan.steps);
+  question.steps = plan.steps * parts_of_step(mechanism, plan, plan.steps);
   std::vector<Source> sources;
   if (!linkage || !find_sources(mechanism, asked, network, question, sources)) {
     return std::nullopt;

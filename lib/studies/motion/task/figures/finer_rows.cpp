@@ -113,7 +113,7 @@ class StepDivider {
   FinerMotion finer_;
 };
 
-// Between the rows that are kept, one is the next to a finer one, or both are.
+// A finer row lies between two rows that are kept, or is one of them.
 class KeptRows {
  public:
   explicit KeptRows(std::span<const std::size_t> rows) : rows_(rows) {}
@@ -144,14 +144,31 @@ class KeptRows {
   std::span<const std::size_t> rows_;
 };
 
+// There and back counts twice.
+double way_of(const MotionPlan& plan, std::size_t drive) {
+  if (!plan.schedule) {
+    return std::abs(plan.drives[drive].to - plan.drives[drive].from);
+  }
+  std::vector<double> times = plan.schedule->turns();
+  times.push_back(1.0);
+  double way = 0.0;
+  double before = plan.schedule->at(drive, 0.0).position;
+  for (const double time : times) {
+    const double now = plan.schedule->at(drive, time).position;
+    way += std::abs(now - before);
+    before = now;
+  }
+  return way;
+}
+
 }  // namespace
 
-int parts_of_step(const Mechanism& mechanism, const std::vector<PlannedDrive>& drives, int steps) {
+int parts_of_step(const Mechanism& mechanism, const MotionPlan& plan, int steps) {
   double wanted = kLeastSteps;
-  for (const PlannedDrive& drive : drives) {
-    const auto freedom = static_cast<std::size_t>(drive.freedom);
+  for (std::size_t d = 0; d < plan.drives.size(); ++d) {
+    const auto freedom = static_cast<std::size_t>(plan.drives[d].freedom);
     if (mechanism.topology.freedoms[freedom].is_rotation) {
-      const double turns = std::abs(drive.to - drive.from) / (2.0 * std::numbers::pi);
+      const double turns = way_of(plan, d) / (2.0 * std::numbers::pi);
       wanted = std::max(wanted, std::min(kLeastSteps * turns, kMostSteps));
     }
   }
@@ -159,8 +176,7 @@ int parts_of_step(const Mechanism& mechanism, const std::vector<PlannedDrive>& d
 }
 
 std::optional<FinerMotion> divide_steps(const Mechanism& mechanism, const FoundMotion& motion) {
-  const int parts =
-      parts_of_step(mechanism, motion.plan.drives, motion.solution.position_count() - 1);
+  const int parts = parts_of_step(mechanism, motion.plan, motion.solution.position_count() - 1);
   return parts > 1 ? StepDivider(mechanism, motion, parts).run() : std::nullopt;
 }
 

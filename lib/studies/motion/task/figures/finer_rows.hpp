@@ -18,7 +18,7 @@ struct FinerMotion {
 
 /// How many parts of each step events and figures need: with few steps, several reversals may lie
 /// within one, and nothing is seen of what rises and falls again.
-int parts_of_step(const Mechanism& mechanism, const std::vector<PlannedDrive>& drives, int steps);
+int parts_of_step(const Mechanism& mechanism, const MotionPlan& plan, int steps);
 
 /// Empty where the steps are fine enough, or the motion cannot be followed to their parts.
 std::optional<FinerMotion> divide_steps(const Mechanism& mechanism, const FoundMotion& motion);

@@ -10,7 +10,6 @@
 
 #include "core/motion_tolerance.hpp"
 #include "math/dense/root_search.hpp"
-#include "math/numbers/zero_within_bound.hpp"
 #include "studies/motion/task/figures/approach_limits.hpp"
 #include "studies/motion/task/figures/motion_steps.hpp"
 
@@ -297,8 +296,8 @@ class CornerFinder {
     return at->second;
   }
 
-  // Without a rest of a drive in which it rests it turns round where a drive does, between two
-  // rows, or in the one that is between them.
+  // How long a friction rests that reverses there: while a drive dwells; else it only turns round,
+  // where a drive does, between two rows or in the one between them.
   std::optional<Rest> find_rest(std::size_t friction, const RowsAround& rows) {
     const double before = step_of_row(motion_, rows.before);
     const double after = step_of_row(motion_, rows.after);
@@ -463,30 +462,6 @@ Corners find_corners(const Mechanism& mechanism,
   return has_any
              ? CornerFinder(mechanism, motion, detail, special, values_at, configurations).find()
              : Corners{};
-}
-
-void add_reversals(const FoundMotion& motion,
-                   std::span<const FrictionReversal> reversals,
-                   const std::function<std::vector<double>(double share)>& drives_at,
-                   MotionTable& table) {
-  for (const FrictionReversal& one : reversals) {
-    const double beside = one.step > kSameStep ? one.step - kSameStep : one.step + kSameStep;
-    std::vector<double> drive = drives_at(share_at_step(motion, one.step));
-    const double apart = drives_at(share_at_step(motion, beside)).front() - drive.front();
-    drive.front() = zero_within_bound(drive.front(), std::abs(apart));
-    const auto behind = std::ranges::find_if(
-        table.events, [&](const MotionEvent& event) { return event.row > one.step; });
-    table.events.insert(behind,
-                        {.kind = std::string(kFrictionReversalEvent),
-                         .element = one.coupling,
-                         .step = std::max(static_cast<int>(std::ceil(one.step)) - 1, 0),
-                         .drive = drive,
-                         .uncertainty = std::abs(apart),
-                         .row = one.step,
-                         .places = {},
-                         .before = one.before,
-                         .after = one.after});
-  }
 }
 
 }  // namespace kinestat

@@ -58,11 +58,4 @@ Corners find_corners(const Mechanism& mechanism,
                      const ValuesAt& values_at,
                      FollowedConfigurations& configurations);
 
-/// Adds them to the events, by where they are; `drives_at` answers where the drives are at a share
-/// of their ranges, in their units.
-void add_reversals(const FoundMotion& motion,
-                   std::span<const FrictionReversal> reversals,
-                   const std::function<std::vector<double>(double share)>& drives_at,
-                   MotionTable& table);
-
 }  // namespace kinestat

@@ -97,10 +97,11 @@ class FigureMaker {
       return at_rest->empty() ? std::nullopt : (*at_rest)[column];
     }
 
-    // What acts, without friction where it has no direction for a while.
+    // Whether it has no value for a while but one without friction.
+    bool lacks_direction(std::size_t column) const { return dwells && !(*values)[column]; }
+
     std::optional<double> value(std::size_t column) const {
-      const std::optional<double>& moving = (*values)[column];
-      return moving || !dwells ? moving : value_at_rest(column);
+      return lacks_direction(column) ? value_at_rest(column) : (*values)[column];
     }
   };
 
@@ -229,7 +230,7 @@ class FigureMaker {
     const std::vector<Sample> samples = samples_with_jumps(column, true);
     const auto joins_next = [&](std::size_t i) {  // not the other side of a jump
       return i + 1 < samples.size() && samples[i + 1].step - samples[i].step >= kSameApproach &&
-             samples[i + 1].dwells == samples[i].dwells;
+             samples[i + 1].lacks_direction(column) == samples[i].lacks_direction(column);
     };
     const std::optional<ValueFolds>& folds = columns_[column].folds;
     const auto fold = [&] { return sign > 0.0 ? folds->greatest : -folds->least; };

@@ -28,13 +28,7 @@ double step_at_share(const FoundMotion& motion, double share) {
   if (motion.plan.schedule) {
     return motion.plan.schedule->time_at(share) * motion.plan.steps;
   }
-  const std::vector<double>& shares = motion.solution.shares;
-  const auto behind = std::ranges::upper_bound(shares, share);
-  if (behind == shares.begin() || behind == shares.end()) {
-    return behind == shares.begin() ? 0.0 : static_cast<double>(shares.size() - 1);
-  }
-  const double before = *std::prev(behind);
-  return static_cast<double>(behind - shares.begin() - 1) + (share - before) / (*behind - before);
+  return row_at(motion.solution.shares, share);
 }
 
 double row_at(std::span<const double> steps, double step) {

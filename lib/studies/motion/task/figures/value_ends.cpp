@@ -1,5 +1,6 @@
 #include "studies/motion/task/figures/value_ends.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
@@ -81,14 +82,21 @@ Limit limit_of_polynomial(const Approach& values, double power) {
 }
 
 // Empty where the values do not come nearer to each other. Near a limit of the way they are mostly
-// polynomials of its root, near a jam of the way itself.
+// polynomials of its root, near a jam of the way itself. Of values that differ by rounding alone,
+// which grows beside singular positions, the farthest has least of it.
 std::optional<Limit> limit_of(const Approach& values) {
   constexpr double kNearer = 0.9;
   constexpr double kRounding = 0x1p-30;
+  constexpr double kUncertain = 0.1;  // of how far the values are apart
   const auto [a, b, c, d, third, last] = values;
+  double range = 0.0;
+  for (const double one : values) {
+    range = std::max(range, std::abs(one - last));
+  }
   const double step = std::abs(last - third);
-  if (step <= kSameValue * std::abs(last)) {
-    return Limit{.value = last, .error = step};
+  if (range <= kRounding * std::abs(last)) {
+    const bool is_rounding = step > std::abs(b - a) && step > kSameValue * std::abs(last);
+    return Limit{.value = is_rounding ? a : last, .error = range};
   }
   if (step > kNearer * std::abs(third - d)) {
     return std::nullopt;
@@ -97,6 +105,9 @@ std::optional<Limit> limit_of(const Approach& values) {
   for (const std::optional<Limit>& other :
        {std::optional(limit_of_polynomial(values, 0.5)), limit_of_power(values)}) {
     best = other && other->error < best.error ? *other : best;
+  }
+  if (best.error > kUncertain * range) {
+    return std::nullopt;
   }
   best.value = zero_within_bound(best.value, best.error + kRounding * std::abs(a));
   return best;
