@@ -14,7 +14,8 @@ namespace {
 
 // What differs by next to nothing of the largest value of its column does not jump.
 void level_sides(const MotionTable& table, MotionEvent& event) {
-  for (std::size_t c = 0; c < event.before.size(); ++c) {
+  // At an end of the motion there is one side alone.
+  for (std::size_t c = 0; c < std::min(event.before.size(), event.after.size()); ++c) {
     if (!event.before[c] || !event.after[c]) {
       continue;
     }
