@@ -206,6 +206,9 @@ DECISIONS: dict[str, dict[str, str]] = {
     "lib/studies/motion/task/figures/motion_figures.cpp": {
         "samples_with_jumps": "search: whether a column jumps at a place",
     },
+    "lib/studies/motion/task/figures/reversal_events.cpp": {
+        "level_sides": "search: whether a column jumps at a reversal",
+    },
     "lib/studies/motion/task/figures/unbounded_quotients.cpp": {
         "is_unbounded": "search: whether a divisor jumps there",
     },
