@@ -203,8 +203,8 @@ void keep_rows(const FinerMotion& finer, int steps, MotionTable& table) {
     for (std::size_t& pole : figures.poles) {
       pole = kept.behind(pole);
     }
-    const auto same = std::ranges::unique(figures.poles);
-    figures.poles.erase(same.begin(), same.end());
+    figures.poles.erase(std::unique(figures.poles.begin(), figures.poles.end()),
+                        figures.poles.end());
   }
   for (MotionPlace& place : table.places) {
     place.row = kept.place_of(place.row);
