@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -49,37 +50,51 @@ bool holds(const std::vector<Index>& first, const std::vector<Index>& second, st
          std::ranges::find(second, index) != second.end();
 }
 
-// "loads 'F', 'G' also supply or absorb power; list them under 'input' or 'output'": those that
-// neither names. Which of the two turns round where the outputs drive.
-std::string loads_beside(const Case& which, const CasePowers& powers, double negligible) {
+// Those that are neither input nor output; which of the two turns round where the outputs drive.
+std::vector<std::string> loads_beside(const Case& which,
+                                      const CasePowers& powers,
+                                      double negligible) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < powers.loads.size(); ++i) {
-    const std::string& name = which.loads[i].name;
     if (!holds(which.input_loads, which.output_loads, i) &&
         stored_power_reason(which.loads[i]).empty() && std::abs(powers.loads[i]) > negligible) {
-      names.push_back(fmt::format("'{}'", name));
+      names.push_back(fmt::format("'{}'", which.loads[i].name));
     }
   }
-  return names.size() == 1 ? fmt::format(
-                                 "load {} also supplies or absorbs power; list it under "
-                                 "'input' or 'output'",
-                                 names.front())
-                           : fmt::format(
-                                 "loads {} also supply or absorb power; list them under "
-                                 "'input' or 'output'",
-                                 plain_list(names));
+  return names;
+}
+
+// "loads 'F', 'G'".
+std::string named(std::string_view kind, const std::vector<std::string>& names) {
+  return fmt::format("{}{} {}", kind, names.size() == 1 ? "" : "s", plain_list(names));
+}
+
+// "actuator 'fan' and loads 'F', 'G' also supply or absorb power; list them under 'input' or
+// 'output'".
+std::string exchange_text(const std::vector<std::string>& actuators,
+                          const std::vector<std::string>& loads) {
+  const bool is_one = actuators.size() + loads.size() == 1;
+  return fmt::format("{}{}{} also {} power; list {} under 'input' or 'output'",
+                     actuators.empty() ? "" : named("actuator", actuators),
+                     actuators.empty() || loads.empty() ? "" : " and ",
+                     loads.empty() ? "" : named("load", loads),
+                     is_one ? "supplies or absorbs" : "supply or absorb",
+                     is_one ? "it" : "them");
 }
 
 // Why not all power comes from the inputs and goes to the outputs and into losses; empty if it
 // does.
-std::string exchange_beside(const Case& which, const CasePowers& powers) {
+std::string exchange_beside(const Topology& topology, const Case& which, const CasePowers& powers) {
   double largest = 0.0;
   double beside = 0.0;
+  std::vector<std::size_t> actuators;
   for (std::size_t i = 0; i < powers.actuators.size(); ++i) {
     const bool is_named = holds(which.inputs, which.outputs, i);
-    const bool slips = powers.slips != nullptr && (*powers.slips)[i];
-    if (!is_named && slips && powers.actuators[i] <= 0.0) {
+    if (!is_named && powers.actuators[i] <= 0.0 && is_shift_element(topology, i)) {
       continue;
+    }
+    if (!is_named) {
+      actuators.push_back(i);
     }
     double& size = is_named ? largest : beside;
     size = std::max(size, std::abs(powers.actuators[i]));
@@ -92,14 +107,20 @@ std::string exchange_beside(const Case& which, const CasePowers& powers) {
     double& size = is_named ? largest : beside;
     size = std::max(size, power);
   }
-  if (beside <= kPowerBalance * largest) {
+  const double negligible = kPowerBalance * largest;
+  if (beside <= negligible) {
     return {};
   }
-  if (load == nullptr) {
-    return "other actuators also supply or absorb power; list them under 'input' or 'output'";
+  if (load != nullptr && !stored_power_reason(*load).empty()) {
+    return stored_power_reason(*load);
   }
-  std::string stored = stored_power_reason(*load);
-  return stored.empty() ? loads_beside(which, powers, kPowerBalance * largest) : stored;
+  std::vector<std::string> exchanging;
+  for (const std::size_t i : actuators) {
+    if (std::abs(powers.actuators[i]) > negligible) {
+      exchanging.push_back(fmt::format("'{}'", topology.actuators[i].name));
+    }
+  }
+  return exchange_text(exchanging, loads_beside(which, powers, negligible));
 }
 
 // Whether one of them has a power of that sign, +1 or -1.
@@ -110,21 +131,16 @@ bool has_power(const std::vector<double>& chosen, double sign, const CasePowers&
 
 }  // namespace
 
-std::vector<bool> find_slipping(const Topology& topology) {
-  std::vector<bool> slips;
-  for (const ActuatorTopology& actuator : topology.actuators) {
-    const auto freedom = static_cast<std::size_t>(actuator.freedom);
-    const CouplingType type = topology.coupling(topology.freedoms[freedom].coupling).type;
-    slips.push_back(kind_of(type).engages);
-  }
-  return slips;
+bool is_shift_element(const Topology& topology, std::size_t actuator) {
+  const auto freedom = static_cast<std::size_t>(topology.actuators[actuator].freedom);
+  return kind_of(topology.coupling(topology.freedoms[freedom].coupling).type).engages;
 }
 
-Efficiency find_efficiency(const Case& which, const CasePowers& powers) {
+Efficiency find_efficiency(const Topology& topology, const Case& which, const CasePowers& powers) {
   if (!which.names_both_ends()) {
     return {};
   }
-  if (std::string reason = exchange_beside(which, powers); !reason.empty()) {
+  if (std::string reason = exchange_beside(topology, which, powers); !reason.empty()) {
     return no_efficiency(std::move(reason));
   }
   const std::vector<double> inputs = powers_of(which.inputs, which.input_loads, powers);

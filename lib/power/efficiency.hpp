@@ -1,6 +1,7 @@
 // The efficiency of a case, from its inputs to its outputs.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,14 +29,12 @@ struct Efficiency {
 struct CasePowers {
   const std::vector<double>& actuators;
   const std::vector<double>& loads;
-  double largest = 0.0;                      ///< the largest power in the whole network
-  const std::vector<bool>* slips = nullptr;  ///< of each actuator: whether it is a clutch or brake,
-                                             ///< so that the power it takes is lost; null: none is
+  double largest = 0.0;  ///< the largest power in the whole network
 };
 
-/// Whether each actuator is a clutch or brake.
-std::vector<bool> find_slipping(const Topology& topology);
+/// A clutch or brake, which loses the power that it takes.
+bool is_shift_element(const Topology& topology, std::size_t actuator);
 
-Efficiency find_efficiency(const Case& which, const CasePowers& powers);
+Efficiency find_efficiency(const Topology& topology, const Case& which, const CasePowers& powers);
 
 }  // namespace kinestat

@@ -224,10 +224,10 @@ PowerFlow find_power(const Mechanism& mechanism,
   }
   flow.input = input_power(which, flow);
   if (!flow.friction.empty()) {
-    const std::vector<bool> slips = find_slipping(mechanism.topology);
-    Efficiency found = find_efficiency(
-        which,
-        {.actuators = flow.actuators, .loads = flow.loads, .largest = largest, .slips = &slips});
+    Efficiency found =
+        find_efficiency(mechanism.topology,
+                        which,
+                        {.actuators = flow.actuators, .loads = flow.loads, .largest = largest});
     if (found.is_self_locking && is_taken_by_converters(mechanism, action, flow)) {
       found = {.value = std::nullopt,
                .reason = "the torque converter takes power from inputs and outputs"};

@@ -138,12 +138,10 @@ class LossyCase {
 
  private:
   Efficiency between_ends(const PowerFlow& flow) const {
-    const std::vector<bool> slips = find_slipping(mechanism_.topology);
-    return find_efficiency(which_,
-                           {.actuators = flow.actuators,
-                            .loads = flow.loads,
-                            .largest = flow.largest,
-                            .slips = &slips});
+    return find_efficiency(
+        mechanism_.topology,
+        which_,
+        {.actuators = flow.actuators, .loads = flow.loads, .largest = flow.largest});
   }
 
   // Whether the case says what all outputs take, so that losses do not decide it.
@@ -244,12 +242,10 @@ Efficiency absolute_of(const Mechanism& mechanism, const SolvedCase& solved) {
     return no_efficiency("the case does not name input and output");
   }
   const PowerFlow& power = solved.power;
-  const std::vector<bool> slips = find_slipping(mechanism.topology);
-  Efficiency result = find_efficiency(solved.which,
-                                      {.actuators = power.actuators,
-                                       .loads = power.loads,
-                                       .largest = power.largest,
-                                       .slips = &slips});
+  Efficiency result = find_efficiency(
+      mechanism.topology,
+      solved.which,
+      {.actuators = power.actuators, .loads = power.loads, .largest = power.largest});
   if (!result.value) {
     return result;
   }

@@ -78,10 +78,7 @@ struct BearingSum {
 class DutySum {
  public:
   DutySum(const Mechanism& mechanism, const DutyPlan& plan, std::span<const Mesh> meshes)
-      : mechanism_(mechanism),
-        plan_(plan),
-        slips_(find_slipping(mechanism.topology)),
-        energy_of_case_(mechanism.cases.size()) {
+      : mechanism_(mechanism), plan_(plan), energy_of_case_(mechanism.cases.size()) {
     for (const LossyMesh& mesh : mechanism.lossy_meshes) {
       result_.meshes.push_back({.coupling = mesh.coupling});
     }
@@ -89,8 +86,8 @@ class DutySum {
     list_dampers();
     list_gears(meshes);
     list_bearings();
-    for (std::size_t a = 0; a < slips_.size(); ++a) {
-      if (slips_[a]) {
+    for (std::size_t a = 0; a < mechanism.topology.actuators.size(); ++a) {
+      if (is_shift_element(mechanism.topology, a)) {
         result_.elements.push_back({.actuator = static_cast<int>(a)});
       }
     }
@@ -128,7 +125,7 @@ class DutySum {
     };
     std::size_t element = 0;
     for (std::size_t a = 0; a < state.actuators.size(); ++a) {
-      if (!slips_[a]) {
+      if (!is_shift_element(mechanism_.topology, a)) {
         exchange(state.actuators[a]);
         continue;
       }
@@ -307,7 +304,6 @@ class DutySum {
 
   const Mechanism& mechanism_;
   const DutyPlan& plan_;
-  std::vector<bool> slips_;
   std::vector<std::size_t> loser_of_;  ///< of each friction: index into result_.frictions
   std::vector<DutyEnergy> energy_of_case_;
   std::vector<GearSum> gears_;

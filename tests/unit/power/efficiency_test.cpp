@@ -13,10 +13,23 @@ Case drive() {
   return which;
 }
 
+// Of four shafts, none of them a clutch.
+Topology motors() {
+  Topology topology;
+  topology.bodies.resize(2);
+  topology.couplings.resize(1);
+  topology.freedoms.resize(1);
+  for (const char* name : {"engine", "motor", "wheels", "fan"}) {
+    topology.actuators.push_back({.name = name, .freedom = 0, .action = 0, .where = {}});
+  }
+  return topology;
+}
+
 Efficiency efficiency_of(const Case& which,
                          const std::vector<double>& actuators,
                          const std::vector<double>& loads = {}) {
-  return find_efficiency(which, {.actuators = actuators, .loads = loads, .largest = 100.0});
+  return find_efficiency(
+      motors(), which, {.actuators = actuators, .loads = loads, .largest = 100.0});
 }
 
 TEST(Efficiency, IsWhatLeavesOfAllThatEnters) {
@@ -36,11 +49,20 @@ TEST(Efficiency, HasNoValueWithoutNames) {
 
 TEST(Efficiency, HasNoValueWhereOthersExchangePower) {
   EXPECT_EQ(efficiency_of(drive(), {100.0, 0.0, -97.0, 1.0}).reason,
-            "other actuators also supply or absorb power; list them under 'input' or 'output'");
+            "actuator 'fan' also supplies or absorbs power; list it under 'input' or 'output'");
+  Case engine_to_motor;
+  engine_to_motor.inputs = {0};
+  engine_to_motor.outputs = {1};
+  EXPECT_EQ(efficiency_of(engine_to_motor, {100.0, -90.0, -9.0, -1.0}).reason,
+            "actuators 'wheels', 'fan' also supply or absorb power; list them under 'input' or "
+            "'output'");
   Case in_wind = drive();
   in_wind.loads.push_back({.name = "wind", .acts = {}, .point = {}, .where = {}});
   EXPECT_EQ(efficiency_of(in_wind, {100.0, 0.0, -97.0, 0.0}, {-1.0}).reason,
             "load 'wind' also supplies or absorbs power; list it under 'input' or 'output'");
+  EXPECT_EQ(efficiency_of(in_wind, {100.0, 0.0, -90.0, -9.0}, {-1.0}).reason,
+            "actuator 'fan' and load 'wind' also supply or absorb power; list them under 'input' "
+            "or 'output'");
   Case in_wind_and_rain = in_wind;
   in_wind_and_rain.loads.push_back({.name = "rain", .acts = {}, .point = {}, .where = {}});
   in_wind_and_rain.loads.push_back({.name = "snow", .acts = {}, .point = {}, .where = {}});

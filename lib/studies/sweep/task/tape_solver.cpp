@@ -54,8 +54,7 @@ TapeSolver::TapeSolver(const SweepTask& task, const SweepTapes& tapes, std::size
       recirculation_columns_(find_columns(task.columns, SweepColumnKind::recirculation)),
       asks_steps_(!find_columns(task.columns, SweepColumnKind::step).empty()),
       statuses_(has_combinations_ ? lanes * task.cases.size() : 0),
-      ratios_(task.cases.size()),
-      slips_(find_slipping(task.mechanism.topology)) {
+      ratios_(task.cases.size()) {
   std::size_t most = 0;
   for (const Case& which : task.cases) {
     most = std::max({most, which.inputs.size(), which.outputs.size()});
@@ -405,9 +404,9 @@ double TapeSolver::read_powers(std::span<const std::size_t> cells, std::size_t l
 }
 
 Efficiency TapeSolver::efficiency_of(std::size_t i, double largest) const {
-  return find_efficiency(
-      task_.cases[i],
-      {.actuators = powers_, .loads = no_loads_, .largest = largest, .slips = &slips_});
+  return find_efficiency(task_.mechanism.topology,
+                         task_.cases[i],
+                         {.actuators = powers_, .loads = no_loads_, .largest = largest});
 }
 
 // The largest power of the network is no less than that of the actuators, and it decides what is

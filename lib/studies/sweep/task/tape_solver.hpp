@@ -123,7 +123,6 @@ class TapeSolver {
   std::vector<Quantity> scratch_;
   std::vector<double> rates_;   ///< what was read last
   std::vector<double> powers_;  ///< of all actuators, likewise
-  std::vector<bool> slips_;     ///< what they take is lost
   std::vector<double> no_loads_;
 };
 

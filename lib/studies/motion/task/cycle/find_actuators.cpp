@@ -307,9 +307,8 @@ class ActuatorFinder {
       figures.no_efficiency = "kinetic energy at the end differs from that at the start";
       return;
     }
-    const std::vector<bool> slips = find_slipping(topology_);
     Efficiency found = find_efficiency(
-        *ends_, {.actuators = actuators, .loads = loads, .largest = largest, .slips = &slips});
+        topology_, *ends_, {.actuators = actuators, .loads = loads, .largest = largest});
     figures.efficiency = found.value;
     figures.no_efficiency = std::move(found.reason);
   }
