@@ -109,6 +109,10 @@ DECISIONS: dict[str, dict[str, str]] = {
         "passes_on": "search: which assumed senses are accepted",
     },
     "lib/screw/coordinate_basis.cpp": {"holds": "rank: whether a screw is in the span of others"},
+    "lib/screw/point_motion.cpp": {
+        "moves_point": "rank: what an idle or passive freedom moves",
+        "turns": "rank: likewise",
+    },
     "lib/screw/screw_axis.cpp": {
         "axis_of": "rank: a screw without a direction is a translation or a couple",
     },
@@ -215,7 +219,6 @@ DECISIONS: dict[str, dict[str, str]] = {
     "lib/studies/motion/task/figures/value_ends.cpp": {
         "zero_beyond": "search: where a value runs on to zero at a jam, before which rounding ends it",
     },
-    "lib/studies/motion/task/idle_rates.cpp": {"moves_point": "rank: what a passive freedom moves"},
     "lib/studies/motion/task/motion_events.cpp": {
         "may_rest": "search: rates so slow that their bounds are asked for",
     },
@@ -234,6 +237,9 @@ DECISIONS: dict[str, dict[str, str]] = {
     "lib/studies/simulation/internal/extreme_watch.cpp": {
         "climb": "search: what exceeds an extreme by less is none",
         "extremes": "search: where values touch zero between two looks",
+    },
+    "lib/studies/simulation/internal/first_crossing.cpp": {
+        "is_below_zero": "search: what only touches zero by rounding crosses it nowhere",
     },
     "lib/studies/simulation/internal/simulator_events.cpp": {
         "distance": "search: where sliding begins anew",

@@ -35,6 +35,7 @@ IdleFreedom moved_in(const KinematicSolution& motion) {
     const Twist& twist = motion.bodies[b];
     if (!twist.angular.isZero(0.0) || !twist.linear.isZero(0.0)) {
       idle.bodies.push_back(BodyId{static_cast<int>(b)});
+      idle.twists.push_back(twist);
     }
   }
   for (std::size_t f = 0; f < motion.rates.size(); ++f) {
@@ -69,7 +70,7 @@ std::vector<IdleFreedom> hold_idle_freedoms(const Mechanism& mechanism,
   }
   std::vector<IdleFreedom> idle;
   for (const PassiveFreedom& one : passive) {
-    idle.push_back({.bodies = one.bodies, .freedoms = moved_freedoms(one)});
+    idle.push_back({.bodies = one.bodies, .twists = one.twists, .freedoms = moved_freedoms(one)});
   }
   for (const int f : held) {
     which.motions.push_back(assumed(f, 0.0, which));

@@ -12,6 +12,9 @@ namespace {
 // A body in motion relative to the ground.
 struct BodyView {
   BoundedTwist twist;  // about the origin of the geometry
+  bool knows_all = true;
+  bool knows_turn = true;
+  bool knows_linear = true;
   const Geometry& geometry;
   Vec3 reference = Vec3::Zero();  // [m], in the world
 };
@@ -24,21 +27,27 @@ const Record<BodyView>& body_record() {
                  "Angular velocity, then velocity of the point of the body at the origin.",
                  [](const BodyView& v) {
                    return sixfold_of(about_world(v.twist, v.geometry.origin).zeroed());
-                 });
-    keys.vector(
-        "angular", QuantityKind::angular_velocity, "Angular velocity.", [](const BodyView& v) {
-          return v.twist.angular.zeroed();
-        });
+                 })
+        .only_if([](const BodyView& v) { return v.knows_all; });
+    keys.vector("angular",
+                QuantityKind::angular_velocity,
+                "Angular velocity.",
+                [](const BodyView& v) { return v.twist.angular.zeroed(); })
+        .only_if([](const BodyView& v) { return v.knows_turn; });
     keys.vector("linear",
                 QuantityKind::velocity,
                 "Velocity of the reference point.",
-                [](const BodyView& v) { return velocity_at(v.twist, v.reference).zeroed(); });
+                [](const BodyView& v) { return velocity_at(v.twist, v.reference).zeroed(); })
+        .only_if([](const BodyView& v) { return v.knows_linear; });
     keys.vector("at", QuantityKind::length, "The reference point.", [](const BodyView& v) {
       return v.geometry.origin.in_world(v.reference);
     });
-    keys.part("screw", axis_record(), [](const BodyView& v) {
-      return view_of(find_axis(v.twist, v.geometry.length), v.geometry.origin);
-    });
+    keys.part("screw",
+              axis_record(),
+              [](const BodyView& v) {
+                return view_of(find_axis(v.twist, v.geometry.length), v.geometry.origin);
+              })
+        .only_if([](const BodyView& v) { return v.knows_all; });
   });
   return record;
 }
@@ -60,13 +69,16 @@ void emit_rates(const KinematicView& v, const EachNumber& each) {
 void emit_bodies(const KinematicView& v, const Each<BodyView>& each) {
   const Topology& topology = v.mechanism.topology;
   for (std::size_t b = 0; is_solved(v) && b < topology.bodies.size(); ++b) {
-    if (!v.motion.knows_body(BodyId{static_cast<int>(b)})) {
-      continue;
-    }
+    const BodyId body{static_cast<int>(b)};
+    const Geometry& geometry = v.mechanism.geometry;
+    const Vec3& reference = geometry.references[b];
     each(topology.bodies[b].name,
-         {.twist = bounded_body(v.motion, BodyId{static_cast<int>(b)}),
-          .geometry = v.mechanism.geometry,
-          .reference = v.mechanism.geometry.references[b]});
+         {.twist = bounded_body(v.motion, body),
+          .knows_all = v.motion.knows_body(body),
+          .knows_turn = v.motion.knows_turn(body, geometry.length),
+          .knows_linear = v.motion.knows_velocity(body, reference, geometry.length),
+          .geometry = geometry,
+          .reference = reference});
   }
 }
 
@@ -96,8 +108,8 @@ const Record<KinematicView>& kinematic_record() {
             .in_tables_as("velocity");
         keys.map("bodies",
                  body_record(),
-                 "Motion of every body relative to the ground; empty unless solved, and without "
-                 "bodies that can turn or slide without moving others.",
+                 "Motion of every body relative to the ground; empty unless solved. Of a body that "
+                 "can turn or slide without moving others, what that leaves determined.",
                  emit_bodies)
             .in_tables_as("");
         keys.part("evidence",

@@ -16,6 +16,7 @@ namespace kinestat {
 /// two ball joints.
 struct IdleFreedom {
   std::vector<BodyId> bodies;
+  std::vector<Twist> twists;  ///< of each of them, about the origin of the Geometry
   std::vector<int> freedoms;  ///< those with a rate in it: indices into Topology::freedoms
 };
 
@@ -40,6 +41,13 @@ struct KinematicSolution {
 
   /// Whether the motion of a body is determined: no idle freedom moves it.
   bool knows_body(BodyId body) const;
+
+  /// Whether the angular velocity of a body is: it is where an idle freedom only shifts it. The
+  /// length is that of the mechanism.
+  bool knows_turn(BodyId body, double length) const;
+
+  /// Whether the velocity of a point of a body [m] is: it is on the axis of an idle spin.
+  bool knows_velocity(BodyId body, const Vec3& point, double length) const;
 };
 
 }  // namespace kinestat

@@ -99,7 +99,11 @@ class SpinOfARod(ReferenceTest):
         self.near(case["ratio"], 1 / lever_speed(40), "ratio")
         for name in ("b.wx", "b.wy", "b.wz", "c.wx", "c.wy", "c.wz"):
             self.assertIsNone(freedoms[name], name)
-        self.assertNotIn("rod", case["kinematics"]["bodies"])
+        # Its reference point is the ball on the crank.
+        rod = case["kinematics"]["bodies"]["rod"]
+        self.assertEqual(sorted(rod), ["at", "linear"])
+        for found, expected in zip(rod["linear"], (0.0, 40.0, 0.0)):
+            self.assertAlmostEqual(found, expected, delta=1e-12)
         self.assertEqual(case["primary"]["motion"], ["a.wz"])
         self.near(case["statics"]["actions"]["motor"], lever_speed(40), "virtual power")
 

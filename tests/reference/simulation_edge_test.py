@@ -440,6 +440,26 @@ class Edges(unittest.TestCase):
         self.assertLess(abs(last["a.vx/position"] + 5 / 3 * 2), 1e-8)
         self.assertEqual(last["b.wz/position"], 0.0)
 
+    def test_the_energies_between_rows_are_what_little_is_measured_by(self) -> None:
+        """A mass that falls 0.2 m onto its spring swings back between two rows: at all rows it is where
+        it began, and it had m (g sqrt(m/k))^2 / 2 = 0.5 J meanwhile."""
+        for rows in (1, 10, 77):
+            done = program.call("simulate", "-", text=f"""
+kinestat: 1
+space: planar
+ground: frame
+bodies: {{m: {{mass: 1, centre_of_mass: [0, 0]}}}}
+gravity: [-10, 0]
+couplings: {{a: {{type: prismatic, bodies: [frame, m], at: [0, 0], axis: x}}}}
+springs: {{k: {{coupling: a, stiffness: 100}}}}
+actuators: {{A: {{coupling: a}}}}
+simulation: {{action: {{A: 0}}, time: "10*0.2*pi*1 s", steps: {rows}}}
+""")
+            self.assertEqual(done.stderr, "")
+            found = program.report(done)["simulation"]
+            self.assertLess(found["energy_scale"], 0.5 + 1e-6)
+            self.assertGreater(found["energy_scale"], 0.49)
+
 
 if __name__ == "__main__":
     program.use(sys.argv.pop(1))

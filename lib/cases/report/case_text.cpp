@@ -72,13 +72,16 @@ TextBlocks bodies_blocks(const Mechanism& mechanism,
   VectorColumns at{.symbol = "at ", .unit = in.units().text(QuantityKind::length), .rows = {}};
   for (std::size_t b = 1; b < mechanism.topology.bodies.size(); ++b) {
     const Vec3& reference = mechanism.geometry.references[b];
-    const bool is_known = motion.knows_body(BodyId{static_cast<int>(b)});
+    const BodyId body{static_cast<int>(b)};
+    const double length = mechanism.geometry.length;
     names.cells.push_back(mechanism.topology.bodies[b].name);
-    const BoundedTwist twist = bounded_body(motion, BodyId{static_cast<int>(b)});
-    angular.rows.push_back(is_known ? std::optional(in.angular(twist.angular.zeroed()))
-                                    : std::nullopt);
-    linear.rows.push_back(
-        is_known ? std::optional(in.linear(velocity_at(twist, reference).zeroed())) : std::nullopt);
+    const BoundedTwist twist = bounded_body(motion, body);
+    angular.rows.push_back(motion.knows_turn(body, length)
+                               ? std::optional(in.angular(twist.angular.zeroed()))
+                               : std::nullopt);
+    linear.rows.push_back(motion.knows_velocity(body, reference, length)
+                              ? std::optional(in.linear(velocity_at(twist, reference).zeroed()))
+                              : std::nullopt);
     at.rows.emplace_back(in.length(mechanism.geometry.origin.in_world(reference)));
   }
   std::vector<TextColumn> columns = {std::move(names)};

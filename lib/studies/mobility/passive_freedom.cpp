@@ -5,6 +5,7 @@
 
 #include "core/tolerance.hpp"
 #include "math/dense/span.hpp"
+#include "screw/point_motion.hpp"
 
 namespace kinestat {
 
@@ -29,6 +30,13 @@ double unit_of(const Mechanism& mechanism, int freedom) {
   const bool is_rotation =
       mechanism.topology.freedoms[static_cast<std::size_t>(freedom)].is_rotation;
   return is_rotation ? 1.0 : mechanism.geometry.length;
+}
+
+// Of a body; null if it rests.
+const Twist* twist_of(const PassiveFreedom& one, BodyId body) {
+  const auto at = std::ranges::find(one.bodies, body);
+  return at == one.bodies.end() ? nullptr
+                                : &one.twists[static_cast<std::size_t>(at - one.bodies.begin())];
 }
 
 // What is rounding beside the largest becomes zero.
@@ -256,6 +264,16 @@ class PassiveSearch {
 };
 
 }  // namespace
+
+bool PassiveFreedom::turns(BodyId body, double length) const {
+  const Twist* twist = twist_of(*this, body);
+  return twist != nullptr && kinestat::turns(*twist, length);
+}
+
+bool PassiveFreedom::moves_point(BodyId body, const Vec3& drawn, double length) const {
+  const Twist* twist = twist_of(*this, body);
+  return twist != nullptr && kinestat::moves_point(*twist, drawn, length);
+}
 
 std::vector<PassiveFreedom> find_passive_freedoms(const Mechanism& mechanism,
                                                   const CoordinateBasis& basis) {

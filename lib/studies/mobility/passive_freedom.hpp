@@ -17,6 +17,12 @@ struct PassiveFreedom {
   VecX rates;                  ///< one a freedom of the mechanism [SI]; 0 of those that it rests in
 
   bool moves(int freedom) const { return rates[freedom] != 0.0; }
+
+  /// Whether it turns a body, in a mechanism of that length.
+  bool turns(BodyId body, double length) const;
+
+  /// Whether it moves a point of a body [m], drawn there.
+  bool moves_point(BodyId body, const Vec3& drawn, double length) const;
 };
 
 /// Those of single bodies and of short chains of bodies with two couplings each, which do not

@@ -119,7 +119,8 @@ struct SimulationSolution {
   int integrated = 0;                    ///< steps of the integration
   int changes = 0;                       ///< of the coordinates, at dead points of those before
   double energy_drift = 0.0;             ///< largest of what nothing explains, since the begin [J]
-  double energy_scale = 0.0;   ///< the largest kinetic energy, change of potential, work [J]
+  double energy_scale = 0.0;   ///< the largest kinetic energy, change of potential, work, also
+                               ///< between rows [J]
   double closure_error = 0.0;  ///< the largest of a row, as share of the size
 };
 

@@ -5,22 +5,23 @@
 #include <string>
 #include <utility>
 
-#include "core/tolerance.hpp"
-
 namespace kinestat {
 
 namespace {
 
-bool has_body(const PassiveFreedom& one, BodyId body) {
-  return std::ranges::find(one.bodies, body) != one.bodies.end();
+bool is_of_turning(QuantityKind kind) {
+  return kind == QuantityKind::angular_velocity || kind == QuantityKind::angular_acceleration;
 }
 
-// Whether the column of that element is of a freedom, a body or a traced point that it moves.
+// Whether a rate of that element, a freedom, a traced point or a body, is one that it moves. Of a
+// body it is the angular velocity or the velocity of the reference point, or their derivative.
 bool moves_element(const PassiveFreedom& one,
                    const std::string& element,
+                   QuantityKind kind,
                    const MotionPlan& plan,
                    const Mechanism& mechanism) {
   const Topology& topology = mechanism.topology;
+  const double length = mechanism.geometry.length;
   for (int f = 0; f < topology.freedom_count(); ++f) {
     if (topology.freedom_name(f) == element) {
       return one.moves(f);
@@ -28,30 +29,19 @@ bool moves_element(const PassiveFreedom& one,
   }
   for (const TracedPoint& point : plan.trace) {
     if (point.name == element) {
-      return moves_point(one, point.body, point.at, mechanism);
+      return one.moves_point(point.body, point.at, length);
     }
   }
   const auto at = std::ranges::find(topology.bodies, element, &BodyTopology::name);
-  return at != topology.bodies.end() &&
-         has_body(one, BodyId{static_cast<int>(at - topology.bodies.begin())});
+  if (at == topology.bodies.end()) {
+    return false;
+  }
+  const BodyId body{static_cast<int>(at - topology.bodies.begin())};
+  const Vec3& reference = mechanism.geometry.references[static_cast<std::size_t>(body.value)];
+  return is_of_turning(kind) ? one.turns(body, length) : one.moves_point(body, reference, length);
 }
 
 }  // namespace
-
-bool moves_point(const PassiveFreedom& one,
-                 BodyId body,
-                 const Vec3& drawn,
-                 const Mechanism& mechanism) {
-  const auto at = std::ranges::find(one.bodies, body);
-  if (at == one.bodies.end()) {
-    return false;
-  }
-  const Twist& twist = one.twists[static_cast<std::size_t>(at - one.bodies.begin())];
-  const Vec3 velocity = velocity_at(twist, drawn);
-  const double fastest =
-      std::max(twist.angular.norm() * mechanism.geometry.length, velocity.norm());
-  return velocity.norm() > kRankZero * fastest;
-}
 
 std::vector<PassiveFreedom> freedoms_of_open_rate(std::vector<PassiveFreedom> passive,
                                                   const MotionPlan& plan,
@@ -81,7 +71,7 @@ void leave_out_idle_rates(const FoundMotion& motion,
     const bool is_open =
         (is_rate(reading.kind) || is_rate_of_rate(reading.kind)) &&
         std::ranges::any_of(idle, [&](const PassiveFreedom& one) {
-          return moves_element(one, reading.column.element, motion.plan, mechanism);
+          return moves_element(one, reading.column.element, reading.kind, motion.plan, mechanism);
         });
     if (is_open) {
       reading.is_idle = true;

@@ -9,12 +9,6 @@
 
 namespace kinestat {
 
-/// Whether it moves a point of the body [m], drawn there.
-bool moves_point(const PassiveFreedom& one,
-                 BodyId body,
-                 const Vec3& drawn,
-                 const Mechanism& mechanism);
-
 /// What the case of the plan, if it knows speeds, leaves open of them.
 std::vector<PassiveFreedom> freedoms_of_open_rate(std::vector<PassiveFreedom> passive,
                                                   const MotionPlan& plan,

@@ -38,7 +38,7 @@ class PassiveFindings {
   // A report of all positions has the turns of all bodies.
   bool shows_body(const PassiveFreedom& one) const {
     return report_.position || std::ranges::any_of(trace_, [&](const TracedPoint& point) {
-             return moves_point(one, point.body, point.at, mechanism_);
+             return one.moves_point(point.body, point.at, mechanism_.geometry.length);
            });
   }
 

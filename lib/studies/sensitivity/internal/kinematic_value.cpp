@@ -15,10 +15,19 @@ std::optional<ReportedValue> find_kinematic_value(const DualCase& values, const 
   }
   const auto b = parts[1] == "bodies" && parts.size() == 5 ? index_of(topology.bodies, parts[2])
                                                            : std::nullopt;
-  if (!b || !values.motion()->knows_body(BodyId{static_cast<int>(*b)})) {
+  if (!b) {
     return std::nullopt;
   }
-  const LocalOrigin& origin = values.mechanism().geometry.origin;
+  const BodyId body{static_cast<int>(*b)};
+  const Geometry& geometry = values.mechanism().geometry;
+  const bool is_known = parts[3] == "angular"  ? values.motion()->knows_turn(body, geometry.length)
+                        : parts[3] == "linear" ? values.motion()->knows_velocity(
+                                                     body, geometry.references[*b], geometry.length)
+                                               : values.motion()->knows_body(body);
+  if (!is_known) {
+    return std::nullopt;
+  }
+  const LocalOrigin& origin = geometry.origin;
   const TwistOf<Dual> twist = values.body_twist(*b);
   const Vec3Of<Dual> at = values.reference(*b);
   if (parts[3] == "twist") {

@@ -12,8 +12,7 @@ namespace kinestat {
 
 namespace {
 
-// Between two looks nothing turns farther [rad], as long as there are not too many.
-constexpr double kFarthestTurn = 0.25;
+// In all, of steps in which much turns.
 constexpr int kMostLooks = 20'000;
 
 // Values of a column in a step beside those of its parts.
@@ -71,6 +70,7 @@ ExtremeWatch::Sample ExtremeWatch::sample_of(const SimulationRow& row, const Sim
       sample.turns = std::max(sample.turns, std::abs(row.rates[f].value_or(0.0)));
     }
   }
+  turns_ = sample.turns;
   return sample;
 }
 

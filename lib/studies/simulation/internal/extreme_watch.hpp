@@ -11,6 +11,9 @@
 
 namespace kinestat {
 
+/// Between two looks nothing turns farther [rad], as long as there are not too many.
+inline constexpr double kFarthestTurn = 0.25;
+
 /// Looks into each step of the integration, which is smooth: at its ends, at its middle or more
 /// often where much turns, and at the tops of parabolas through these.
 class ExtremeWatch {
@@ -39,6 +42,9 @@ class ExtremeWatch {
   /// Of each of the readings that are wanted.
   std::vector<SimulationExtremes> extremes() const;
 
+  /// The fastest that turned at the last look [rad/s].
+  double turns() const { return turns_; }
+
   std::vector<SimulationSides> sides() const { return sides_; }
 
   /// False where some steps were too long to look everywhere.
@@ -66,7 +72,8 @@ class ExtremeWatch {
   std::vector<SimulationSides> sides_;
   std::optional<Sample> last_;
   int regime_ = -1;  // of the last
-  int looks_ = 0;    // that long steps took
+  double turns_ = 0.0;
+  int looks_ = 0;  // that long steps took
   bool sees_all_ = true;
   const RowAt* row_at_ = nullptr;  // of the step
   const SimulationRow* first_ = nullptr;

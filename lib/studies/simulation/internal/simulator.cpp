@@ -23,6 +23,9 @@ constexpr double kBetterCoordinates = 10.0;
 // Where something may happen between steps, there are so many of them at least.
 constexpr int kLeastWatched = 100;
 
+// A step in which more turns [rad] has more to be looked at than it is worth.
+constexpr double kFarthestStep = 16.0;
+
 // So many events at one time, and in all, are too many, and so many accelerations: they take half a
 // minute.
 constexpr int kMostAtOnce = 1000;
@@ -130,7 +133,8 @@ double Simulator::next_end() const {
                           !mechanism_.curves.empty() || has_dry() || !one_sided_.empty() ||
                           !one_sided_springs_.empty();
   const double end = std::min(plan_.duration, next_turn());
-  const double watched = time_ + plan_.duration / std::max(plan_.steps, kLeastWatched);
+  const double watched = time_ + std::min(plan_.duration / std::max(plan_.steps, kLeastWatched),
+                                          kFarthestStep / watch_.turns());
   return is_watched && watched < end - least_step() ? watched : end;
 }
 
@@ -254,9 +258,22 @@ void Simulator::look_between_rows(double end) {
               [&](double time) {
                 std::vector<double> y(state_.size());
                 state_in_step(time, y);
-                return row_at(time, y);
+                std::optional<SimulationRow> row = row_at(time, y);
+                if (row) {
+                  note_energies(*row);
+                }
+                return row;
               });
   obstacle_ = before;
+}
+
+// Those between rows count too: at the rows all may have gone back.
+void Simulator::note_energies(const SimulationRow& row) {
+  energy_scale_ = std::max({energy_scale_,
+                            row.kinetic.value_or(0.0),
+                            std::abs(row.potential - result_.rows.front().potential),
+                            std::abs(row.supplied),
+                            std::abs(row.lost)});
 }
 
 void Simulator::state_in_step(double time, std::vector<double>& y) const {
@@ -357,12 +374,9 @@ SimulationSolution Simulator::finish() {
     const std::optional<double> balance = row.balance();
     result_.energy_drift = std::max(
         result_.energy_drift, balance ? std::abs(*balance - first.balance().value_or(0.0)) : 0.0);
-    result_.energy_scale = std::max({result_.energy_scale,
-                                     row.kinetic.value_or(0.0),
-                                     std::abs(row.potential - first.potential),
-                                     std::abs(row.supplied),
-                                     std::abs(row.lost)});
+    note_energies(row);
   }
+  result_.energy_scale = energy_scale_;
   return std::move(result_);
 }
 

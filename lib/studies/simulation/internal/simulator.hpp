@@ -12,9 +12,6 @@
 
 namespace kinestat {
 
-// A step is looked at in so many parts for what happens in it.
-inline constexpr int kLooks = 4;
-
 class Simulator : private StateInTime {
  public:
   Simulator(const Mechanism& mechanism,
@@ -108,6 +105,7 @@ class Simulator : private StateInTime {
   using SpringValue = double (ReducedSystem::*)(std::size_t) const;
   std::optional<double> spring_turn(std::size_t spring, SpringValue of, double from, double to);
 
+  int parts_of(double from, double to) const;  // in which a step is looked at
   double root(const Happening& what, double low, double high);
 
   void note_signs();
@@ -128,6 +126,7 @@ class Simulator : private StateInTime {
   bool add_rows(double until);
   bool add_row(double time, std::span<const double> y);
   void look_between_rows(double end);
+  void note_energies(const SimulationRow& row);
   void state_in_step(double time, std::vector<double>& y) const;
   void note_borne(const std::vector<std::optional<double>>& borne);
   SimulationSolution stuck();

@@ -8,6 +8,7 @@
 #include "core/simulation_tolerance.hpp"
 #include "core/tolerance.hpp"
 #include "studies/motion/configuration.hpp"
+#include "studies/simulation/internal/first_crossing.hpp"
 #include "studies/simulation/internal/simulator.hpp"
 
 namespace kinestat {
@@ -125,26 +126,26 @@ std::optional<Happening> Simulator::find_first() {
   const double from = integration_->time_before();
   const double to = std::min(integration_->time(), plan_.duration);
   for (Happening what : possible()) {
-    double low = from;
+    if (what.kind == SimulationEvent::Kind::goal && signs_[what.index] == 0.0) {
+      continue;
+    }
     const double end = first ? first->time : to;
-    const bool is_open = what.kind == SimulationEvent::Kind::goal && signs_[what.index] == 0.0;
-    for (int look = 1; look <= kLooks && !is_open; ++look) {
-      const double high = look == kLooks ? to : from + look * (to - from) / kLooks;
-      if (low >= end) {
-        break;
+    const std::optional<Crossing> crossing = find_crossing(
+        [&](double time) { return distance(what, time); }, from, end, parts_of(from, end));
+    if (crossing) {
+      what.time = root(what, crossing->before, crossing->behind);
+      if (!first || what.time < first->time) {
+        first = what;
       }
-      const std::optional<double> there = distance(what, high);
-      if (there && *there < 0.0) {
-        what.time = root(what, low, high);
-        if (!first || what.time < first->time) {
-          first = what;
-        }
-        break;
-      }
-      low = high;
     }
   }
   return first;
+}
+
+int Simulator::parts_of(double from, double to) const {
+  constexpr int kLeastParts = 4;
+  return std::max(kLeastParts,
+                  static_cast<int>(std::ceil((to - from) * watch_.turns() / kFarthestTurn)));
 }
 
 double Simulator::root(const Happening& what, double low, double high) {

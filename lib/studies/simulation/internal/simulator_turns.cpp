@@ -4,6 +4,7 @@
 
 #include "core/simulation_tolerance.hpp"
 #include "core/tolerance.hpp"
+#include "studies/simulation/internal/first_crossing.hpp"
 #include "studies/simulation/internal/simulator.hpp"
 
 namespace kinestat {
@@ -102,27 +103,29 @@ std::optional<double> Simulator::spring_turn(std::size_t spring,
                ? std::optional(((*system_).*of)(spring))
                : std::nullopt;
   };
-  double low = from;
-  std::optional<double> before = tension(low);
-  for (int look = 1; look <= kLooks && before; ++look) {
-    double high = look == kLooks ? to : from + look * (to - from) / kLooks;
-    const std::optional<double> behind = tension(high);
-    if (!behind || (*before < 0.0) == (*behind < 0.0)) {
-      before = behind;
-      low = high;
-      continue;
-    }
-    while (high - low > 2.0 * kEpsilon * std::abs(high)) {
-      const double middle = 0.5 * (low + high);
-      if (middle <= low || middle >= high) {
-        break;
-      }
-      const bool is_before = (tension(middle).value_or(*behind) < 0.0) == (*before < 0.0);
-      (is_before ? low : high) = middle;
-    }
-    return high;
+  const std::optional<double> before = tension(from);
+  if (!before) {
+    return std::nullopt;
   }
-  return std::nullopt;
+  const double side = *before < 0.0 ? -1.0 : 1.0;
+  const auto distance = [&](double time) {
+    const std::optional<double> there = tension(time);
+    return there ? std::optional(side * *there) : std::nullopt;
+  };
+  const std::optional<Crossing> crossing = find_crossing(distance, from, to, parts_of(from, to));
+  if (!crossing) {
+    return std::nullopt;
+  }
+  double low = crossing->before;
+  double high = crossing->behind;
+  while (high - low > 2.0 * kEpsilon * std::abs(high)) {
+    const double middle = 0.5 * (low + high);
+    if (middle <= low || middle >= high) {
+      break;
+    }
+    (distance(middle).value_or(-1.0) < 0.0 ? high : low) = middle;
+  }
+  return high;
 }
 
 }  // namespace kinestat

@@ -329,8 +329,14 @@ void StateInTime::allow(std::span<const double> y,
     most[free + j] = fastest > 0.0 ? plan_.tolerance * unit_of(j) * fastest
                                    : std::numeric_limits<double>::infinity();
   }
-  most[2 * free] = std::numeric_limits<double>::infinity();
-  most[2 * free + 1] = std::numeric_limits<double>::infinity();
+  // Work follows from these, but for that of what is held: it swings where they are steady.
+  const bool is_held =
+      std::ranges::any_of(plan_.held, [](const HeldFreedom& one) { return one.speed != 0.0; });
+  const double in_step = step * std::max(std::abs(f[2 * free]), std::abs(f[2 * free + 1]));
+  const double energy = is_held ? std::max(energy_scale_, in_step) : 0.0;
+  for (std::size_t work = 2 * free; work < 2 * free + 2; ++work) {
+    most[work] = energy > 0.0 ? plan_.tolerance * energy : std::numeric_limits<double>::infinity();
+  }
 }
 
 std::optional<double> StateInTime::position_at(int freedom,

@@ -74,7 +74,8 @@ class StateInTime {
                                                std::span<const double> y,
                                                Configuration configuration);
 
-  // Places by the size, speeds by the fastest so far; work follows from these.
+  // Places by the size, speeds by the fastest so far, work by the largest energy so far or in the
+  // step.
   void allow(std::span<const double> y,
              std::span<const double> f,
              double step,
@@ -123,7 +124,8 @@ class StateInTime {
   std::vector<double> state_;  // free coordinates, their speeds, work supplied and lost
   double supplied_ = 0.0;
   double lost_ = 0.0;
-  double fastest_ = 0.0;  // [rad/s or sizes/s]
+  double fastest_ = 0.0;       // [rad/s or sizes/s]
+  double energy_scale_ = 0.0;  // the largest so far, of all kinds [J]
 
   // Of each freedom, so far.
   struct Largest {

@@ -263,7 +263,7 @@ const Record<SimulationReportView>& simulation_record() {
             .not_compared();
         keys.quantity("energy_scale",
                       QuantityKind::energy,
-                      "The largest of the energies beside it.",
+                      "The largest of the energies beside it, also between rows.",
                       [](const View& v) { return v.solution.energy_scale; });
         keys.number("closure_error",
                     Bare::number,
