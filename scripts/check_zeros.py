@@ -265,6 +265,7 @@ DECISIONS: dict[str, dict[str, str]] = {
         "shifts": "rank: whether a motion moves a point",
     },
     "lib/studies/simulation/state_balance.cpp": {
+        "drop_rounding": "rank: which components a moved unit action has",
         "tooth_forces": "consistency: forces that decide the flank, in lib/README.md",
     },
     "lib/studies/sweep/task/lane_rows.hpp": {

@@ -72,8 +72,8 @@ class DipTest(unittest.TestCase):
         for place in (4.95, 4.99, 4.9999, 4.999999):
             for time in (2, 20, 100):
                 with self.subTest(place=place, time=time):
-                    found = simulated(BALL, SECTION=f"stops: {{f: {{from: 0, to: {place}, restitution: 0.9}}}},"
-                                                    f" time: {time} s, steps: 10")
+                    stop = f"stops: {{f: {{from: 0, to: {place}, restitution: 0.9}}}}"
+                    found = simulated(BALL, SECTION=f"{stop}, time: {time} s, steps: 10")
                     first = self.first_event(found, "impact")
                     rises = math.sqrt(100 - 20 * place)
                     self.assertLess(abs(first["time"] - (10 - rises) / 10), 1e-7)
@@ -84,7 +84,8 @@ class DipTest(unittest.TestCase):
         for place in (4.9999, 4.9999999):
             for time in (2, 20, 100):
                 with self.subTest(place=place, time=time):
-                    found = simulated(BALL, SECTION=f"until: {{f: {{position: {place}}}}}, time: {time} s, steps: 1")
+                    goal = f"until: {{f: {{position: {place}}}}}"
+                    found = simulated(BALL, SECTION=f"{goal}, time: {time} s, steps: 1")
                     self.assertEqual(found["status"], "goal")
                     self.assertLess(abs(found["time"] - (1 - math.sqrt(1 - place / 5))), 1e-6)
 

@@ -17,8 +17,68 @@ Simulation = simulations.Simulation
 CASES = simulations.CASES
 G = 9.81
 
+# A crank moves a tray by a rod, on which a part lies that nothing else guides.
+TRAY = """
+kinestat: 1
+space: planar
+ground: frame
+bodies:
+  crank: {inertia: 0.01}
+  rod: {mass: 1, centre_of_mass: [0.2, 0], inertia: 0.01}
+  tray: {mass: 5, centre_of_mass: [0.35, 0]}
+  part: {mass: 1.5, centre_of_mass: [0.35, 0]}
+gravity: [0, -9.81]
+couplings:
+  a: {type: revolute, bodies: [frame, crank], at: [0, 0]}
+  b: {type: revolute, bodies: [crank, rod], at: [0.03, 0.04]}
+  c: {type: revolute, bodies: [rod, tray], at: [0.35, 0]}
+  d: {type: prismatic, bodies: [frame, tray], at: [0.35, 0], axis: x}
+  e: {type: prismatic, bodies: [tray, part], at: [0.35, 0], axis: xFRICTION}
+actuators: {M: {coupling: a}, E: {coupling: e}}
+simulation: {action: {E: 0}, motion: {M: SPEED}, START, time: 0.2 s, steps: 20,
+             report: [position, velocity, acceleration, action]}
+"""
+
+
+def tray(friction: str, speed: float, start: str = "start: {e.vx: {speed: 0}}") -> Simulation:
+    return Simulation(TRAY.replace("FRICTION", friction).replace("SPEED", str(speed))
+                      .replace("START", start))
+
 
 class ReactionTest(simulations.SimulationCase):
+    def test_a_tray_bears_what_lies_on_it(self) -> None:
+        """What nothing moves along the tray has no equation there but that of rounding."""
+        turned = (0.17 - 0.04j) / (0.32 - 0.04j)  # the centre of the rod, from b towards c
+
+        def height(time: float) -> float:
+            pin = complex(0.03, 0.04) * complex(math.cos(10 * time), math.sin(10 * time))
+            rod = complex(math.sqrt(abs(0.32 - 0.04j) ** 2 - pin.imag ** 2), -pin.imag)
+            return (pin + turned * rod).imag
+
+        def rise(time: float) -> float:
+            parts = ((-2, -1), (-1, 16), (0, -30), (1, 16), (2, -1))
+            return sum(weight * height(time + step * 1e-3) for step, weight in parts) / 12e-6
+
+        found = tray("", 10)
+        for i, time in enumerate(found.columns["time"]):
+            at = {name: values[i] for name, values in found.columns.items()}
+            self.near(at["e.Ry/action"], 1.5 * G, 1e-12, f"{time}")
+            # All that the frame bears upwards is the weight, and what lifts the rod.
+            self.near(at["a.Ry/action"] + at["d.Ry/action"], 7.5 * G + rise(time), 1e-7, f"{time}")
+
+    def test_what_slides_on_a_tray_is_braked_by_its_weight(self) -> None:
+        found = tray(", friction: {mu: 0.1}", 10, "start: {e.vx: {speed: 5}}")
+        for force in found.columns["e/friction"]:
+            self.near(force, -0.15 * G, 1e-12)
+        speeds = [tray_speed + part_speed for tray_speed, part_speed in
+                  zip(found.columns["d.vx/velocity"], found.columns["e.vx/velocity"])]
+        self.near(speeds[-1] - speeds[0], -0.1 * G * 0.2, 1e-9)
+
+    def test_what_lies_on_a_tray_sticks_as_long_as_friction_holds_it(self) -> None:
+        """A crank of 0.05 m at 10 rad/s asks for 5 m/s^2 and what the rod adds, of 19.62."""
+        found = tray(", friction: {mu: 2}", 10)
+        self.assertEqual([event["kind"] for event in found.events], ["stick"])
+        self.assertEqual(set(found.columns["e.vx/velocity"]), {0.0})
     def test_ground_bears_weight_and_momentum(self) -> None:
         """A pendulum on a cart with springs, a damper, viscous friction, a curve, and a stop."""
         found = Simulation("""

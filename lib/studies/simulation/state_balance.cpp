@@ -40,6 +40,16 @@ FrictionLaw law_of_teeth(const Rubbing& one, const Twist& hinge, double sense, d
   return law;
 }
 
+// Components that closure may be off by are zero: along a free coordinate nothing else acts on a
+// body, and an equation of rounding alone would hold as any other.
+void drop_rounding(Wrench& unit) {
+  Vec3& direction = unit.force.isZero(0.0) ? unit.moment : unit.force;
+  const double size = direction.norm();
+  for (double& component : direction) {
+    component = zero_within_bound(component, kMotionClosure * size);
+  }
+}
+
 }  // namespace
 
 StateBalance::StateBalance(const Mechanism& mechanism,
@@ -68,6 +78,9 @@ void StateBalance::place(const Configuration& configuration,
                          double off) {
   move_mechanism(network_, drawn_, configuration, poses, mechanism_, moved_);
   moved_.closure_error = std::max(kMotionClosure, off);
+  for (Wrench& unit : moved_.geometry.actions) {
+    drop_rounding(unit);
+  }
   for (const Primary& one : idle_) {
     moved_.geometry.actions[at(one.index)] = {};
   }
