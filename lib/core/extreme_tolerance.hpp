@@ -1,4 +1,4 @@
-// The tolerances of extremes that are sought in the steps of a simulation.
+// The tolerances of what is sought between the rows of motions and in the steps of simulations.
 #pragma once
 
 namespace kinestat {
@@ -10,5 +10,9 @@ inline constexpr double kLeastPeak = 1e-10;
 /// A step in which something happens is looked at but for this share of it: what slides comes to
 /// rest only up to rounding where it sticks.
 inline constexpr double kBeforeEvent = 1e-9;
+
+/// What dips below zero and rises again, by no more than this share of its largest value in the step,
+/// only touches it.
+inline constexpr double kDeepestGraze = 1e-11;
 
 }  // namespace kinestat

@@ -45,10 +45,6 @@ inline constexpr double kNoHold = 1e-12;
 /// What stands so near a point of a curve, as share of the curve's range, has come to it.
 inline constexpr double kAtPoint = 1e-12;
 
-/// What dips below zero and rises again, by no more than this share of its largest value in the
-/// step, only touches it.
-inline constexpr double kDeepestGraze = 1e-11;
-
 /// A chord comes no nearer to an end of what it divides than by this share.
 inline constexpr double kLeastChord = 1e-3;
 

@@ -1,5 +1,11 @@
 #include <algorithm>
+#include <span>
+#include <string>
+#include <vector>
 
+#include <fmt/format.h>
+
+#include "core/text.hpp"
 #include "description/simulation_report_words.hpp"
 #include "mechanism/cases/load.hpp"
 #include "mechanism/check/section_checks.hpp"
@@ -39,10 +45,27 @@ void check_report(const Name& name, const SectionContext& context) {
                        std::ranges::any_of(loads, [&](const LoadDescription& one) {
                          return one.name.text == owner.text;
                        });
-  if (owner.text != kEnergyWord && !is_spring && !is_load &&
-      !context.names.couplings.contains(owner.text)) {
-    context.names.check_actuator(owner, "'report' of 'simulation' names", context.found);
+  if (owner.text == kEnergyWord || is_spring || is_load ||
+      context.names.couplings.contains(owner.text) ||
+      context.names.actuators.contains(owner.text)) {
+    return;
   }
+  const std::vector<std::string> words(kSimulationReportWords.begin(),
+                                       kSimulationReportWords.end());
+  const std::span<const std::string> actuators = context.names.actuators.names();
+  std::vector<std::string> guesses(actuators.begin(), actuators.end());
+  const std::span<const std::string> couplings = context.names.couplings.names();
+  guesses.insert(guesses.end(), couplings.begin(), couplings.end());
+  guesses.insert(guesses.end(), words.begin(), words.end());
+  context.found.error("E0313",
+                      name.where,
+                      fmt::format("'report' of 'simulation' cannot hold '{}'", name.text),
+                      guess_before(owner.text,
+                                   guesses,
+                                   fmt::format("write one of {}, or {}; declared actuators are {}",
+                                               plain_list(words),
+                                               kSimulationReportNames,
+                                               plain_list(actuators))));
 }
 
 }  // namespace

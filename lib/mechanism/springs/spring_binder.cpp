@@ -51,6 +51,9 @@ class SpringBinder {
     } else {
       bind_points(result);
     }
+    if (spring_.coupling && topology_ == nullptr) {
+      return std::nullopt;  // nothing tells whether it turns
+    }
     const bool turns = turns_;
     const Kinds& kinds = turns ? kOfTurn : kOfSlide;
     result.stiffness = number(spring_.stiffness, kinds.stiffness, kNotNegative, "stiffness");

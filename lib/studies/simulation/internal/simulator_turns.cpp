@@ -4,7 +4,7 @@
 
 #include "core/simulation_tolerance.hpp"
 #include "core/tolerance.hpp"
-#include "studies/simulation/internal/first_crossing.hpp"
+#include "math/dense/first_crossing.hpp"
 #include "studies/simulation/internal/simulator.hpp"
 
 namespace kinestat {

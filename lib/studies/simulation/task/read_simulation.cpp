@@ -211,9 +211,9 @@ class SimulationReader {
         found_.error("E0313",
                      name.where,
                      fmt::format("the simulation has no column '{}'", name.text),
-                     fmt::format("write {}, or the name of a freedom, an actuator, an action, a "
-                                 "coupling, a load or a spring, spring.NAME",
-                                 fmt::join(kSimulationReportWords, ", ")));
+                     fmt::format("write {}, or {}",
+                                 fmt::join(kSimulationReportWords, ", "),
+                                 kSimulationReportNames));
       }
     }
     for (const SimulationReading& one : readings) {

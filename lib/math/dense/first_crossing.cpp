@@ -1,16 +1,16 @@
-#include "studies/simulation/internal/first_crossing.hpp"
+#include "math/dense/first_crossing.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "core/simulation_tolerance.hpp"
+#include "core/extreme_tolerance.hpp"
 
 namespace kinestat {
 
 namespace {
 
-// Beside the ends of the step, as share of a part: whether it falls there.
+// Beside the ends of the way, as share of a part: whether it falls there.
 constexpr double kBesideEnd = 0x1p-6;
 
 // A bottom is found by fewer parabolas.
@@ -47,7 +47,7 @@ Bottom bottom_of(const Look& a, const Look& b, const Look& c) {
 
 class CrossingSearch {
  public:
-  CrossingSearch(const ValueInTime& value, double from, double to, int parts)
+  CrossingSearch(const ValueAt& value, double from, double to, int parts)
       : value_(value), from_(from), to_(to), parts_(parts) {}
 
   std::optional<Crossing> run() {
@@ -134,7 +134,7 @@ class CrossingSearch {
     return std::nullopt;
   }
 
-  const ValueInTime& value_;
+  const ValueAt& value_;
   double from_;
   double to_;
   int parts_;
@@ -145,7 +145,7 @@ class CrossingSearch {
 
 }  // namespace
 
-std::optional<Crossing> find_crossing(const ValueInTime& value, double from, double to, int parts) {
+std::optional<Crossing> find_crossing(const ValueAt& value, double from, double to, int parts) {
   return CrossingSearch(value, from, to, parts).run();
 }
 
