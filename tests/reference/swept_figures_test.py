@@ -54,6 +54,46 @@ motion:
   report: [position, velocity, ratio, mechanical_advantage]
 """
 
+# A flat follower on an eccentric of 12 mm; the spring presses with 40 N.
+CAM = """
+kinestat: 1
+space: planar
+parameters: {load: 1 kg}
+ground: frame
+bodies:
+  cam: {mass: 1 kg, inertia: 0, centre_of_mass: [0, 0]}
+  follower: {mass: load, inertia: 0, centre_of_mass: [0, 70 mm]}
+couplings:
+  a: {type: revolute, bodies: [frame, cam], at: [0, 0]}
+  c: {type: cam, bodies: [cam, follower], at: [12 mm, 31 mm], normal: y, radii: [31 mm, flat]}
+  g: {type: prismatic, bodies: [frame, follower], at: [0, 70 mm], axis: y}
+actuators: {shaft: {coupling: a}, spring: {coupling: g}}
+cases:
+  run: {motion: {shaft: 60 rad/s}, action: {spring: -40 N}, acceleration: {}}
+motion: {drive: shaft, to: 360 deg, steps: 3, case: run, report: [c.Ry]}
+"""
+
+# A telescope between two slides, 3 along x and 1 along y, whose laws differ.
+TELESCOPE = """
+kinestat: 1
+space: planar
+parameters: {x: 3}
+ground: frame
+bodies: [across, up, sleeve, rod]
+couplings:
+  x: {type: prismatic, bodies: [frame, across], at: [x, 0], axis: x}
+  y: {type: prismatic, bodies: [frame, up], at: [0, 1], axis: y}
+  a: {type: revolute, bodies: [across, sleeve], at: [x, 0]}
+  b: {type: revolute, bodies: [up, rod], at: [0, 1]}
+  t: {type: prismatic, bodies: [sleeve, rod], at: [0, 1], axis: [-x, 1]}
+actuators: {one: {coupling: x}, other: {coupling: y}, gauge: {coupling: t}}
+motion:
+  drives:
+    - {drive: one, profile: [{to: -4, time: 1 s, law: harmonic}]}
+    - {drive: other, profile: [{to: 2, time: 1 s, law: cycloidal}]}
+  steps: 10
+"""
+
 
 class Figures(ReferenceTest):
     """The same whichever command tells them, and of closed forms."""
@@ -123,6 +163,32 @@ class Figures(ReferenceTest):
         self.assertAlmostEqual(found["press.mechanical_advantage.least [1/m]"], -1 / slope(1.0),
                                delta=1e-9)
 
+    def test_what_holds_between_the_rows_is_the_status_of_its_figures(self) -> None:
+        # The lift is 12 mm times the sine: at the top 40 N less 43.2 N or 38.88 N.
+        rows, _ = swept(CAM, "{vary: {load: {values: [1 kg, 0.9 kg]}}, report: [c.Ry.least]}")
+        self.assertEqual([row["status"] for row in rows], ["contact_pulls", "solved"])
+        for row, least in zip(rows, [-3.2, 1.12]):
+            self.assertAlmostEqual(row["c.Ry.least [N]"], least, delta=1e-12)
+        alone = program.call("motion", "-", text=CAM)
+        self.assertIn("W0605", alone.stderr)
+        self.assertIn("between the steps, the worst at 1.5708)", alone.stderr)
+        self.assertEqual(program.call("motion", "--set", "load=0.9 kg", "-", text=CAM).stderr, "")
+
+    def test_positions_have_figures_where_dead_points_may_be_missing(self) -> None:
+        def length(time: float) -> float:
+            across = 3 - 2 * (1 - math.cos(math.pi * time))
+            up = 1 + 2 * (time - math.sin(2 * math.pi * time) / (2 * math.pi))
+            return math.hypot(across, up)
+
+        shortest = min(length(i / 10**5) for i in range(10**5 + 1))
+        rows, _ = swept(TELESCOPE, "{vary: {x: {values: [3]}}, report: "
+                        "[t.v.position.least, t.v.position.mean, t.v.dead_points]}")
+        alone = program.run("motion", "-", text=TELESCOPE)["motion"]["figures"]["t.v/position"]
+        self.assertAlmostEqual(rows[0]["t.v.position.least [m]"],
+                               shortest - math.sqrt(10), delta=1e-9)
+        self.assertEqual(rows[0]["t.v.position.mean [m]"], alone["mean"])
+        self.assertIsNone(rows[0]["t.v.dead_points"])
+        self.assertEqual(rows[0]["status"], "W0509")
 
 if __name__ == "__main__":
     motion_case.main()

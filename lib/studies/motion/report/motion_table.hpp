@@ -107,6 +107,8 @@ struct MotionTable {
   std::vector<DriveTravel> drives;
   std::vector<MotionColumn> columns;  ///< first the position of each drive
   std::vector<MotionRow> rows;
+  std::vector<std::string> between;  ///< statuses that positions between the rows have, of which
+                                     ///< figures are, each once and in order; but "solved"
   std::vector<MotionEvent> events;
   std::vector<ColumnFigures> figures;  ///< parallel to the columns
   bool looks_between_steps = false;    ///< extremes are more than those of steps and dead points

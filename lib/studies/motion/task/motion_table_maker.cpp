@@ -183,7 +183,8 @@ class TableMaker {
         },
         table_);
     for (std::size_t r = 0; r < said_.size(); ++r) {
-      found_.add(r, told_of_row(said_[r], sliding_[r], table_.rows[r], table_));
+      const double drive = table_.rows[r].values.front().value_or(0.0);
+      found_.add(r, drive, told_of_row(said_[r], sliding_[r], table_.rows[r], table_));
     }
     table_.columns.push_back(
         {.element = "", .quantity = std::string(kClosureErrorColumn), .unit = ""});
@@ -198,24 +199,21 @@ class TableMaker {
     }
   }
 
-  // What was said of the last row that is kept is not worded again.
+  // What was said of the row before is not worded again.
   void judge(const MotionPosition& position, const Mechanism& moved) {
-    const std::size_t row = said_.size();
-    if (!position.solved || !found_.keeps(row)) {
+    if (!position.solved) {
       said_.emplace_back();
-      last_said_ = found_.keeps(row) ? row : last_said_;
       return;
     }
     const std::optional<ShiftAnalysis> no_shift;
     const JudgedFile file = {.description = description_, .mechanism = moved, .shift = no_shift};
     const auto is_reported = [this](std::string_view code, SourceRange where) {
       return !said_.empty() &&
-             std::ranges::any_of(said_[last_said_].items(), [&](const CaseFinding& one) {
+             std::ranges::any_of(said_.back().items(), [&](const CaseFinding& one) {
                return one.code == code && one.where == where;
              });
     };
     said_.push_back(find_case_findings(file, *position.solved, is_reported));
-    last_said_ = row;
     if (plan_.report.efficiency) {
       add_efficiency_findings(mechanism_, *position.solved, said_.back());
     }
@@ -471,7 +469,6 @@ class TableMaker {
   std::vector<std::vector<SpringState>> springs_;              // likewise
   std::vector<std::optional<std::vector<int>>> coast_flanks_;  // likewise
   std::vector<CaseFindings> said_;                             // likewise
-  std::size_t last_said_ = 0;                                  // of the rows that are kept
   UnboundedQuotients quotients_;
   std::vector<double> steps_;     // at which the rows stand
   std::vector<double> poles_at_;  // in steps

@@ -1,6 +1,8 @@
 #include "studies/motion/task/position_findings.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <iterator>
 #include <span>
 #include <string>
 #include <utility>
@@ -25,42 +27,6 @@ bool says_the_same(const CaseFinding& one, const CaseFinding& other) {
   return one.code == other.code && one.where == other.where && one.element == other.element;
 }
 
-// Of the first drive, or in time where it dwells or comes back; without a unit.
-std::string position_text(const MotionTable& table, std::size_t row) {
-  const std::optional<double>& drive = table.rows[row].values.front();
-  return format_short(
-      (is_told_by_time(table) ? time_at_row(table, static_cast<double>(row)) : drive)
-          .value_or(0.0));
-}
-
-// "M from 40 to 60 deg, 3 of 7 positions"
-std::string brackets_text(const std::vector<std::size_t>& rows, const MotionTable& table) {
-  const bool is_in_time = is_told_by_time(table);
-  const DriveTravel& drive = table.drives.front();
-  const std::string& unit = is_in_time ? table.time_unit : drive.unit;
-  std::vector<std::string> brackets;
-  for (std::size_t first = 0; first < rows.size();) {
-    std::size_t last = first;
-    while (last + 1 < rows.size() && rows[last + 1] == rows[last] + 1) {
-      ++last;
-    }
-    const std::string from = position_text(table, rows[first]);
-    const std::string to = position_text(table, rows[last]);
-    brackets.push_back(from == to ? "at " + from : fmt::format("from {} to {}", from, to));
-    first = last + 1;
-  }
-  const std::size_t more = brackets.size() - std::min(brackets.size(), kMostBrackets);
-  brackets.resize(brackets.size() - more);
-  return fmt::format("{}{}{}{}{}, {} of {} positions",
-                     is_in_time ? std::string() : drive.name + " ",
-                     fmt::join(brackets, ", "),
-                     unit.empty() ? "" : " ",
-                     unit,
-                     more == 0 ? std::string() : " and " + counted(more, "more range"),
-                     rows.size(),
-                     table.rows.size());
-}
-
 // Of the drawn position, by a whole analysis.
 bool is_said(const CaseFinding& one,
              const std::string& label,
@@ -75,32 +41,29 @@ bool is_said(const CaseFinding& one,
 
 }  // namespace
 
-bool PositionFindings::keeps(std::size_t row) const {
-  return kept_.empty() || std::ranges::binary_search(kept_, row);
+PositionFindings::Place PositionFindings::place_of(std::size_t row, double drive) const {
+  return {.row = row,
+          .drive = drive,
+          .is_kept = kept_.empty() || std::ranges::binary_search(kept_, row)};
 }
 
-void PositionFindings::add(std::size_t row, const CaseFindings& found) {
-  if (!keeps(row)) {
-    return;
-  }
-  if (!kept_.empty()) {
-    row = static_cast<std::size_t>(std::ranges::lower_bound(kept_, row) - kept_.begin());
-  }
+void PositionFindings::add(std::size_t row, double drive, const CaseFindings& found) {
+  const Place place = place_of(row, drive);
   for (const CaseFinding& one : found.items()) {
     const auto same = std::ranges::find_if(
         held_, [&](const Held& held) { return says_the_same(held.worst, one); });
     if (same == held_.end()) {
-      held_.push_back({.worst = one, .worst_row = row, .rows = {row}});
+      held_.push_back({.worst = one, .worst_at = place, .places = {place}});
       continue;
     }
-    if (same->rows.back() != row) {
-      same->rows.push_back(row);
+    if (same->places.back().row != row) {
+      same->places.push_back(place);
     }
     same->varies = same->varies || one.size < same->worst.size * (1.0 - kSameValue);
     if (one.size > same->worst.size * (1.0 + kSameValue)) {
       same->varies = true;
       same->worst = one;
-      same->worst_row = row;
+      same->worst_at = place;
     }
   }
 }
@@ -110,19 +73,68 @@ bool PositionFindings::has_errors() const {
                              [](const Held& one) { return one.worst.severity == Severity::error; });
 }
 
+// Of the first drive, or in time where it dwells or comes back; without a unit.
+std::string PositionFindings::position_text(const MotionTable& table, const Place& place) const {
+  if (!is_told_by_time(table)) {
+    return format_short(place.drive);
+  }
+  if (kept_.empty()) {
+    return format_short(time_at_row(table, static_cast<double>(place.row)).value_or(0.0));
+  }
+  const auto behind = std::ranges::lower_bound(kept_, place.row);
+  const auto count = static_cast<double>(behind - kept_.begin());
+  const bool is_between = *behind != place.row && behind != kept_.begin();
+  const double part = is_between ? static_cast<double>(*behind - place.row) /
+                                       static_cast<double>(*behind - *std::prev(behind))
+                                 : 0.0;
+  return format_short(time_at_row(table, count - part).value_or(0.0));
+}
+
+// "M from 40 to 60 deg, 3 of 7 positions"
+std::string PositionFindings::brackets_text(std::span<const Place> places,
+                                            const MotionTable& table) const {
+  const bool is_in_time = is_told_by_time(table);
+  const DriveTravel& drive = table.drives.front();
+  const std::string& unit = is_in_time ? table.time_unit : drive.unit;
+  std::vector<std::string> brackets;
+  for (std::size_t first = 0; first < places.size();) {
+    std::size_t last = first;
+    while (last + 1 < places.size() && places[last + 1].row == places[last].row + 1) {
+      ++last;
+    }
+    const std::string from = position_text(table, places[first]);
+    const std::string to = position_text(table, places[last]);
+    brackets.push_back(from == to ? "at " + from : fmt::format("from {} to {}", from, to));
+    first = last + 1;
+  }
+  const std::size_t more = brackets.size() - std::min(brackets.size(), kMostBrackets);
+  brackets.resize(brackets.size() - more);
+  const auto kept = std::ranges::count(places, true, &Place::is_kept);
+  return fmt::format(
+      "{}{}{}{}{}, {}",
+      is_in_time ? std::string() : drive.name + " ",
+      fmt::join(brackets, ", "),
+      unit.empty() ? "" : " ",
+      unit,
+      more == 0 ? std::string() : " and " + counted(more, "more range"),
+      kept == 0 ? "between the steps" : fmt::format("{} of {} positions", kept, table.rows.size()));
+}
+
 void PositionFindings::tell(const MotionTable& table, Diagnostics& found) const {
   const std::size_t said = found.items().size();
+  const auto rows = static_cast<std::ptrdiff_t>(table.rows.size());
   for (const Held& held : held_) {
     // A dimension that friction lacks, W0604, it lacks everywhere.
-    const bool is_everywhere = held.rows.size() == table.rows.size() || held.worst.code == "W0604";
+    const bool is_everywhere = std::ranges::count(held.places, true, &Place::is_kept) == rows ||
+                               held.worst.code == "W0604";
     if (is_everywhere && is_said(held.worst, table.label, found.items().first(said))) {
       continue;
     }
     CaseFinding one = held.worst;
     one.message += fmt::format(
         " ({}{})",
-        brackets_text(held.rows, table),
-        held.varies ? ", the worst at " + position_text(table, held.worst_row) : std::string());
+        brackets_text(held.places, table),
+        held.varies ? ", the worst at " + position_text(table, held.worst_at) : std::string());
     kinestat::add(one, found);
   }
 }

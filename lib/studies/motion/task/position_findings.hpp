@@ -18,13 +18,12 @@ namespace kinestat {
 /// Gathers the findings of the rows of a motion, in their order.
 class PositionFindings {
  public:
-  /// Of the rows that are added only these are kept, as rows with their own numbers.
+  /// Of the rows that are added the table keeps only these; what holds in others alone is told as
+  /// between the steps.
   void keep(std::vector<std::size_t> rows) { kept_ = std::move(rows); }
 
-  bool keeps(std::size_t row) const;
-
-  /// Those of the row of that number, counted from 0.
-  void add(std::size_t row, const CaseFindings& found);
+  /// Those of the row of that number, counted from 0, at which the first drive stands there.
+  void add(std::size_t row, double drive, const CaseFindings& found);
 
   bool has_errors() const;
 
@@ -33,13 +32,24 @@ class PositionFindings {
   void tell(const MotionTable& table, Diagnostics& found) const;
 
  private:
+  // A row that was added.
+  struct Place {
+    std::size_t row = 0;
+    double drive = 0.0;
+    bool is_kept = true;
+  };
+
   // One finding, as it is where it is worst.
   struct Held {
     CaseFinding worst;
-    std::size_t worst_row = 0;
+    Place worst_at;
     bool varies = false;  ///< it is not the same everywhere
-    std::vector<std::size_t> rows;
+    std::vector<Place> places;
   };
+
+  Place place_of(std::size_t row, double drive) const;
+  std::string position_text(const MotionTable& table, const Place& place) const;
+  std::string brackets_text(std::span<const Place> places, const MotionTable& table) const;
 
   std::vector<Held> held_;
   std::vector<std::size_t> kept_;  // empty: all

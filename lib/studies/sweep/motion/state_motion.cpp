@@ -147,11 +147,11 @@ std::string StateMotion::find_figures(const MechanismDescription& description,
   // Where nothing is open but the direction of friction, and at the limit to which it goes, figures
   // are those of the rows about it.
   const bool rests = table.duration && !of_positions.has_errors();
-  const auto matters = [&](const MotionRow& row) {
-    return row.status != kFrictionReversalEvent &&
-           !(table.until_limit && row.status == kLimitEvent) &&
-           !(rests && row.status == word_of(SolveStatus::at_rest));
+  const auto is_open = [&](const std::string& status) {
+    return status != kFrictionReversalEvent && !(table.until_limit && status == kLimitEvent) &&
+           !(rests && status == word_of(SolveStatus::at_rest));
   };
+  const auto matters = [&](const MotionRow& row) { return is_open(row.status); };
   const FigureReader reader(table);
   const MotionRow* gap = nullptr;
   for (std::size_t i = 0; i < values_.size(); ++i) {
@@ -163,7 +163,7 @@ std::string StateMotion::find_figures(const MechanismDescription& description,
     const std::optional<std::size_t> column = reader.column_of(asked);
     const MotionRow* missing = column ? find_gap(table, *column, matters) : nullptr;
     gap = gap != nullptr ? gap : missing;
-    if (column && missing == nullptr && !table.may_lack_dead_points) {
+    if (column && missing == nullptr) {
       values_[i] = reader.value(asked.figure, *column);
     }
   }
@@ -174,6 +174,10 @@ std::string StateMotion::find_figures(const MechanismDescription& description,
       table.rows, [&](const MotionRow& one) { return one.status != kSolved && matters(one); });
   if (unsolved != table.rows.end()) {
     return unsolved->status;
+  }
+  const auto between = std::ranges::find_if(table.between, is_open);
+  if (between != table.between.end()) {
+    return *between;
   }
   const std::string_view warning = code_of(found, Severity::warning);
   const bool lacks_some = std::ranges::any_of(values_, [](double one) { return std::isnan(one); });

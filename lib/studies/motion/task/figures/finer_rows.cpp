@@ -118,6 +118,8 @@ class KeptRows {
  public:
   explicit KeptRows(std::span<const std::size_t> rows) : rows_(rows) {}
 
+  bool has(std::size_t row) const { return std::ranges::binary_search(rows_, row); }
+
   std::size_t before(std::size_t row) const {
     return static_cast<std::size_t>(std::prev(std::ranges::upper_bound(rows_, row)) -
                                     rows_.begin());
@@ -182,6 +184,13 @@ std::optional<FinerMotion> divide_steps(const Mechanism& mechanism, const FoundM
 
 void keep_rows(const FinerMotion& finer, int steps, MotionTable& table) {
   const KeptRows kept(finer.rows);
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    const std::string& status = table.rows[row].status;
+    if (!kept.has(row) && status != "solved" &&
+        std::ranges::find(table.between, status) == table.between.end()) {
+      table.between.push_back(status);
+    }
+  }
   std::vector<MotionRow> rows;
   for (const std::size_t row : finer.rows) {
     rows.push_back(std::move(table.rows[row]));
