@@ -8,10 +8,40 @@
 #include "expression/evaluate.hpp"
 #include "expression/evaluate/arithmetic.hpp"
 #include "expression/evaluate/evaluate_as.hpp"
+#include "expression/evaluate/sum_rounding.hpp"
 
 namespace kinestat {
 
 namespace {
+
+// For error_of.
+class RecordedNumbers {
+ public:
+  using Number = TapeNumber;
+
+  RecordedNumbers(std::span<const TapeQuantity> values, LaneRecorder& recorder)
+      : values_(values), recorder_(recorder) {}
+
+  TapeNumber value(int index) const { return values_[static_cast<std::size_t>(index)].value; }
+
+  TapeNumber constant(double value) const { return recorder_.constant(value); }
+
+  TapeNumber sum(TapeNumber a, TapeNumber b) const { return recorder_.add(a, b); }
+
+  TapeNumber product(TapeNumber a, TapeNumber b) const { return recorder_.multiply(a, b); }
+
+  TapeNumber quotient(TapeNumber a, TapeNumber b) const { return recorder_.divide(a, b); }
+
+  TapeNumber magnitude(TapeNumber a) const {
+    const TapeRange& range = recorder_.range(a);
+    const TapeNumber negative = recorder_.subtract(recorder_.constant(0.0), a);
+    return range.low >= 0.0 ? a : range.high <= 0.0 ? negative : recorder_.larger(a, negative);
+  }
+
+ private:
+  std::span<const TapeQuantity> values_;
+  LaneRecorder& recorder_;
+};
 
 class ExpressionRecorder {
  public:
@@ -62,9 +92,29 @@ class ExpressionRecorder {
     const Unit* unit = node.right < 0 ? nullptr : divisor.unit;
     const TapeQuantity& a = numbers_[static_cast<std::size_t>(node.left)];
     const TapeQuantity& b = numbers_[static_cast<std::size_t>(right)];
-    return recorder_.is_constant(a.value) && recorder_.is_constant(b.value)
-               ? record_constant(node, a, b, unit)
-               : record_operation(node, a, b, unit);
+    std::optional<TapeQuantity> result =
+        recorder_.is_constant(a.value) && recorder_.is_constant(b.value)
+            ? record_constant(node, a, b, unit)
+            : record_operation(node, a, b, unit);
+    if (result && is_sum(node.kind)) {
+      result->value = settled(node, result->value);
+    }
+    return result;
+  }
+
+  // What is mere rounding of the terms of a sum is zero, as in evaluate.
+  TapeNumber settled(const Node& sum, TapeNumber value) {
+    const RecordedNumbers numbers(numbers_, recorder_);
+    const TapeNumber bound = error_of_terms(expression_.expression().nodes(), numbers, sum);
+    const TapeNumber larger = recorder_.larger(numbers.magnitude(numbers.value(sum.left)),
+                                               numbers.magnitude(numbers.value(sum.right)));
+    const TapeNumber limit =
+        recorder_.smaller(bound, recorder_.multiply(larger, recorder_.constant(0.5)));
+    const TapeNumber result = recorder_.zero_within(value, limit);
+    if (result != value && !recorder_.is_constant(bound)) {
+      demand_finite(bound);
+    }
+    return result;
   }
 
   std::optional<TapeQuantity> record_constant(const Node& node,
@@ -86,8 +136,7 @@ class ExpressionRecorder {
                                                const TapeQuantity& a,
                                                const TapeQuantity& b,
                                                const Unit* unit) {
-    const bool is_sum = node.kind == NodeKind::add || node.kind == NodeKind::subtract;
-    if (is_sum && a.dimension != b.dimension) {
+    if (is_sum(node.kind) && a.dimension != b.dimension) {
       return std::nullopt;
     }
     switch (node.kind) {

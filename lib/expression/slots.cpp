@@ -8,6 +8,7 @@
 #include "core/contract.hpp"
 #include "expression/evaluate/arithmetic.hpp"
 #include "expression/evaluate/condition_value.hpp"
+#include "expression/evaluate/sum_rounding.hpp"
 
 namespace kinestat {
 
@@ -33,9 +34,8 @@ std::optional<Quantity> usual_result(const Node& node, const Quantity& a, const 
     default:
       return std::nullopt;
   }
-  const bool is_sum = node.kind == NodeKind::add || node.kind == NodeKind::subtract;
   const bool has_dimension =
-      is_sum ? a.dimension == b.dimension : is_bare(a.dimension) && is_bare(b.dimension);
+      is_sum(node.kind) ? a.dimension == b.dimension : is_bare(a.dimension) && is_bare(b.dimension);
   const bool is_usual = has_dimension && std::isfinite(value) && value != 0.0;
   return is_usual ? std::optional(Quantity{value, a.dimension}) : std::nullopt;
 }
@@ -71,8 +71,14 @@ std::optional<Quantity> SlotExpression::evaluate(const Slots& slots,
     const Unit* unit = node.right < 0 ? nullptr : nodes[static_cast<std::size_t>(right)].unit;
     const Quantity& a = scratch[static_cast<std::size_t>(node.left)];
     const Quantity& b = scratch[static_cast<std::size_t>(right)];
-    const std::optional<Quantity> usual = unit == nullptr ? usual_result(node, a, b) : std::nullopt;
+    std::optional<Quantity> usual = unit == nullptr ? usual_result(node, a, b) : std::nullopt;
     if (usual) {
+      if (is_sum(node.kind)) {
+        const auto value_at = [&](int index) {
+          return scratch[static_cast<std::size_t>(index)].value;
+        };
+        usual->value = settled_sum(nodes, value_at, node, usual->value);
+      }
       scratch.push_back(*usual);
       continue;
     }

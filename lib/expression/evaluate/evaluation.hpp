@@ -13,6 +13,7 @@
 #include "expression/evaluate/arithmetic.hpp"
 #include "expression/evaluate/evaluation_errors.hpp"
 #include "expression/evaluate/number_traits.hpp"
+#include "expression/evaluate/sum_rounding.hpp"
 
 namespace kinestat {
 
@@ -81,7 +82,13 @@ Outcome Evaluation<Number>::outcome_of(const Node& node) const {
     return leaf(node);
   }
   const int right = node.right < 0 ? node.left : node.right;
-  return operate(node, plain(value(node.left)), plain(value(right)), unit_at(node.right));
+  Outcome outcome =
+      operate(node, plain(value(node.left)), plain(value(right)), unit_at(node.right));
+  if (auto* sum = is_sum(node.kind) ? std::get_if<Quantity>(&outcome) : nullptr) {
+    const auto value_at = [this](int index) { return plain(value(index)).value; };
+    sum->value = settled_sum(expression_.nodes(), value_at, node, sum->value);
+  }
+  return outcome;
 }
 
 template <class Number>

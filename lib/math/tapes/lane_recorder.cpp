@@ -7,6 +7,7 @@
 
 #include "core/contract.hpp"
 #include "core/tolerance.hpp"
+#include "math/numbers/zero_within_bound.hpp"
 #include "math/tapes/internal/lane_tape_maker.hpp"
 
 namespace kinestat {
@@ -163,6 +164,16 @@ TapeNumber LaneRecorder::larger(TapeNumber a, TapeNumber b) {
                    std::max(value(a), value(b)),
                    range_of_choice(range(a), range(b), chosen),
                    {a.node, b.node, -1});
+}
+
+TapeNumber LaneRecorder::zero_within(TapeNumber a, TapeNumber bound) {
+  if (is_zero(bound) || range(a).least() > range(bound).most()) {
+    return a;
+  }
+  return operation(Kind::zero_within,
+                   zero_within_bound(value(a), value(bound)),
+                   {std::min(range(a).low, 0.0), std::max(range(a).high, 0.0)},
+                   {a.node, bound.node, -1});
 }
 
 TapeNumber LaneRecorder::negate_product(TapeNumber a, TapeNumber b) {

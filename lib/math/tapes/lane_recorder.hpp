@@ -50,6 +50,9 @@ class LaneRecorder {
   TapeNumber smaller(TapeNumber a, TapeNumber b);
   TapeNumber larger(TapeNumber a, TapeNumber b);
 
+  /// a, or an exact zero where its magnitude is at most that bound.
+  TapeNumber zero_within(TapeNumber a, TapeNumber bound);
+
   /// -(a · b)
   TapeNumber negate_product(TapeNumber a, TapeNumber b);
 

@@ -316,6 +316,32 @@ TEST(Evaluate, NegationOfZeroHasNoSign) {
   EXPECT_FALSE(std::signbit(std::get<Quantity>(result).value));
 }
 
+// Of the decimals as typed each of these is zero; of the doubles none is.
+TEST(Evaluate, SumIsZeroWhereItIsMereRounding) {
+  for (const char* text : {"0.1 + 0.2 - 0.3",
+                           "0.3 - 0.1 - 0.2",
+                           "-0.3 + (0.1 + 0.2)",
+                           "100.1 - 100 - 0.1",
+                           "1e10 + 0.1 - 1e10 - 0.1",
+                           "(100.1 - 100)*1 mm - 0.1 mm",
+                           "(0.7 - 0.6)/3 - 0.1/3",
+                           "50*sqrt(2) - 100*sin(45 deg)"}) {
+    const auto result = evaluated(text);
+    EXPECT_EQ(std::get<Quantity>(result).value, 0.0) << text;
+    EXPECT_FALSE(std::signbit(std::get<Quantity>(result).value)) << text;
+  }
+  const auto divided = evaluated("1/(0.1 + 0.2 - 0.3)");
+  EXPECT_EQ(std::get<ExpressionError>(divided).code, "E0316");
+}
+
+// What is typed differs by more than decimals are rounded.
+TEST(Evaluate, SumKeepsWhatIsTyped) {
+  EXPECT_EQ(std::get<Quantity>(evaluated("1 - 0.9999999999999998")).value, 0x1p-52);
+  EXPECT_EQ(std::get<Quantity>(evaluated("9007199254740991 - 9007199254740990")).value, 1.0);
+  EXPECT_EQ(std::get<Quantity>(evaluated("1e-20 - 2e-20")).value, -1e-20);
+  EXPECT_NEAR(std::get<Quantity>(evaluated("100.1 - 100 - 0.1000000000001")).value, -1e-13, 2e-14);
+}
+
 TEST(Evaluate, MeasureIsTheDoubleNearestToItsDecimal) {
   EXPECT_EQ(std::get<Quantity>(evaluated("6 mm")).value, 0.006);
 }

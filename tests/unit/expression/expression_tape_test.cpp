@@ -99,7 +99,11 @@ TEST(TapedExpression, GivesTheBitsOfEvaluateAs) {
                                                    {1.5, -1.5, 2.0},
                                                    {7.0, 1e-308, 3.0},
                                                    {19.0, 15.0, 1.0},
-                                                   {41.0, 22.0, 1e-9}};
+                                                   {41.0, 22.0, 1e-9},
+                                                   {0.1, 0.2, 1.0},
+                                                   {0.3, 0.2, 1.0},
+                                                   {100.1, 0.1, 1.0},
+                                                   {100.1, 100.0, 1.0}};
   for (const char* text : {"x",
                            "-x",
                            "(x + y)/2",
@@ -117,7 +121,12 @@ TEST(TapedExpression, GivesTheBitsOfEvaluateAs) {
                            "1/(x - y)",
                            "c/x*l",
                            "2",
-                           "l/l*x"}) {
+                           "l/l*x",
+                           "x + y - 0.3",
+                           "x - 100 - y",
+                           "x - y - c",
+                           "(x - 100)*c/3 - y*c/3",
+                           "0.3 - (y + x)"}) {
     SCOPED_TRACE(text);
     const Taped taped(text, QuantityKind::length, millimetres);
     ASSERT_TRUE(taped.is_recorded());

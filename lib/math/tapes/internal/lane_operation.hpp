@@ -13,6 +13,7 @@ enum class LaneOperationKind : std::int32_t {
   negate_product,    ///< -(a · b)
   subtract_product,  ///< a - b · c, or 0 where that is mere rounding of both
   substitute_sum,    ///< -(sum of products) / c, or 0 where the sum is mere rounding of them
+  zero_within,       ///< a, or 0 where |a| ≤ b
   smaller,
   larger,
   demand_at_most,      ///< |a| ≤ b, or the lane has no answer; these write nothing

@@ -81,6 +81,9 @@ class Player {
       case substitute_sum:
         substitute(one, target);
         break;
+      case zero_within:
+        set_zero_within(cells_[one.a], cells_[one.b], target);
+        break;
       case smaller:
         target = cells_[one.b] < cells_[one.a] ? cells_[one.b] : cells_[one.a];
         break;
@@ -108,10 +111,16 @@ class Player {
   [[gnu::always_inline]] static void set_without_rounding(const Number& x,
                                                           const Number& size,
                                                           Number& result) {
+    set_zero_within(x, kCancellation * size, result);
+  }
+
+  [[gnu::always_inline]] static void set_zero_within(const Number& x,
+                                                     const Number& bound,
+                                                     Number& result) {
     Number magnitude;
     Lanes::set_magnitude(x, magnitude);
     Number kept = x;
-    Lanes::set_zero(magnitude <= kCancellation * size, kept);
+    Lanes::set_zero(magnitude <= bound, kept);
     result = kept;
   }
 
