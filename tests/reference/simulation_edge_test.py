@@ -162,6 +162,13 @@ actuators: {p: {coupling: d}, f: {coupling: e}}
 springs: {s: {coupling: d, stiffness: 800 N/m, free: 0}}
 simulation: {action: {p: 0, f: 0.2}, start: {p: {speed: 0.2}}, time: 1, steps: 4}
 """
+# The rotor meshes with the crank of the four-bar, one to one; wheels as large as that is far.
+FAR_GEAR = FAR.replace("actuators: {m", """  g: {type: gear, bodies: [k2, far], at: [D/2, 0], tangent: y, pressure_angle: 20 deg}
+actuators: {m""").replace("f: 0.2}", "f: 0}")
+# A pinion of radius 0.05 on the far end of the ram: m + J/r^2 = 2 + 4.
+FAR_RACK = FAR_RAM.replace("actuators: {p", """  g: {type: rack, bodies: [far, ram], at: [D, 0], line_of_action: [cos(20 deg), -sin(20 deg)]}
+actuators: {p""").replace("[D, 0], inertia", "[D, 0.05], inertia").replace(
+    "[frame, far], at: [D, 0]", "[frame, far], at: [D, 0.05]").replace("f: 0.2}", "f: 0}")
 # Two masses on a rough rail, pulled against their stops.
 TWO_STOPS = """
 kinestat: 1
@@ -205,6 +212,26 @@ class FarBodies(unittest.TestCase):
                     self.assertIsNotNone(other[c], (sizes, name))
                     self.assertAlmostEqual(row[c], other[c], delta=within * largest,
                                            msg=f"{name} {sizes}")
+
+    def test_a_wheel_far_from_the_one_that_it_meshes_with(self) -> None:
+        names, near = self.values(FAR_GEAR, 1)
+        for sizes, within in ((1e3, 1e-10), (1e5, 1e-9), (1e6, 1e-8)):
+            _, far = self.values(FAR_GEAR, 0.64 * sizes)
+            for name in ("a.wz/position", "a.wz/velocity", "e.wz/velocity", "d.wz/velocity"):
+                c = names.index(name)
+                largest = max(abs(row[c]) for row in near)
+                for row, other in zip(near, far):
+                    self.assertAlmostEqual(row[c], other[c], delta=within * largest,
+                                           msg=f"{name} {sizes}")
+
+    def test_a_pinion_far_along_a_rack(self) -> None:
+        omega = math.sqrt(800 / 6)
+        for distance in (1.0, 1e3, 3e5):
+            names, rows = self.values(FAR_RACK, distance)
+            place = names.index("d.vx/position")
+            for row in rows:
+                self.assertAlmostEqual(row[place], 0.2 / omega * math.sin(omega * row[0]),
+                                       delta=1e-9, msg=str(distance))
 
     def test_motions_have_the_same_accelerations(self) -> None:
         section = ("cases: {run: {motion: {m: 1, f: 1}}}\n"

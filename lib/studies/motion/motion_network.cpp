@@ -398,7 +398,8 @@ class NetworkMaker {
     }
   }
 
-  // A part without extent is as large as the mechanism, of which nothing else tells its lengths.
+  // A coupling joins parts by lengths alone: teeth compare turns, wherever their gears are. A part
+  // without extent is as large as the mechanism, of which nothing else tells its lengths.
   void find_part_lengths() {
     network_.part_lengths.assign(topology_.freedoms.size(), network_.length);
     Components parts(topology_.body_count());
@@ -408,7 +409,10 @@ class NetworkMaker {
     };
     for (int e = 0; e < topology_.coupling_count(); ++e) {
       const auto [tail, head] = std::pair(coupling(e).tail.value, coupling(e).head.value);
-      count -= tail != 0 && head != 0 && parts.join(tail, head) ? 1 : 0;
+      const bool has_lengths = std::ranges::any_of(
+          law(e).conditions,
+          [](const ClosureCondition& one) { return one.kind != ClosureKind::across; });
+      count -= has_lengths && tail != 0 && head != 0 && parts.join(tail, head) ? 1 : 0;
     }
     if (count < 2) {
       return;

@@ -31,7 +31,7 @@ class ClosureParts {
 
  private:
   bool are_whole_ = true;
-  std::vector<double> of_rows_;   // sizes of the mechanism by that of the part; 1: of an angle
+  std::vector<double> of_rows_;   // sizes of the mechanism by that of the part; 1: of angles
   std::vector<double> of_rates_;  // likewise; 1: of a turn
 };
 
@@ -45,21 +45,26 @@ inline ClosureParts::ClosureParts(const MotionNetwork& network,
   if (are_whole_) {
     return;
   }
-  std::vector<double> part_of_rate(at(network.rate_count), 1.0);
+  std::vector<double> part_of_rate(at(network.rate_count), 0.0);
+  std::vector<bool> is_slide(at(network.rate_count), false);
   for (const MotionJoint& joint : network.joints) {
     if (joint.rate >= 0 && joint.freedom >= 0) {
       part_of_rate[at(joint.rate)] = network.length / network.part_lengths[at(joint.freedom)];
+      is_slide[at(joint.rate)] = joint.motion.kind == ElementaryKind::slide;
     }
   }
+  // The rates of teeth are of several parts; those of a rack are as long as it slides.
+  const std::size_t first_of_teeth = of_rows_.size() - network.rollings.size();
   // Free bodies and the turns of balls have the part of the others in their row.
   for (std::size_t r = 0; r < of_rows_.size(); ++r) {
     double part = 1.0;
     for (const int rate : rates_of_rows[r].all) {
-      part = std::max(part, part_of_rate[at(rate)]);
+      const bool counts = r < first_of_teeth || is_slide[at(rate)];
+      part = std::max(part, counts ? part_of_rate[at(rate)] : 1.0);
     }
-    of_rows_[r] = is_length[r] ? part : 1.0;
+    of_rows_[r] = is_length[r] || r >= first_of_teeth ? part : 1.0;
     for (const int rate : rates_of_rows[r].all) {
-      of_rates_[at(rate)] = part;
+      of_rates_[at(rate)] = part_of_rate[at(rate)] > 0.0 ? part_of_rate[at(rate)] : part;
     }
   }
   for (const MotionJoint& joint : network.joints) {
