@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "core/utf8.hpp"
 #include "report/csv.hpp"
 #include "studies/sweep/report/sweep_forecast.hpp"
 #include "studies/sweep/report/sweep_rows.hpp"
@@ -173,6 +174,26 @@ std::optional<Loaded> bind_ranked(MechanismDescription description,
   return loaded;
 }
 
+// A sweep gives what it varies its own values, whatever the file is with that of the option.
+bool takes_overrides(const MechanismDescription& description,
+                     const std::vector<Override>& overrides,
+                     Diagnostics& found) {
+  bool takes_all = true;
+  for (const Override& one : overrides) {
+    const std::string name = one.substr(0, one.find('='));
+    if (description.sweep &&
+        std::ranges::any_of(description.sweep->vary,
+                            [&](const VariedParameter& each) { return each.name.text == name; })) {
+      found.error("E0101",
+                  {},
+                  fmt::format("--set '{}': the sweep varies '{}' itself", printable(one), name),
+                  fmt::format("remove '{}' from 'vary:', or the option", name));
+      takes_all = false;
+    }
+  }
+  return takes_all;
+}
+
 // On one core, for a second or so.
 void tell_forecast(const SweepTask& task,
                    const SweepOptions& options,
@@ -198,7 +219,9 @@ void sweep_into(const std::string& path,
   std::optional<MechanismDescription> description =
       load_description(path, options.load, source, found);
   std::optional<Loaded> loaded =
-      description ? bind_ranked(*std::move(description), options.best, found) : std::nullopt;
+      description && takes_overrides(*description, options.load.overrides, found)
+          ? bind_ranked(*std::move(description), options.best, found)
+          : std::nullopt;
   if (loaded) {
     std::optional<SweepTask> task = make_sweep_task(source, *std::move(loaded), options, found);
     if (task) {

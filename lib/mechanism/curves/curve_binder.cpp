@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "core/tolerance.hpp"
+#include "core/utf8.hpp"
 
 namespace kinestat {
 
@@ -66,8 +67,20 @@ class CurveBinder {
            result_.at.size() >= std::max<std::size_t>(curve_.points.size(), 2);
   }
 
+  bool is_of_table() const { return !curve_.table.empty(); }
+
   void refuse(std::string_view code, SourceRange where, std::string message, std::string hint) {
     context_.found.error(code, where, std::move(message), std::move(hint));
+  }
+
+  // Points of a table have no place in the file.
+  void refuse_points(std::string_view code,
+                     SourceRange where,
+                     const std::string& message,
+                     std::string hint) {
+    is_of_table()
+        ? refuse(code, {}, fmt::format("{}: {}", printable(curve_.table), message), std::move(hint))
+        : refuse(code, where, message, std::move(hint));
   }
 
   void check_name() {
@@ -112,30 +125,68 @@ class CurveBinder {
     }
   }
 
-  std::optional<double> place(const Value& value) {
+  std::optional<double> place(const Value& value, Evaluator& evaluator) {
     const std::optional<QuantityKind> kind = place_kind_of(result_.over, drive_);
     if (!kind) {
-      (void)context_.evaluator.quantity(value);
+      (void)evaluator.quantity(value);
       return std::nullopt;
     }
     result_.place_kind = *kind;
-    return context_.evaluator.number(value, *kind);
+    return evaluator.number(value, *kind);
+  }
+
+  // The first line of a table has its units.
+  std::string hint_at_head(std::size_t column) const {
+    const std::optional<QuantityKind> kind = place_kind_of(result_.over, drive_);
+    return column == 0 && kind
+               ? fmt::format(
+                     "write the unit into its first line, such as [{}], or none, which is "
+                     "that of the file",
+                     context_.description.units.text(*kind))
+               : "change the number, or the unit in the first line";
+  }
+
+  // Of a table the errors are those of the number of a point.
+  template <class Bind>
+  auto bind_of_point(std::size_t point, std::size_t column, const Bind& bind)
+      -> decltype(bind(std::declval<Evaluator&>())) {
+    if (!is_of_table()) {
+      return bind(context_.evaluator);
+    }
+    Diagnostics said;
+    Evaluator evaluator = context_.evaluator.complaining_to(said);
+    const auto result = bind(evaluator);
+    for (const Diagnostic& one : said.items()) {
+      refuse_points(
+          one.code, {}, fmt::format("point {}: {}", point + 1, one.message), hint_at_head(column));
+    }
+    return result;
   }
 
   void bind_points() {
     if (curve_.points.size() < 2) {
-      refuse("E0325",
-             curve_.name.where,
-             fmt::format("curve '{}' has one point", curve_.name.text),
-             "give at least two, [[0 deg, -900 N], [90 deg, -1500 N]]; a number that does not move "
-             "is written where it is used, or is a parameter");
+      refuse_points(
+          "E0325",
+          curve_.name.where,
+          fmt::format("curve '{}' has {}",
+                      curve_.name.text,
+                      curve_.points.empty() ? "no points" : "one point"),
+          is_of_table()
+              ? "write at least two below the first line, with arguments in increasing order"
+              : "give at least two, [[0 deg, -900 N], [90 deg, -1500 N]]; a number that does not "
+                "move is written where it is used, or is a parameter");
       return;
     }
     bool has_dimension = false;  // which a zero need not name
     for (std::size_t i = 0; i < curve_.points.size(); ++i) {
       const CurvePointDescription& point = curve_.points[i];
-      const std::optional<double> at = place(point.at);
-      const std::optional<Quantity> value = context_.evaluator.quantity(point.value);
+      const std::optional<double> at =
+          bind_of_point(i, 0, [&](Evaluator& by) { return place(point.at, by); });
+      const std::optional<Quantity> value =
+          bind_of_point(i, 1, [&](Evaluator& by) { return by.quantity(point.value); });
+      if (is_of_table() && (!at || !value)) {
+        return;  // the others have the same units
+      }
       if (!at || !value) {
         continue;
       }
@@ -162,7 +213,7 @@ class CurveBinder {
   void check_rising() {
     for (std::size_t i = 1; i < result_.at.size(); ++i) {
       if (!(result_.at[i - 1] < result_.at[i])) {
-        refuse(
+        refuse_points(
             "E0325",
             curve_.points[i].at.where,
             fmt::format("the points of curve '{}' are not in increasing order: {} comes after {}",
@@ -182,13 +233,13 @@ class CurveBinder {
   }
 
   void refuse_end(std::string hint) {
-    refuse("E0325",
-           curve_.points.back().value.where,
-           fmt::format("curve '{}' repeats, and ends with {} where it began with {}",
-                       curve_.name.text,
-                       curve_.points.back().value.expression.text(),
-                       curve_.points.front().value.expression.text()),
-           std::move(hint));
+    refuse_points("E0325",
+                  curve_.points.back().value.where,
+                  fmt::format("curve '{}' repeats, and ends with {} where it began with {}",
+                              curve_.name.text,
+                              curve_.points.back().value.expression.text(),
+                              curve_.points.front().value.expression.text()),
+                  std::move(hint));
   }
 
   // A curve with a period has a point where it begins anew.
@@ -220,7 +271,7 @@ class CurveBinder {
       }
       return;
     }
-    const std::optional<double> period = place(*curve_.period);
+    const std::optional<double> period = place(*curve_.period, context_.evaluator);
     if (!period) {
       return;
     }
@@ -233,12 +284,12 @@ class CurveBinder {
     }
     const double beyond = result_.at.back() - begin - *period;
     if (beyond > kCurveEnd * *period) {
-      refuse("E0325",
-             curve_.points.back().at.where,
-             fmt::format("curve '{}' goes on beyond its period of {}",
-                         curve_.name.text,
-                         curve_.period->expression.text()),
-             "leave out the points behind it, or write a longer 'period'");
+      refuse_points("E0325",
+                    curve_.points.back().at.where,
+                    fmt::format("curve '{}' goes on beyond its period of {}",
+                                curve_.name.text,
+                                curve_.period->expression.text()),
+                    "leave out the points behind it, or write a longer 'period'");
       return;
     }
     if (beyond < -kCurveEnd * *period) {

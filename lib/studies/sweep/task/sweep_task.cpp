@@ -135,22 +135,6 @@ MechanismDescription without_tasks(MechanismDescription description, bool needs_
   return description;
 }
 
-// A sweep gives what it varies its own values.
-void refuse_overridden_axes(const SweepDescription& sweep,
-                            const std::vector<Override>& overrides,
-                            Diagnostics& found) {
-  for (const Override& one : overrides) {
-    const std::string name = one.substr(0, one.find('='));
-    if (std::ranges::any_of(sweep.vary,
-                            [&](const VariedParameter& each) { return each.name.text == name; })) {
-      found.error("E0101",
-                  {},
-                  fmt::format("--set '{}': the sweep varies '{}' itself", printable(one), name),
-                  fmt::format("remove '{}' from 'vary:', or the option", name));
-    }
-  }
-}
-
 // JSON and tables can do with two columns of one title.
 void refuse_twin_titles(const SweepDescription& sweep,
                         const std::vector<std::string>& titles,
@@ -287,7 +271,6 @@ std::optional<SweepTask> make_sweep_task(const SourceFile& source,
   }
   const int errors_before = found.error_count();
   const SweepDescription sweep = *description.sweep;
-  refuse_overridden_axes(sweep, options.load.overrides, found);
   CaseChoice choice(sweep, loaded, found);
   choice.run();
   std::vector<Case> cases;
