@@ -186,6 +186,22 @@ TEST(GivenDyad, PutsRightWhatItsDecimalsExplain) {
   EXPECT_EQ(strict.fault, GivenFault::off_curve);
 }
 
+// As another program works it out: it may have no decimals, and all digits of a double.
+TEST(GivenDyad, TakesAPointThatIsOffByLessThanReportsShow) {
+  const std::vector<PositionJets> positions = first_positions(4);
+  const Point on_curve =
+      *complete_dyad(positions, {.circle_point = {}, .centre_point = Point(0.4, -0.7)}).instead;
+  for (const double off : {1e-13, 1e-11, 5e-10}) {
+    const CompletedDyad found =
+        complete_dyad(positions, {.circle_point = {}, .centre_point = on_curve + Point(off, -off)});
+
+    ASSERT_TRUE(found.dyad.has_value()) << off;
+    EXPECT_LT(found.dyad->residual, 1e-11) << off;
+  }
+  EXPECT_EQ(complete_dyad(positions, {.circle_point = {}, .centre_point = on_curve + 1e-6}).fault,
+            GivenFault::off_curve);
+}
+
 // No point keeps its distance from a centre while the plane moves along a line.
 TEST(GivenDyad, OfAStraightTranslationHasNoCrank) {
   const std::vector<PositionJets> positions = {finite_position({0.0, 0.0}, 0.4),

@@ -51,13 +51,14 @@ class Completion {
     return unit_vector(-frame.angle) * (point - frame.origin);
   }
 
-  // As far as points are told apart at all: beside what their decimals leave, rounding.
+  // As far as points are told apart at all: beside what their decimals leave, no further than
+  // reports are. A point that was worked out, or typed with all digits of a double, is as good.
   double allowance(const Point& point) const {
     double size = std::abs(point);
     for (const PositionJets& position : positions_) {
       size = std::max(size, std::abs(origin(position) - point));
     }
-    return given_.rounding + kSameValue * size;
+    return given_.rounding + kReportsAgree * size;
   }
 
   CompletedDyad of_point(DyadPoint which, const Point& point) const {

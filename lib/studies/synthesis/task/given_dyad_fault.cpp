@@ -11,10 +11,10 @@ namespace kinestat {
 
 namespace {
 
-// With so many digits that it is accepted as it is written.
+// With so many digits that it is accepted as it is written, also where it is a whole number then.
 std::string typed_point(const Point& p, const FileUnits& units) {
   const auto typed = [&](double length) {
-    return fmt::format("{:.9g}", units.from_si(QuantityKind::length, length));
+    return fmt::format("{:.10g}", units.from_si(QuantityKind::length, length));
   };
   return fmt::format("[{}, {}]", typed(p.real()), typed(p.imag()));
 }
