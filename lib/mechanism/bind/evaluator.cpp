@@ -130,10 +130,13 @@ void EvaluatorOf<Scalar>::complain(const Value& value, const ExpressionError& er
                  "curves belong in 'force' and 'couple' of loads and in 'action' of cases");
   } else {
     const bool may_guess = error.code == "E0311" && error.hint.empty();
-    found_.error(error.code,
-                 place_in(value, error),
-                 error.message,
-                 may_guess ? did_you_mean(name, words_beside_numbers(description_)) : error.hint);
+    // What an option gives has no place in the file.
+    const bool has_place = value.where.line > 0;
+    found_.error(
+        error.code,
+        place_in(value, error),
+        has_place ? error.message : fmt::format("'{}': {}", printable(text), error.message),
+        may_guess ? did_you_mean(name, words_beside_numbers(description_)) : error.hint);
   }
 }
 
