@@ -10,7 +10,7 @@ import math
 import motion_case
 import program
 from reference_test_case import ReferenceTest
-from swept_case import swept
+from swept_case import refused, swept
 from swept_motion_test import FOUR_BAR, least_slope
 
 # The slider drives.
@@ -189,6 +189,9 @@ class Figures(ReferenceTest):
         self.assertEqual(rows[0]["t.v.position.mean [m]"], alone["mean"])
         self.assertIsNone(rows[0]["t.v.dead_points"])
         self.assertEqual(rows[0]["status"], "W0509")
+        without = TELESCOPE.replace(", gauge: {coupling: t}", "")
+        said = refused(without, "{vary: {x: [3]}, report: [t.v.dead_points]}")
+        self.assertIn("make it one of an actuator", said)
 
 if __name__ == "__main__":
     motion_case.main()

@@ -171,9 +171,13 @@ std::optional<SweepColumn> MotionColumnSearch::find_dead_points(const Name& name
         "E0313",
         name.where,
         fmt::format("dead points of '{}' are not looked for", asked.column),
-        guess_before(asked.column,
-                     names,
-                     "those of freedoms at the ground and of actuators are: " + plain_list(names)));
+        names.empty()
+            ? "freedoms at the ground and of actuators have them, if they are not driven; make it "
+              "one of an actuator, or ask for its extremes: COLUMN.least"
+            : guess_before(
+                  asked.column,
+                  names,
+                  "those of freedoms at the ground and of actuators are: " + plain_list(names)));
     return std::nullopt;
   }
   asked_.scope.dead_points = true;
