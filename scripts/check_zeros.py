@@ -238,9 +238,6 @@ DECISIONS: dict[str, dict[str, str]] = {
         "climb": "search: what exceeds an extreme by less is none",
         "extremes": "search: where values touch zero between two looks",
     },
-    "lib/math/dense/first_crossing.cpp": {
-        "is_below_zero": "search: what only touches zero by rounding crosses it nowhere",
-    },
     "lib/studies/simulation/internal/simulator_events.cpp": {
         "distance": "search: where sliding begins anew",
         "note_signs": "search: which events are just passed",
