@@ -1,23 +1,131 @@
 #include "studies/motion/task/friction_turns.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "couplings/kinds.hpp"
+#include "math/dense/first_crossing.hpp"
 
 namespace kinestat {
 
 namespace {
 
+// How frictions slide beside a row is seen so many steps from it.
+constexpr double kBeside = 0x1p-10;
+
+constexpr int kMostParts = 64;
+
+// A parabola through three rows that leaves more than this share of the slowest has no turn.
+constexpr double kLeastDip = 0.5;
+
+// How short the shortest stretch is in which a friction slides the other way, in steps.
+class ShortTurns {
+ public:
+  ShortTurns(const std::vector<FrictionSliding>& sliding, const SlidingBetween& between)
+      : sliding_(sliding), between_(between) {}
+
+  double shortest(std::size_t friction) {
+    friction_ = friction;
+    shortest_ = 1.0;
+    for (std::size_t row = 1; row < sliding_.size(); ++row) {
+      if (sliding_[row - 1].rates.empty() || sliding_[row].rates.empty()) {
+        continue;
+      }
+      const Vec3& before = sliding_[row - 1].rates[friction];
+      const Vec3& behind = sliding_[row].rates[friction];
+      if (before.dot(behind) > 0.0) {
+        if (may_dip(row)) {
+          look(row, before.normalized());
+        }
+      } else if (behind.isZero(0.0) && sliding_[row].stands && !before.isZero(0.0)) {
+        look(row, before.normalized());
+      } else if (before.isZero(0.0) && sliding_[row - 1].stands && !behind.isZero(0.0)) {
+        look_back(row, behind.normalized());
+      }
+    }
+    return shortest_;
+  }
+
+ private:
+  std::optional<double> speed(double row, const Vec3& along) const {
+    const FrictionSliding there = between_(row);
+    return there.rates.empty() ? std::nullopt : std::optional(there.rates[friction_].dot(along));
+  }
+
+  std::optional<double> speed_of(std::size_t row, const Vec3& along) const {
+    return row < sliding_.size() && !sliding_[row].rates.empty()
+               ? std::optional(sliding_[row].rates[friction_].dot(along))
+               : std::nullopt;
+  }
+
+  // In the first and the last step always; else if it is slowest at one end of the step, and a
+  // parabola leaves little of that.
+  bool may_dip(std::size_t row) const {
+    return row == 1 || row + 1 == sliding_.size() || dips_at(row - 1) || dips_at(row);
+  }
+
+  bool dips_at(std::size_t row) const {
+    const Vec3 along = sliding_[row].rates[friction_].normalized();
+    const std::optional<double> a = speed_of(row - 1, along);
+    const std::optional<double> b = speed_of(row, along);
+    const std::optional<double> c = speed_of(row + 1, along);
+    if (!a || !b || !c || !(*b <= *a && *b <= *c)) {
+      return false;
+    }
+    const double slope = 0.5 * (*c - *a);
+    const double bend = *a - 2.0 * *b + *c;
+    return bend > 0.0 && *b - 0.5 * slope * slope / bend < kLeastDip * *b;
+  }
+
+  void look(std::size_t row, const Vec3& along) {
+    const auto to = static_cast<double>(row);
+    find(to - 1.0, to, [&](double at) { return speed(at, along); });
+  }
+
+  // From behind, where it slides, to the rest before.
+  void look_back(std::size_t row, const Vec3& along) {
+    const auto from = static_cast<double>(row);
+    find(0.0, 1.0, [&](double back) { return speed(from - back, along); });
+  }
+
+  void find(double from, double to, const ValueAt& value) {
+    const std::optional<Crossing> there = find_crossing(value, from, to, kParts);
+    if (!there) {
+      return;
+    }
+    const double begin = border(value, there->before, there->behind);
+    const double end = value(to).value_or(0.0) > 0.0 ? border(value, to, there->behind) : to;
+    shortest_ = std::min(shortest_, end - begin);
+  }
+
+  // Between a place where it slides on and one where it slides back.
+  static double border(const ValueAt& value, double on, double back) {
+    constexpr int kHalvings = 12;
+    for (int round = 0; round < kHalvings; ++round) {
+      const double middle = 0.5 * (on + back);
+      (value(middle).value_or(0.0) < 0.0 ? back : on) = middle;
+    }
+    return back;
+  }
+
+  static constexpr int kParts = 2;
+
+  const std::vector<FrictionSliding>& sliding_;
+  const SlidingBetween& between_;
+  std::size_t friction_ = 0;
+  double shortest_ = 1.0;
+};
+
 class TurnFinder {
  public:
   TurnFinder(const std::vector<FrictionSliding>& sliding,
-             const SlidingBeside& beside,
+             const SlidingBetween& between,
              MotionTable& table)
-      : sliding_(sliding), beside_(beside), table_(table) {
+      : sliding_(sliding), between_(between), table_(table) {
     // Before any turn is told: of several frictions at one row each has its own.
     for (std::size_t r = 0; r < sliding_.size(); ++r) {
       is_left_open_.push_back(!sliding_[r].stands &&
@@ -75,7 +183,9 @@ class TurnFinder {
     }
     const bool is_last = row + 1 == sliding_.size();
     const auto sliding_at = [&](bool is_there, bool is_behind) {
-      const FrictionSliding found = is_there ? beside_(row, is_behind) : FrictionSliding{};
+      const FrictionSliding found =
+          is_there ? between_(static_cast<double>(row) + (is_behind ? kBeside : -kBeside))
+                   : FrictionSliding{};
       return found.rates.empty() ? Vec3(Vec3::Zero()) : found.rates[turn.friction];
     };
     const Vec3 before = sliding_at(row > 0, false);
@@ -100,7 +210,7 @@ class TurnFinder {
   }
 
   const std::vector<FrictionSliding>& sliding_;
-  const SlidingBeside& beside_;
+  const SlidingBetween& between_;
   MotionTable& table_;
   std::vector<bool> is_left_open_;  // each row, by the direction of friction alone
 };
@@ -142,11 +252,25 @@ FrictionSliding sliding_at(const Mechanism& mechanism,
   return sliding;
 }
 
+int parts_for_friction(const Mechanism& mechanism,
+                       const std::vector<FrictionSliding>& sliding,
+                       const SlidingBetween& between) {
+  double shortest = 1.0;
+  ShortTurns turns(sliding, between);
+  for (std::size_t f = 0; f < mechanism.frictions.size(); ++f) {
+    if (!vanishes_at_rest(mechanism.frictions[f])) {
+      shortest = std::min(shortest, turns.shortest(f));
+    }
+  }
+  const double parts = shortest < 1.0 ? std::ceil(1.0 / shortest) + 1.0 : 1.0;
+  return static_cast<int>(std::min(parts, static_cast<double>(kMostParts)));
+}
+
 void find_friction_turns(const Mechanism& mechanism,
                          const std::vector<FrictionSliding>& sliding,
-                         const SlidingBeside& beside,
+                         const SlidingBetween& between,
                          MotionTable& table) {
-  TurnFinder finder(sliding, beside, table);
+  TurnFinder finder(sliding, between, table);
   for (std::size_t f = 0; f < mechanism.frictions.size(); ++f) {
     if (vanishes_at_rest(mechanism.frictions[f])) {
       continue;

@@ -32,8 +32,16 @@ Vec3 sliding_of(const Topology& topology,
                 CouplingId coupling,
                 std::span<const std::optional<double>> rates);
 
-/// How the frictions slide just before a row or just behind it; empty of what is beyond the motion.
-using SlidingBeside = std::function<FrictionSliding(std::size_t row, bool is_behind)>;
+/// How the frictions slide at a place between rows, which are at whole numbers; empty of what is
+/// beyond the motion.
+using SlidingBetween = std::function<FrictionSliding(double row)>;
+
+/// Into how many parts the steps between the rows must be divided so that the rows see each turn:
+/// no friction turns round twice within one, nor once just beside a rest. 1 if they see all; turns
+/// that are over in a sixty-fourth of a step may stay unseen.
+int parts_for_friction(const Mechanism& mechanism,
+                       const std::vector<FrictionSliding>& sliding,
+                       const SlidingBetween& between);
 
 /// Adds to the table the couplings that slide one way and then the other, by the sliding of each of
 /// its rows, and beside those that no other row is between. Rows between are at its reversal,
@@ -41,7 +49,7 @@ using SlidingBeside = std::function<FrictionSliding(std::size_t row, bool is_beh
 /// Where a drive rests there is no reversal.
 void find_friction_turns(const Mechanism& mechanism,
                          const std::vector<FrictionSliding>& sliding,
-                         const SlidingBeside& beside,
+                         const SlidingBetween& between,
                          MotionTable& table);
 
 /// The findings of a row as a motion tells them. That a friction has no direction there is said of

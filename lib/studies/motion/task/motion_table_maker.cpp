@@ -37,9 +37,6 @@ namespace {
 // each.
 constexpr std::size_t kMostClimbed = 400;
 
-// How frictions slide beside a row is seen so many steps from it.
-constexpr double kBeside = 0x1p-10;
-
 bool is_among(const std::vector<std::string>& names, const std::string& name) {
   return std::ranges::find(names, name) != names.end();
 }
@@ -62,7 +59,8 @@ class TableMaker {
         found_(found),
         counts_(drive_counts(description, topology_, plan_)) {}
 
-  MotionTable run() {
+  /// Empty if the steps must be divided into more parts.
+  std::optional<MotionTable> run(bool may_divide) {
     table_.end = end_of(solution_.status);
     table_.label =
         plan_.which < 0 ? "" : mechanism_.cases[static_cast<std::size_t>(plan_.which)].label;
@@ -75,13 +73,18 @@ class TableMaker {
     table_.length_unit = units_.text(QuantityKind::length);
     table_.angle_unit = units_.text(QuantityKind::angle);
     add_drives();
-    add_rows();
+    add_rows(may_divide);
+    if (parts_ > 1) {
+      return std::nullopt;
+    }
     add_events();
     add_column_figures();
     quotients_.leave_out_unbounded(readings_, table_.drives.size(), steps_, table_);
     add_assembly(solution_.assembly, mechanism_, units_, table_);
     return std::move(table_);
   }
+
+  int parts() const { return parts_; }
 
  private:
   QuantityKind kind_of(const PlannedDrive& drive) const {
@@ -137,7 +140,7 @@ class TableMaker {
     column.is_named = plan_.report.chosen && is_among(plan_.report.chosen->named, column.name());
   }
 
-  void add_rows() {
+  void add_rows(bool may_divide) {
     if (solution_.position_count() == 0) {
       return;
     }
@@ -171,17 +174,16 @@ class TableMaker {
     std::ranges::transform(
         reactions_, std::back_inserter(table_.bearing), &CouplingReaction::coupling);
     FollowedConfigurations configurations(mechanism_, motion_.network, solution_);
-    find_friction_turns(
-        mechanism_,
-        sliding_,
-        [&](std::size_t row, bool is_behind) {
-          const double by = is_behind ? kBeside : -kBeside;
-          const double share = share_at_step(motion_, static_cast<double>(row) + by);
-          const std::optional<Configuration> there = configurations.at(share);
-          return there ? sliding_at(mechanism_, plan_, positions.at(*there, share))
-                       : FrictionSliding{};
-        },
-        table_);
+    const SlidingBetween sliding_between = [&](double row) {
+      const double share = share_at_step(motion_, row);
+      const std::optional<Configuration> there = configurations.at(share);
+      return there ? sliding_at(mechanism_, plan_, positions.at(*there, share)) : FrictionSliding{};
+    };
+    parts_ = may_divide ? parts_for_friction(mechanism_, sliding_, sliding_between) : 1;
+    if (parts_ > 1) {
+      return;
+    }
+    find_friction_turns(mechanism_, sliding_, sliding_between, table_);
     for (std::size_t r = 0; r < said_.size(); ++r) {
       const double drive = table_.rows[r].values.front().value_or(0.0);
       found_.add(r, drive, told_of_row(said_[r], sliding_[r], table_.rows[r], table_));
@@ -469,6 +471,7 @@ class TableMaker {
   std::vector<std::vector<SpringState>> springs_;              // likewise
   std::vector<std::optional<std::vector<int>>> coast_flanks_;  // likewise
   std::vector<CaseFindings> said_;                             // likewise
+  int parts_ = 1;  // of each step, for the turns of frictions
   UnboundedQuotients quotients_;
   std::vector<double> steps_;     // at which the rows stand
   std::vector<double> poles_at_;  // in steps
@@ -483,15 +486,25 @@ MotionTable make_motion_table(const MechanismDescription& description,
                               const MotionScope& scope,
                               PositionFindings& found) {
   const bool has_figures = !scope.columns || !scope.columns->empty();
-  const std::optional<FinerMotion> finer =
-      has_figures ? divide_steps(mechanism, motion) : std::nullopt;
-  if (!finer) {
-    return TableMaker(description, mechanism, motion, scope, found).run();
+  const PositionFindings found_before = found;
+  for (int times = 1;;) {
+    const std::optional<FinerMotion> finer =
+        has_figures ? divide_steps(mechanism, motion, times) : std::nullopt;
+    if (finer) {
+      found.keep(finer->rows);
+    }
+    TableMaker maker(description, mechanism, finer ? finer->motion : motion, scope, found);
+    std::optional<MotionTable> table = maker.run(has_figures && times == 1);
+    if (!table) {
+      times = maker.parts();
+      found = found_before;
+      continue;
+    }
+    if (finer) {
+      keep_rows(*finer, motion.plan.steps, *table);
+    }
+    return *std::move(table);
   }
-  found.keep(finer->rows);
-  MotionTable table = TableMaker(description, mechanism, finer->motion, scope, found).run();
-  keep_rows(*finer, motion.plan.steps, table);
-  return table;
 }
 
 }  // namespace kinestat

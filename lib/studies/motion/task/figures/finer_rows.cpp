@@ -177,8 +177,11 @@ int parts_of_step(const Mechanism& mechanism, const MotionPlan& plan, int steps)
   return steps > 0 ? std::max(1, static_cast<int>(std::ceil(wanted / steps - kSameStep))) : 1;
 }
 
-std::optional<FinerMotion> divide_steps(const Mechanism& mechanism, const FoundMotion& motion) {
-  const int parts = parts_of_step(mechanism, motion.plan, motion.solution.position_count() - 1);
+std::optional<FinerMotion> divide_steps(const Mechanism& mechanism,
+                                        const FoundMotion& motion,
+                                        int times) {
+  const int parts =
+      times * parts_of_step(mechanism, motion.plan, motion.solution.position_count() - 1);
   return parts > 1 ? StepDivider(mechanism, motion, parts).run() : std::nullopt;
 }
 
