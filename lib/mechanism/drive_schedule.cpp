@@ -144,6 +144,25 @@ std::vector<double> breaks_of(DriveLaw law, double ramp) {
   return {};
 }
 
+// Where its acceleration turns sharply within it.
+std::vector<double> kinks_of(DriveLaw law) {
+  switch (law) {
+    case DriveLaw::modified_trapezoid:
+      return {0.125, 0.375, 0.625, 0.875};
+    case DriveLaw::modified_sine:
+      return {0.125, 0.875};
+    case DriveLaw::constant_speed:
+    case DriveLaw::constant_acceleration:
+    case DriveLaw::trapezoid:
+    case DriveLaw::polynomial_345:
+    case DriveLaw::polynomial_4567:
+    case DriveLaw::cycloidal:
+    case DriveLaw::harmonic:
+      break;
+  }
+  return {};
+}
+
 // Within the whole time.
 void add_breaks(const Curve& curve, double duration, std::vector<double>& breaks) {
   const double period = curve.period.value_or(0.0);
@@ -318,7 +337,8 @@ void DriveSchedule::add_turns(std::size_t drive,
   }
 }
 
-std::vector<double> DriveSchedule::turns() const {
+// And breaks.
+std::vector<double> DriveSchedule::ends_of_parts() const {
   std::vector<double> ends = breaks();
   for (const DriveCourse& course : courses_) {
     for (const CoursePart& part : course.parts) {
@@ -326,7 +346,23 @@ std::vector<double> DriveSchedule::turns() const {
     }
   }
   std::erase_if(ends, [](double time) { return time <= 0.0 || time >= 1.0; });
-  ends = merged_times(std::move(ends));
+  return merged_times(std::move(ends));
+}
+
+std::vector<double> DriveSchedule::corners() const {
+  std::vector<double> corners = ends_of_parts();
+  for (const DriveCourse& course : courses_) {
+    for (const CoursePart& part : course.parts) {
+      for (const double one : part.from == part.to ? std::vector<double>() : kinks_of(part.law)) {
+        corners.push_back(std::lerp(part.begin, part.end, one));
+      }
+    }
+  }
+  return merged_times(std::move(corners));
+}
+
+std::vector<double> DriveSchedule::turns() const {
+  std::vector<double> ends = ends_of_parts();
   std::vector<double> turns = ends;
   double from = 0.0;
   ends.push_back(1.0);

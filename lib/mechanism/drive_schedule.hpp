@@ -89,7 +89,13 @@ class DriveSchedule {
   /// rests.
   std::vector<double> turns() const;
 
+  /// Likewise, between which the acceleration of each drive is smooth.
+  std::vector<double> corners() const;
+
+  std::size_t drive_count() const { return courses_.size(); }
+
  private:
+  std::vector<double> ends_of_parts() const;
   void add_turns(std::size_t drive, double from, double to, std::vector<double>& turns) const;
 
   double duration_ = 1.0;

@@ -138,5 +138,26 @@ TEST(DriveSchedule, tells_jumps_of_two_drives_at_one_time_once) {
   EXPECT_EQ(schedule.jumps(), (std::vector<double>{0.3, 1.0}));
 }
 
+TEST(DriveSchedule, tells_the_corners_of_its_laws) {
+  const DriveSchedule schedule(
+      1.0,
+      {{.from = 0.0,
+        .to = 1.0,
+        .parts = {
+            {.begin = 0.0, .end = 0.2, .from = 0.0, .to = 0.0},
+            {.begin = 0.2, .end = 0.6, .from = 0.0, .to = 1.0, .law = DriveLaw::modified_sine},
+            {.begin = 0.6,
+             .end = 1.0,
+             .from = 1.0,
+             .to = 0.0,
+             .law = DriveLaw::constant_acceleration}}}});
+  const std::vector<double> expected = {0.2, 0.25, 0.55, 0.6, 0.8};
+  const std::vector<double> corners = schedule.corners();
+  ASSERT_EQ(corners.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_NEAR(corners[i], expected[i], 1e-12);
+  }
+}
+
 }  // namespace
 }  // namespace kinestat

@@ -149,9 +149,9 @@ const Record<FiguresView>& figures_record() {
     keys.number(
         "mean",
         ByContext::column,
-        "The mean over the range of the drives, or over time for a motion in time, by the "
-        "trapezoidal rule, without the rests in which friction leaves it open; null where another "
-        "step has no value or the motion does not reach its end.",
+        "The mean over the range of the drives, by the trapezoidal rule, or for a motion in time "
+        "over time, by polynomials between corners, without the rests in which friction leaves it "
+        "open; null where another step has no value or the motion does not reach its end.",
         [](const View& v) { return v.figures.mean; });
     keys.number("rms",
                 ByContext::column,

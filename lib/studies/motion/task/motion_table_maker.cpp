@@ -448,7 +448,7 @@ class TableMaker {
       between.is_jammed = [&](double share) { return values.is_jammed(share); };
     }
     add_figures(
-        solution_.shares, steps_, corners.places, columns, between, where_at, share_at, table_);
+        solution_.shares, steps_, corners.view(), columns, between, where_at, share_at, table_);
     add_reversals(
         motion_, corners.reversals, [this](double share) { return drives_at(share); }, table_);
   }

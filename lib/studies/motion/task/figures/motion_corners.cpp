@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/motion_tolerance.hpp"
+#include "core/tolerance.hpp"
 #include "math/dense/root_search.hpp"
 #include "studies/motion/task/figures/approach_limits.hpp"
 #include "studies/motion/task/figures/motion_steps.hpp"
@@ -41,6 +42,9 @@ class CornerFinder {
       std::optional<double> before = count > 0 ? argument(curve, 0.0) : std::nullopt;
       for (int row = 0; row + 1 < count; ++row) {
         const std::optional<double> behind = argument(curve, row + 1.0);
+        if (before && is_point(curve, *before)) {
+          rows_.push_back(row);
+        }
         if (before && behind) {
           add_corners(curve, row, *before, *behind);
         }
@@ -58,21 +62,22 @@ class CornerFinder {
     for (const double step : steps_) {
       add_place(step, found.places);
     }
-    add_breaks(found.places);
+    add_law_corners(found.places);
+    steps_.insert(steps_.end(), rows_.begin(), rows_.end());
+    found.turns = steps_;
+    std::ranges::sort(found.turns);
     for (const double step : special_steps()) {
       add_approaches(step, found.places);
       steps_.push_back(step);
-    }
-    if (motion_.plan.schedule) {
-      add_inside_of_pieces(found.places);
     }
     for (const FrictionTurn& turn : special_.turns) {
       for (const RowsAround& rows : turn.turns) {
         add_reversal(turn, rows, found);
       }
     }
-    std::ranges::stable_sort(found.places, {}, &FigurePlace::step);
     std::ranges::sort(steps_);
+    add_time_pieces(found);
+    std::ranges::stable_sort(found.places, {}, &FigurePlace::step);
     found.steps = std::move(steps_);
     return found;
   }
@@ -116,6 +121,13 @@ class CornerFinder {
                    : std::nullopt;
     }
     return std::nullopt;
+  }
+
+  static bool is_point(const Curve& curve, double argument) {
+    const double turns =
+        curve.period ? std::floor((argument - curve.at.front()) / *curve.period) : 0.0;
+    const double shift = curve.period ? turns * *curve.period : 0.0;
+    return std::ranges::any_of(curve.at, [&](double one) { return one + shift == argument; });
   }
 
   // At its points between the two arguments.
@@ -194,27 +206,32 @@ class CornerFinder {
         row + 1.0);
   }
 
-  void add_place(double step, std::vector<FigurePlace>& corners) {
+  void add_place(double step, std::vector<FigurePlace>& corners, double weight = 0.0) {
     if (const auto position = position_at(step, reading_)) {
       const double share = share_at_step(motion_, step);
-      corners.push_back({.step = step, .share = share, .of = values_at_(*position, share)});
+      corners.push_back(
+          {.step = step, .share = share, .of = values_at_(*position, share), .weight = weight});
     }
   }
 
-  // Where a law changes its acceleration there are two values, that before and that behind, at one
-  // place.
-  void add_breaks(std::vector<FigurePlace>& corners) {
+  // Where a law changes its acceleration at once there are two values, that before and that
+  // behind, at one place.
+  void add_law_corners(std::vector<FigurePlace>& corners) {
     if (!motion_.plan.schedule) {
       return;
     }
-    for (const double time : motion_.plan.schedule->breaks()) {
-      const double step = time * motion_.plan.steps;
+    const std::vector<double> breaks = motion_.plan.schedule->breaks();
+    for (const double time : motion_.plan.schedule->corners()) {
+      const double step = at_row(time * motion_.plan.steps);
       if (step >= motion_.solution.position_count() - 1.0 || corners.size() > kMostCorners) {
         return;
       }
       steps_.push_back(step);
       const double before = DriveSchedule::before(time);
-      if (const auto position = position_at(step, reading_, before)) {
+      const bool is_break = std::ranges::any_of(
+          breaks, [time](double one) { return std::abs(one - time) <= 2.0 * kSameValue; });
+      const auto position = is_break ? position_at(step, reading_, before) : std::nullopt;
+      if (position) {
         corners.push_back({.step = before * motion_.plan.steps,
                            .share = motion_.plan.schedule->share_at(before),
                            .of = values_at_(*position, share_at_step(motion_, step))});
@@ -368,22 +385,15 @@ class CornerFinder {
     found.reversals.push_back(std::move(reversal));
   }
 
-  // Of a motion in time pieces between corners may be as short as its steps.
-  void add_inside_of_pieces(std::vector<FigurePlace>& places) {
-    constexpr int kLeastParts = 6;
-    constexpr std::size_t kMostPieces = 100;
-    std::vector<double> ends = {0.0};
-    for (const double time : motion_.plan.schedule->turns()) {
-      ends.push_back(std::min(time * motion_.plan.steps, last_step()));
+  void add_time_pieces(Corners& found) {
+    if (!motion_.plan.schedule) {
+      return;
     }
-    ends.push_back(last_step());
-    for (std::size_t i = 0; i + 1 < std::min(ends.size(), kMostPieces); ++i) {
-      const double width = ends[i + 1] - ends[i];
-      for (int part = 1; part < kLeastParts && width > kSameStep && width < kLeastParts; ++part) {
-        const double step = ends[i] + width * part / kLeastParts;
-        if (std::abs(step - std::round(step)) > kSameStep) {
-          add_place(step, places);
-        }
+    found.pieces =
+        find_time_pieces(*motion_.plan.schedule, motion_.plan.steps, last_step(), steps_);
+    for (const TimePiece& piece : found.pieces) {
+      for (const TimePoint& point : piece.points) {
+        add_place(point.step, found.places, point.weight);
       }
     }
   }
@@ -443,6 +453,7 @@ class CornerFinder {
   MotionPositions reading_;
   FollowedConfigurations& configurations_;
   std::vector<double> steps_;
+  std::vector<double> rows_;   // at which a curve is at one of its points
   std::vector<double> jumps_;  // of springs
   std::map<std::pair<std::size_t, std::size_t>, std::optional<Rest>>
       rests_;  // by friction and row before

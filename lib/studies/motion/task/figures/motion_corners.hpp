@@ -43,14 +43,19 @@ struct FrictionReversal {
 struct Corners {
   std::vector<FigurePlace> places;
   std::vector<double> steps;  ///< at which values turn sharply or jump, in order
+  std::vector<double> turns;  ///< those at which they turn sharply
   std::vector<FrictionReversal> reversals;
+  std::vector<TimePiece> pieces;  ///< of a motion in time; their points are among the places
+
+  FigurePlaces view() const { return {.places = places, .pieces = pieces, .turns = turns}; }
 };
 
 /// In order: the places between the steps at which a curve of the mechanism, over time, a position
-/// or a speed, is at one of its points; the values before and behind a jump of a drive's
-/// acceleration; where a spring begins or ceases to act, and teeth change their flank; and what is
-/// approached from either side where friction turns round or rests, and at poles. None of a motion
-/// that passes more than some ten thousand.
+/// or a speed, is at one of its points; the values at the corners of the laws of drives, before and
+/// behind a jump of their acceleration; points of short pieces between corners in time; where a
+/// spring begins or ceases to act, and teeth change their flank; and what is approached from either
+/// side where friction turns round or rests, and at poles. None of a motion that passes more than
+/// some ten thousand.
 Corners find_corners(const Mechanism& mechanism,
                      const FoundMotion& motion,
                      const MotionDetail& detail,

@@ -12,6 +12,7 @@
 #include "core/tolerance.hpp"
 #include "math/numbers/zero_within_bound.hpp"
 #include "studies/motion/peak_search.hpp"
+#include "studies/motion/task/figures/column_means.hpp"
 #include "studies/motion/task/figures/motion_steps.hpp"
 #include "studies/motion/task/figures/value_ends.hpp"
 
@@ -26,14 +27,16 @@ class FigureMaker {
  public:
   FigureMaker(std::span<const double> shares,
               std::span<const double> steps,
-              std::span<const FigurePlace> places,
+              const FigurePlaces& places,
               const std::vector<FigureColumn>& columns,
               const BetweenSteps& between,
               const std::function<FigureWhere(double)>& where_at,
               const std::function<double(double)>& share_at,
               MotionTable& table)
       : steps_(steps),
-        corners_(places),
+        corners_(places.places),
+        pieces_(places.pieces),
+        turns_(places.turns),
         columns_(columns),
         between_(between),
         where_at_(where_at),
@@ -46,14 +49,15 @@ class FigureMaker {
                           .values = &table.rows[r].values,
                           .at_rest = &table.rows[r].at_rest});
     }
-    for (const FigurePlace& place : places) {
+    for (const FigurePlace& place : places.places) {
       samples_.push_back({.step = place.step,
                           .share = place.share,
                           .place = place.is_approach ? place.beside : place.step,
                           .values = &place.of.values,
                           .at_rest = &place.of.at_rest,
                           .is_corner = true,
-                          .is_approach = place.is_approach});
+                          .is_approach = place.is_approach,
+                          .weight = place.weight});
     }
     std::ranges::stable_sort(samples_, {}, &Sample::step);
     find_dwells();
@@ -74,8 +78,9 @@ class FigureMaker {
       if (growth.has_any() || (is_bounded(c) && ends_on_the_way(c))) {
         continue;
       }
-      figures.mean = mean(c, [](double low, double high) { return 0.5 * (low + high); });
-      figures.rms = table_.duration ? root(mean(c, mean_square)) : std::nullopt;
+      const ColumnMeans means = means_of_column(c);
+      figures.mean = means.mean;
+      figures.rms = table_.duration ? root(means.mean_square) : std::nullopt;
     }
   }
 
@@ -88,6 +93,7 @@ class FigureMaker {
     const std::vector<std::optional<double>>* at_rest = nullptr;
     bool is_corner = false;
     bool is_approach = false;
+    double weight = 0.0;  // of a point of a piece of time
     bool dwells = false;  // it rests there for a while, and not only where it turns back
 
     // Friction has no direction there.
@@ -163,13 +169,25 @@ class FigureMaker {
       if (!for_peaks && all[i].is_corner && is_smooth(column)) {
         continue;
       }
+      // What is smooth beside it in time ends there, if nothing else stands at the place.
+      const auto stands_by = [&](std::size_t other) {
+        return other < all.size() && std::abs(all[other].step - all[i].step) < kSameApproach &&
+               !all[other].is_approach;
+      };
+      const bool is_alone = !for_peaks && table_.duration && turns_sharply_at(all[i].place) &&
+                            !stands_by(i - 1) && !stands_by(i + 1);
       const bool is_between = for_peaks && all[i].step < all[i].place &&
                               std::abs(all[i].step - std::round(all[i].step)) > kBesideStep;
-      if (!all[i].is_approach || is_between || jumps_to(i - 1) || jumps_to(i + 1)) {
+      if (!all[i].is_approach || is_between || is_alone || jumps_to(i - 1) || jumps_to(i + 1)) {
         kept.push_back(all[i]);
       }
     }
     return kept;
+  }
+
+  bool turns_sharply_at(double step) const {
+    const auto behind = std::ranges::lower_bound(turns_, step - kSameStep);
+    return behind != turns_.end() && *behind <= step + kSameStep;
   }
 
   std::optional<ColumnExtreme> extreme(std::size_t column, double sign) {
@@ -262,58 +280,24 @@ class FigureMaker {
     return square ? std::optional(std::sqrt(*square)) : std::nullopt;
   }
 
-  // Of a straight line.
-  static double mean_square(double low, double high) {
-    return (low * low + low * high + high * high) / 3.0;
-  }
-
-  // Over the way of the drives, or in time: the trapezoids between the samples of a motion that
-  // reaches its end, or the middle where an end has no value.
-  template <class Measure>
-  std::optional<double> mean(std::size_t column, const Measure& measure) const {
+  // Of a motion that reaches its end.
+  ColumnMeans means_of_column(std::size_t column) const {
     if (!table_.is_whole() || table_.rows.size() < 2) {
-      return std::nullopt;
+      return {};
     }
-    double sum = 0.0;
-    double size = 0.0;
-    double covered = 0.0;  // without rests in which it is open
-    double skipped = 0.0;  // jumps, which have no width but for rounding
-    const auto add = [&](double from, double to, double width) {
-      covered += width;
-      sum += width * measure(from, to);
-      size += width * measure(std::abs(from), std::abs(to));
-    };
-    const std::vector<Sample> samples = samples_with_jumps(column, false);
-    for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
-      const double width = samples[i + 1].step - samples[i].step;
-      const std::optional<double> low = samples[i].value(column);
-      const std::optional<double> high = samples[i + 1].value(column);
-      if (width <= kSameStep) {
-        skipped += width * measure(std::abs(low.value_or(0.0)), std::abs(high.value_or(0.0)));
-        continue;
-      }
-      if (low && high) {
-        add(*low, *high, width);
-        continue;
-      }
-      if (!low && !high) {
-        if (!samples[i].rests() || !samples[i + 1].rests()) {
-          return std::nullopt;
-        }
-        continue;
-      }
-      const std::optional<double> value =
-          width < kSameApproach ? (low ? low : high)
-          : low                 ? value_before(column, samples[i].step, samples[i + 1].step, 0.5)
-                                : value_before(column, samples[i + 1].step, samples[i].step, 0.5);
-      if (!value) {
-        return std::nullopt;
-      }
-      add(*value, *value, width);
+    std::vector<MeanSample> samples;
+    for (const Sample& one : samples_with_jumps(column, false)) {
+      samples.push_back({.step = one.step,
+                         .value = one.value(column),
+                         .rests = one.rests(),
+                         .weight = one.weight});
     }
-    return covered > kSameStep * static_cast<double>(table_.rows.size() - 1)
-               ? std::optional(zero_within_bound(sum, kCancellation * size + skipped) / covered)
-               : std::nullopt;
+    const auto time = table_.duration
+                          ? std::optional(TimeCourse{.pieces = pieces_, .corners = turns_})
+                          : std::nullopt;
+    return means_of(samples, time, [&](double from, double end, double left) {
+      return value_before(column, from, end, left);
+    });
   }
 
   // So much of the way from a step with a value is left to the end, which has none.
@@ -400,6 +384,8 @@ class FigureMaker {
   std::map<std::string, double> usual_;  // the largest value of the rows, by units
   std::span<const double> steps_;        // of the rows
   std::span<const FigurePlace> corners_;
+  std::span<const TimePiece> pieces_;
+  std::span<const double> turns_;
   const std::vector<FigureColumn>& columns_;
   const BetweenSteps& between_;
   const std::function<FigureWhere(double)>& where_at_;
@@ -413,7 +399,7 @@ class FigureMaker {
 
 void add_figures(std::span<const double> shares,
                  std::span<const double> steps,
-                 std::span<const FigurePlace> places,
+                 const FigurePlaces& places,
                  const std::vector<FigureColumn>& columns,
                  const BetweenSteps& between,
                  const std::function<FigureWhere(double share)>& where_at,

@@ -9,6 +9,7 @@
 
 #include "studies/motion/peak_search.hpp"
 #include "studies/motion/report/motion_table.hpp"
+#include "studies/motion/task/figures/time_pieces.hpp"
 
 namespace kinestat {
 
@@ -53,6 +54,14 @@ struct FigurePlace {
   double beside = 0.0;       ///< of an approach: the step of that place
   /// Of what grows: what values are where four times and twice as much of the way is left.
   std::vector<std::vector<std::optional<double>>> farther = {};
+  double weight = 0.0;  ///< of a point of a piece of time
+};
+
+/// What figures are to see beside the rows.
+struct FigurePlaces {
+  std::span<const FigurePlace> places;  ///< in order
+  std::span<const TimePiece> pieces;    ///< whose points are among them
+  std::span<const double> turns;        ///< steps at which values turn sharply, in order
 };
 
 /// Where a motion is at a share of the ranges of the drives.
@@ -62,8 +71,8 @@ struct FigureWhere {
 };
 
 /// Fills the figures of a table whose rows stand at those shares of the ranges and those steps, and
-/// whose events are known. Extremes are those of the steps and of `places` between them, which are
-/// in order, of positions at dead points too; in the columns that are climbed, which may be fewer
+/// whose events are known. Extremes are those of the steps and of the places between
+/// them, of positions at dead points too; in the columns that are climbed, which may be fewer
 /// than all, they are looked for between these, and of bounded ones where their values end, too.
 /// All of them take what is `at_rest` while drives dwell. Means take the middle of an interval
 /// where one of its ends has no value, as friction has none where it turns round. Where values grow
@@ -72,7 +81,7 @@ struct FigureWhere {
 /// steps.
 void add_figures(std::span<const double> shares,
                  std::span<const double> steps,
-                 std::span<const FigurePlace> places,
+                 const FigurePlaces& places,
                  const std::vector<FigureColumn>& columns,
                  const BetweenSteps& between,
                  const std::function<FigureWhere(double share)>& where_at,
