@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 
 import motion_case
-from motion_case import MotionTest, run
+from motion_case import MotionTest, in_library, run
 from swept_case import swept
 
 PI = math.pi
@@ -141,6 +141,25 @@ class Mechanism(MotionTest):
             for quantity in ("velocity", "acceleration"):
                 one = found[f"d.vx/{quantity}"]
                 self.close(one["mean"], 0.0, 1e-12 * one["greatest"], quantity)
+
+
+class NearSingularPositions(MotionTest):
+    """A crank of 15 m that turns by 1 rad/s: its pin accelerates by what it is away from the axis."""
+
+    def test_rows_that_rounding_leaves_open_take_no_means_away(self) -> None:
+        press = in_library("planar/slider_crank.yaml")
+        for steps in (100, 337, 1000, 1001):
+            found = run(press, "--drive", "Fout", "--to", "-limit", "--steps",
+                        str(steps)).report["figures"]
+            for axis in "xy":
+                self.close(found[f"rod/linear_acceleration/{axis}"]["mean"],
+                           -found[f"rod/at/{axis}"]["mean"], 0.02, f"{axis} in {steps} steps")
+
+    def test_what_is_zero_has_its_mean_up_to_a_limit(self) -> None:
+        press = in_library("planar/slider_crank.yaml")
+        for steps in (100, 1000, 3000):
+            found = run(press, "--drive", "Tin", "--to", "limit", "--steps", str(steps))
+            self.assertEqual(found.report["figures"]["slider/linear_acceleration/y"]["mean"], 0.0)
 
 
 if __name__ == "__main__":

@@ -47,7 +47,8 @@ class FigureMaker {
                           .share = shares[r],
                           .place = steps[r],
                           .values = &table.rows[r].values,
-                          .at_rest = &table.rows[r].at_rest});
+                          .at_rest = &table.rows[r].at_rest,
+                          .is_rounded = is_rounded(table.rows[r])});
     }
     for (const FigurePlace& place : places.places) {
       samples_.push_back({.step = place.step,
@@ -91,6 +92,7 @@ class FigureMaker {
     double place = 0.0;  // in steps: of an approach that which it is beside
     const std::vector<std::optional<double>>* values = nullptr;
     const std::vector<std::optional<double>>* at_rest = nullptr;
+    bool is_rounded = false;  // of a row: what it lacks would be rounding
     bool is_corner = false;
     bool is_approach = false;
     double weight = 0.0;  // of a point of a piece of time
@@ -110,6 +112,11 @@ class FigureMaker {
       return lacks_direction(column) ? value_at_rest(column) : (*values)[column];
     }
   };
+
+  static bool is_rounded(const MotionRow& row) {
+    return row.status == word_of(SolveStatus::solved) &&
+           (row.drops_velocities || row.drops_accelerations || row.lacks_accelerations);
+  }
 
   void find_dwells() {
     for (std::size_t first = 0; first < samples_.size();) {
@@ -287,17 +294,42 @@ class FigureMaker {
     }
     std::vector<MeanSample> samples;
     for (const Sample& one : samples_with_jumps(column, false)) {
-      samples.push_back({.step = one.step,
-                         .value = one.value(column),
-                         .rests = one.rests(),
-                         .weight = one.weight});
+      const bool is_inside = one.step > steps_.front() && one.step < steps_.back();
+      if (!one.is_rounded || !is_inside || one.value(column)) {
+        samples.push_back({.step = one.step,
+                           .value = one.value(column),
+                           .rests = one.rests(),
+                           .weight = one.weight});
+      }
     }
     const auto time = table_.duration
                           ? std::optional(TimeCourse{.pieces = pieces_, .corners = turns_})
                           : std::nullopt;
     return means_of(samples, time, [&](double from, double end, double left) {
-      return value_before(column, from, end, left);
+      return mean_before(column, from, end, left);
     });
+  }
+
+  // Near a limit rounding may leave values open, too; they are known farther from it.
+  std::optional<double> mean_before(std::size_t column,
+                                    double from,
+                                    double end,
+                                    double left) const {
+    constexpr double kFarthest = 0.9;
+    const auto row = std::ranges::find(steps_, end) - steps_.begin();
+    const bool is_singular =
+        row < std::ssize(steps_) && is_at_singular(static_cast<std::size_t>(row));
+    std::optional<double> value = value_before(column, from, end, left);
+    while (!value && is_singular && left < kFarthest) {
+      left = std::midpoint(left, 1.0);
+      value = value_before(column, from, end, left);
+    }
+    return value;
+  }
+
+  bool is_at_singular(std::size_t row) const {
+    const std::string& status = table_.rows[row].status;
+    return status == kLimitEvent || status == kSingularEvent;
   }
 
   // So much of the way from a step with a value is left to the end, which has none.
@@ -323,8 +355,7 @@ class FigureMaker {
     const auto value = [&](double left) {
       return value_before(column, steps_[from], steps_[end], left, Look::end);
     };
-    const std::string& status = table_.rows[end].status;
-    const bool is_singular = status == kLimitEvent || status == kSingularEvent;
+    const bool is_singular = is_at_singular(end);
     const auto is_lost = [&](double left) {
       const double step = std::lerp(steps_[end], steps_[from], left);
       return is_singular && (is_of_motion(column) || !between_.is_jammed(share_at_(step)));
