@@ -9,17 +9,18 @@ namespace kinestat {
 
 namespace {
 
-bool is_of_turning(QuantityKind kind) {
-  return kind == QuantityKind::angular_velocity || kind == QuantityKind::angular_acceleration;
+// Of a body: where its reference point is, and how that moves.
+bool is_of_point(const MotionReading& reading) {
+  return reading.kind == QuantityKind::velocity || reading.kind == QuantityKind::acceleration ||
+         reading.column.quantity.starts_with("at/");
 }
 
-// Whether a rate of that element, a freedom, a traced point or a body, is one that it moves. Of a
-// body it is the angular velocity or the velocity of the reference point, or their derivative.
-bool moves_element(const PassiveFreedom& one,
-                   const std::string& element,
-                   QuantityKind kind,
-                   const MotionPlan& plan,
-                   const Mechanism& mechanism) {
+// Whether the column is of a freedom, a body or a traced point that it moves.
+bool moves_column(const PassiveFreedom& one,
+                  const MotionReading& reading,
+                  const MotionPlan& plan,
+                  const Mechanism& mechanism) {
+  const std::string& element = reading.column.element;
   const Topology& topology = mechanism.topology;
   const double length = mechanism.geometry.length;
   for (int f = 0; f < topology.freedom_count(); ++f) {
@@ -38,7 +39,7 @@ bool moves_element(const PassiveFreedom& one,
   }
   const BodyId body{static_cast<int>(at - topology.bodies.begin())};
   const Vec3& reference = mechanism.geometry.references[static_cast<std::size_t>(body.value)];
-  return is_of_turning(kind) ? one.turns(body, length) : one.moves_point(body, reference, length);
+  return is_of_point(reading) ? one.moves_point(body, reference, length) : one.turns(body, length);
 }
 
 }  // namespace
@@ -57,23 +58,23 @@ std::vector<PassiveFreedom> freedoms_of_open_rate(std::vector<PassiveFreedom> pa
                        : passive_freedoms_beside(std::move(passive), mechanism, known);
 }
 
-void leave_out_idle_rates(const FoundMotion& motion,
-                          const Mechanism& mechanism,
-                          std::vector<MotionReading>& readings) {
+void leave_out_idle_motions(const FoundMotion& motion,
+                            const Mechanism& mechanism,
+                            std::vector<MotionReading>& readings) {
   if (motion.network.passive_motions.empty()) {
     return;
   }
-  const std::vector<PassiveFreedom> idle = freedoms_of_open_rate(
-      find_passive_freedoms(mechanism, spatial_basis(ScrewKind::twist, mechanism.geometry.length)),
-      motion.plan,
-      mechanism);
+  const std::vector<PassiveFreedom> all =
+      find_passive_freedoms(mechanism, spatial_basis(ScrewKind::twist, mechanism.geometry.length));
+  const std::vector<PassiveFreedom> of_rate = freedoms_of_open_rate(all, motion.plan, mechanism);
   for (MotionReading& reading : readings) {
-    const bool is_open =
-        (is_rate(reading.kind) || is_rate_of_rate(reading.kind)) &&
-        std::ranges::any_of(idle, [&](const PassiveFreedom& one) {
-          return moves_element(one, reading.column.element, reading.kind, motion.plan, mechanism);
-        });
-    if (is_open) {
+    const auto is_moved_by = [&](const std::vector<PassiveFreedom>& idle) {
+      return std::ranges::any_of(idle, [&](const PassiveFreedom& one) {
+        return moves_column(one, reading, motion.plan, mechanism);
+      });
+    };
+    const bool is_of_rate = is_rate(reading.kind) || is_rate_of_rate(reading.kind);
+    if ((is_of_rate && is_moved_by(of_rate)) || (is_place(reading.column) && is_moved_by(all))) {
       reading.is_idle = true;
       reading.value = [](const MotionPosition&) { return std::optional<double>(); };
     }

@@ -1,4 +1,4 @@
-// Rates that a motion leaves open: of what a body turns or shifts without any other feeling it.
+// What a motion leaves open: what a body turns or shifts without any other feeling it.
 #pragma once
 
 #include <vector>
@@ -14,9 +14,11 @@ std::vector<PassiveFreedom> freedoms_of_open_rate(std::vector<PassiveFreedom> pa
                                                   const MotionPlan& plan,
                                                   const Mechanism& mechanism);
 
-/// Takes the value from every reading of a rate that such a freedom moves: `is_idle` is set.
-void leave_out_idle_rates(const FoundMotion& motion,
-                          const Mechanism& mechanism,
-                          std::vector<MotionReading>& readings);
+/// Takes the value from every reading of a place that such a freedom moves, and of a rate that the
+/// case leaves open: `is_idle` is set. Where it stands depends on the steps and on the order of the
+/// couplings.
+void leave_out_idle_motions(const FoundMotion& motion,
+                            const Mechanism& mechanism,
+                            std::vector<MotionReading>& readings);
 
 }  // namespace kinestat

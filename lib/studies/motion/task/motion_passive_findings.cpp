@@ -30,6 +30,12 @@ class PassiveFindings {
     return shows_body(one) || shows(one, true) || shows_load(one);
   }
 
+  // By the actions that the direction of a load decides.
+  bool shows_load(const PassiveFreedom& one) const {
+    return plan_.which >= 0 &&
+           turns_load(one, mechanism_.cases[static_cast<std::size_t>(plan_.which)]);
+  }
+
   bool shows_rate(const PassiveFreedom& one) const {
     return report_.velocity || report_.acceleration || shows(one, false);
   }
@@ -40,12 +46,6 @@ class PassiveFindings {
     return report_.position || std::ranges::any_of(trace_, [&](const TracedPoint& point) {
              return one.moves_point(point.body, point.at, mechanism_.geometry.length);
            });
-  }
-
-  // By the actions that the direction of a load decides.
-  bool shows_load(const PassiveFreedom& one) const {
-    return plan_.which >= 0 &&
-           turns_load(one, mechanism_.cases[static_cast<std::size_t>(plan_.which)]);
   }
 
   // A freedom of it, by name or as all are; of some there are only rates.
@@ -92,11 +92,13 @@ void add_motion_passive_findings(const FoundMotion& motion,
   const PassiveFindings findings(motion, mechanism);
   std::vector<std::string> names;
   bool has_position = false;
+  bool has_load = false;
   const std::vector<PassiveFreedom> passive =
       find_passive_freedoms(mechanism, spatial_basis(ScrewKind::twist, mechanism.geometry.length));
   for (const PassiveFreedom& one : passive) {
     if (findings.shows_position(one)) {
       has_position = true;
+      has_load = has_load || findings.shows_load(one);
       add_names(one, mechanism.topology, names);
     }
   }
@@ -117,12 +119,14 @@ void add_motion_passive_findings(const FoundMotion& motion,
   found.warning(
       "W0506",
       motion.plan.where,
-      fmt::format(
-          "the {} in an idle freedom of {} is not determined, as it moves no other "
-          "body{}",
-          has_position ? "position" : "speed",
-          plain_list(names),
-          has_position ? ": it depends on the steps and on the order of the couplings" : ""),
+      fmt::format("the {} in an idle freedom of {} is not determined, as it moves no other "
+                  "body{}",
+                  has_position ? "position" : "speed",
+                  plain_list(names),
+                  has_load
+                      ? ": a load that turns with it depends on the steps and on the order of the "
+                        "couplings"
+                      : ""),
       has_position ? "'kinestat mobility' lists these freedoms; drive one, hold it by a "
                      "coupling, or report what it does not show"
                    : "'kinestat mobility' lists these freedoms; give the case the rate of "

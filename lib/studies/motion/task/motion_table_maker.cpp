@@ -149,7 +149,7 @@ class TableMaker {
     MotionPositions positions(mechanism_, plan_, motion_.network, motion_.drawn, detail_);
     readings_ = motion_readings(
         description_, mechanism_, plan_, positions.at(solution_.configuration_at(0), 0.0));
-    leave_out_idle_rates(motion_, mechanism_, readings_);
+    leave_out_idle_motions(motion_, mechanism_, readings_);
     if (scope_.columns) {
       keep_readings([&](const MotionColumn& one) { return is_among(*scope_.columns, one.name()); },
                     readings_);
@@ -304,11 +304,6 @@ class TableMaker {
         return {kSingularEvent, ""};
     }
     return {};
-  }
-
-  static bool is_place(const MotionColumn& column) {
-    return column.quantity == "position" || column.quantity.starts_with("at/") ||
-           column.quantity.starts_with("rotation/");
   }
 
   // Of all columns, or of the drives and of places alone.

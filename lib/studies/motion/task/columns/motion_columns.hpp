@@ -46,6 +46,12 @@ constexpr bool is_rate_of_rate(QuantityKind kind) {
   return kind == QuantityKind::angular_acceleration || kind == QuantityKind::acceleration;
 }
 
+/// Of where freedoms, bodies and points are.
+inline bool is_place(const MotionColumn& column) {
+  return column.quantity == "position" || column.quantity.starts_with("at/") ||
+         column.quantity.starts_with("rotation/");
+}
+
 /// All columns but those of the drives. `first` is the first position: freedoms without a position
 /// there have no column for it.
 std::vector<MotionReading> motion_readings(const MechanismDescription& description,
