@@ -216,6 +216,9 @@ DECISIONS: dict[str, dict[str, str]] = {
     "lib/studies/motion/task/figures/reversal_events.cpp": {
         "level_sides": "search: whether a column jumps at a reversal",
     },
+    "lib/studies/motion/task/figures/sharp_bends.cpp": {
+        "BendFinder": "search: rates so slow that how they bend may be rounding",
+    },
     "lib/studies/motion/task/figures/unbounded_quotients.cpp": {
         "is_unbounded": "search: whether a divisor jumps there",
     },

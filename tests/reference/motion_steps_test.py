@@ -6,13 +6,15 @@ Usage: motion_steps_test.py PROGRAM MECHANISMS [unittest arguments]
 
 from __future__ import annotations
 
+import cmath
 import math
 import re
 import subprocess
 
 import motion_case
 import program
-from motion_case import Motion, MotionTest, run
+from motion_case import Motion, MotionTest, dyad, run
+from swept_case import swept
 
 MU, PRESS, LEAN = 0.1, 900.0, math.sqrt(0.125)  # the tangent of a rod of three cranks across
 
@@ -99,6 +101,71 @@ actuators: {motor: {coupling: a}}
 cases: {turning: {motion: {motor: 1 rad/s}}}
 motion: {drive: motor, to: -180, case: turning, report: [d.wz]}
 """
+
+
+# Nearly a parallelogram: its rocker turns back sharply beside the line of its links.
+PASSING_CLOSE = """\
+kinestat: 1
+space: planar
+parameters: {e: MISFIT}
+ground: frame
+bodies: [crank, coupler, rocker]
+couplings:
+  a: {type: revolute, bodies: [frame, crank], at: [0, 0]}
+  b: {type: revolute, bodies: [crank, coupler], at: [0, 30]}
+  c: {type: revolute, bodies: [coupler, rocker], at: [70, 30]}
+  d: {type: revolute, bodies: [frame, rocker], at: [70, -e]}
+actuators: {motor: {coupling: a}}
+cases: {turning: {motion: {motor: 1 rad/s}}}
+motion: {drive: motor, from: 3 deg, to: -357 deg, case: turning, report: [d.wz]}
+"""
+
+
+class NarrowPeaks(MotionTest):
+    @staticmethod
+    def acceleration(misfit: float, turn: float) -> float:
+        """Of the rocker, by the derivatives of the square of the distance of the coupler's ends."""
+        def dot(p: complex, q: complex) -> float:
+            return (p.conjugate() * q).real
+
+        ground = 70 - misfit * 1j
+        b = 30j * cmath.exp(1j * turn)
+        c = dyad(b, ground, 70, 30 + misfit, (30j, ground, 70 + 30j))
+        along, arm = c - b, c - ground
+        speed = dot(along, 1j * b) / dot(along, 1j * arm)
+        return ((dot(along, speed ** 2 * arm - b) - abs(1j * speed * arm - 1j * b) ** 2)
+                / dot(along, 1j * arm))
+
+    def greatest(self, misfit: float, sign: float) -> float:
+        """By many looks, then by golden sections."""
+        count, share = 50_000, (math.sqrt(5) - 1) / 2
+        turns = [math.radians(3 - 360 * i / count) for i in range(count + 1)]
+        best = max(turns, key=lambda turn: sign * self.acceleration(misfit, turn))
+        low, high = best - 2e-4, best + 2e-4
+        for _ in range(50):
+            width = share * (high - low)
+            if (sign * self.acceleration(misfit, low + width)
+                    > sign * self.acceleration(misfit, high - width)):
+                low = high - width
+            else:
+                high = low + width
+        return self.acceleration(misfit, low)
+
+    def test_beside_a_change_point_are_found_in_few_steps(self) -> None:
+        for misfit in (0.3, 0.01, 0.001):
+            least, greatest = (self.greatest(misfit, sign) for sign in (-1.0, 1.0))
+            text = PASSING_CLOSE.replace("MISFIT", str(misfit))
+            for steps in (1, 5, 7, 13, 24, 36, 50, 100):
+                found = run(text, "--steps", str(steps)).report["figures"]["d.wz/acceleration"]
+                self.close(found["least"], least, -1e-6 * least, f"{misfit} in {steps} steps")
+                self.close(found["greatest"], greatest, 1e-6 * greatest, f"{misfit} in {steps} steps")
+
+    def test_are_those_of_sweeps(self) -> None:
+        text = PASSING_CLOSE.replace("MISFIT", "0.01").replace("case: turning,", "case: turning, steps: 13,")
+        rows, _ = swept(text, "{vary: {e: [0.01, 0.3]}, report: [d.wz.acceleration.least]}")
+        for row in rows:
+            least = self.greatest(row["e"], -1.0)
+            self.close(list(row.values())[-2], least, -1e-6 * least, "in a sweep")
 
 
 class FewSteps(MotionTest):

@@ -247,6 +247,7 @@ class TableMaker {
     table_.rows.push_back(std::move(row));
     steps_.push_back(step_of_row(motion_, static_cast<std::size_t>(p)));
     quotients_.look(readings_, position, steps_.back(), has_drive_at_rest(plan_, position));
+    rates_.push_back(position.state.rates);
     sliding_.push_back(sliding_at(mechanism_, plan_, position));
     coast_flanks_.push_back(position.solved ? std::optional(position.solved->coast_flanks)
                                             : std::nullopt);
@@ -423,7 +424,8 @@ class TableMaker {
          .turns = table_.friction_turns,
          .springs = springs_,
          .coast_flanks = coast_flanks_,
-         .poles = poles_at_},
+         .poles = poles_at_,
+         .rates = rates_},
         [this](const auto& position, double share) {
           quotients_.look(readings_,
                           position,
@@ -462,7 +464,8 @@ class TableMaker {
   std::vector<MotionReading> readings_;
   std::vector<CouplingReaction> reactions_ = coupling_reactions(mechanism_);
   std::vector<int> driven_;               // of each reading the drive whose position it is, or -1
-  std::vector<FrictionSliding> sliding_;  // of each row
+  std::vector<FreedomRates> rates_;       // of each row
+  std::vector<FrictionSliding> sliding_;  // likewise
   std::vector<std::vector<SpringState>> springs_;              // likewise
   std::vector<std::optional<std::vector<int>>> coast_flanks_;  // likewise
   std::vector<CaseFindings> said_;                             // likewise

@@ -77,6 +77,7 @@ class CornerFinder {
     }
     std::ranges::sort(steps_);
     add_time_pieces(found);
+    add_sharp_bends(found.places);
     std::ranges::stable_sort(found.places, {}, &FigurePlace::step);
     found.steps = std::move(steps_);
     return found;
@@ -385,6 +386,24 @@ class CornerFinder {
     found.reversals.push_back(std::move(reversal));
   }
 
+  // Of the way: laws in time have their own places.
+  void add_sharp_bends(std::vector<FigurePlace>& places) {
+    if (motion_.plan.schedule) {
+      return;
+    }
+    look_into_sharp_bends(special_.rates, [&](double step) {
+      const auto position = position_at(step, reading_);
+      const double share = share_at_step(motion_, step);
+      if (position) {
+        places.push_back({.step = step,
+                          .share = share,
+                          .of = values_at_(*position, share),
+                          .is_for_peaks = true});
+      }
+      return position ? position->state.rates : FreedomRates();
+    });
+  }
+
   void add_time_pieces(Corners& found) {
     if (!motion_.plan.schedule) {
       return;
@@ -469,7 +488,8 @@ Corners find_corners(const Mechanism& mechanism,
                      FollowedConfigurations& configurations) {
   const bool has_any = !mechanism.curves.empty() || motion.plan.schedule ||
                        !mechanism.frictions.empty() || !mechanism.springs.empty() ||
-                       !mechanism.geometry.other_flanks.empty() || !special.poles.empty();
+                       !mechanism.geometry.other_flanks.empty() || !special.poles.empty() ||
+                       has_sharp_bends(special.rates);
   return has_any
              ? CornerFinder(mechanism, motion, detail, special, values_at, configurations).find()
              : Corners{};

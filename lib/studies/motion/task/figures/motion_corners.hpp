@@ -10,6 +10,7 @@
 
 #include "studies/motion/followed_configurations.hpp"
 #include "studies/motion/task/figures/motion_figures.hpp"
+#include "studies/motion/task/figures/sharp_bends.hpp"
 #include "studies/motion/task/friction_turns.hpp"
 #include "studies/motion/task/motion_position.hpp"
 
@@ -28,7 +29,8 @@ struct SpecialSteps {
                                                                   ///< as in CaseAnalysis: where
                                                                   ///< teeth change their flank
                                                                   ///< forces have corners
-  std::span<const double> poles;  ///< in steps: where speeds may grow without bound
+  std::span<const double> poles;        ///< in steps: where speeds may grow without bound
+  std::span<const FreedomRates> rates;  ///< of each row: where they bend sharply peaks are narrow
 };
 
 /// Where friction turns round, and what the columns come to from either side; empty where the

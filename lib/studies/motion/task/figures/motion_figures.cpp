@@ -58,7 +58,8 @@ class FigureMaker {
                           .at_rest = &place.of.at_rest,
                           .is_corner = true,
                           .is_approach = place.is_approach,
-                          .weight = place.weight});
+                          .weight = place.weight,
+                          .is_for_peaks = place.is_for_peaks});
     }
     std::ranges::stable_sort(samples_, {}, &Sample::step);
     find_dwells();
@@ -96,6 +97,7 @@ class FigureMaker {
     bool is_corner = false;
     bool is_approach = false;
     double weight = 0.0;  // of a point of a piece of time
+    bool is_for_peaks = false;
     bool dwells = false;  // it rests there for a while, and not only where it turns back
 
     // Friction has no direction there.
@@ -173,7 +175,7 @@ class FigureMaker {
         return other < all.size() && std::abs(all[other].step - all[i].step) < kSameApproach &&
                jumps_between(all[i], all[other]);
       };
-      if (!for_peaks && all[i].is_corner && is_smooth(column)) {
+      if (!for_peaks && (all[i].is_for_peaks || (all[i].is_corner && is_smooth(column)))) {
         continue;
       }
       // What is smooth beside it in time ends there, if nothing else stands at the place.

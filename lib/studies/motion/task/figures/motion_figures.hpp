@@ -54,7 +54,8 @@ struct FigurePlace {
   double beside = 0.0;       ///< of an approach: the step of that place
   /// Of what grows: what values are where four times and twice as much of the way is left.
   std::vector<std::vector<std::optional<double>>> farther = {};
-  double weight = 0.0;  ///< of a point of a piece of time
+  double weight = 0.0;        ///< of a point of a piece of time
+  bool is_for_peaks = false;  ///< and not for means
 };
 
 /// What figures are to see beside the rows.
