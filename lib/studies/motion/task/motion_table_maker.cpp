@@ -93,8 +93,7 @@ class TableMaker {
   }
 
   double in_unit(QuantityKind kind, double value) const {
-    const double result = units_.from_si(kind, value);
-    return result == 0.0 ? 0.0 : result;
+    return units_.from_si(kind, value) + 0.0;  // never -0
   }
 
   double drive_at(std::size_t d, int p) const {
@@ -264,8 +263,7 @@ class TableMaker {
   }
 
   std::string status_of(int p, const MotionPosition& position, const Mechanism& moved) const {
-    const bool is_last = p + 1 == solution_.position_count();
-    if (is_last && solution_.status == MotionStatus::limit) {
+    if (p + 1 == solution_.position_count() && solution_.status == MotionStatus::limit) {
       return std::string(kLimitEvent);
     }
     if (position.state.is_singular) {
@@ -484,24 +482,18 @@ MotionTable make_motion_table(const MechanismDescription& description,
                               const MotionScope& scope,
                               PositionFindings& found) {
   const bool has_figures = !scope.columns || !scope.columns->empty();
-  const PositionFindings found_before = found;
   for (int times = 1;;) {
     const std::optional<FinerMotion> finer =
         has_figures ? divide_steps(mechanism, motion, times) : std::nullopt;
-    if (finer) {
-      found.keep(finer->rows);
-    }
+    found.keep(finer ? finer->rows : std::vector<std::size_t>());
     TableMaker maker(description, mechanism, finer ? finer->motion : motion, scope, found);
-    std::optional<MotionTable> table = maker.run(has_figures && times == 1);
-    if (!table) {
-      times = maker.parts();
-      found = found_before;
-      continue;
+    if (std::optional<MotionTable> table = maker.run(has_figures && times == 1)) {
+      if (finer) {
+        keep_rows(*finer, motion.plan.steps, *table);
+      }
+      return *std::move(table);
     }
-    if (finer) {
-      keep_rows(*finer, motion.plan.steps, *table);
-    }
-    return *std::move(table);
+    times = maker.parts();
   }
 }
 
