@@ -6,6 +6,8 @@ Usage: motion_friction_test.py PROGRAM MECHANISMS [unittest arguments]
 
 from __future__ import annotations
 
+import math
+
 import motion_case
 import program
 from motion_case import Motion, MotionTest, run
@@ -46,6 +48,85 @@ motion:
   case: one
   report: [velocity, action]
 """
+
+# The block goes on steadily, and the ram is a little faster for three degrees of the crank.
+OVERTAKEN = """\
+kinestat: 1
+space: planar
+units: {angle: deg}
+ground: f
+bodies: [crank, rod, ram, block]
+couplings:
+  a: {type: revolute, bodies: [f, crank], at: [0, 0]}
+  b: {type: revolute, bodies: [crank, rod], at: [0.1, 0]}
+  c: {type: revolute, bodies: [rod, ram], at: [0.3, 0]}
+  d: {type: prismatic, bodies: [f, ram], at: [0.3, 0], axis: x}
+  e: {type: prismatic, bodies: [ram, block], at: [0.3, 0], axis: x, friction: {mu: 0.3}}
+  g: {type: prismatic, bodies: [f, block], at: [0.3, 0], axis: x, passive: []}
+actuators: {M: {coupling: a}, G: {coupling: g}}
+loads: {weight: {body: block, at: [0.3, 0], force: [0, -100]}}
+cases: {c: {motion: {M: 1, G: %r}, action: {}}}
+motion: {drives: [{drive: M}, {drive: G}], time: 3, steps: %d, case: c, report: [M/action, G/action]}
+"""
+
+# A tenth of a degree behind its dead centre it comes to rest.
+RESTS_BEHIND_DEAD_CENTRE = """\
+kinestat: 1
+space: planar
+units: {angle: deg}
+ground: f
+bodies: [crank, rod, ram]
+couplings:
+  a: {type: revolute, bodies: [f, crank], at: [0, 0]}
+  b: {type: revolute, bodies: [crank, rod], at: [0.1, 0]}
+  c: {type: revolute, bodies: [rod, ram], at: [0.4, 0]}
+  d: {type: prismatic, bodies: [f, ram], at: [0.4, 0], axis: x, friction: {mu: 0.2}}
+loads: {weight: {body: ram, at: [0.4, 0], force: [0, -1000]}}
+actuators: {M: {coupling: a}}
+cases: {c: {motion: {}, acceleration: {}, action: {}}}
+motion: {drive: M, from: FROM, to: TO, time: 1, law: polynomial_345, steps: %d, case: c,
+         report: [M/action]}
+"""
+
+
+def ram_speed(degrees: float) -> float:
+    """Of OVERTAKEN, at 1 rad/s: x = 0.1 cos + sqrt(0.04 - (0.1 sin)^2)."""
+    turn = math.radians(degrees)
+    s, c = 0.1 * math.sin(turn), 0.1 * math.cos(turn)
+    return -s - s * c / math.sqrt(0.04 - s * s)
+
+
+class FrictionWithinAStep(MotionTest):
+    def test_that_turns_round_twice_is_seen(self) -> None:
+        fastest = min(ram_speed(one / 1000) for one in range(180000))
+        for share in (0.9997, 0.99999):
+            block = share * fastest
+            crossings = []
+            for low, high in ((30.0, 67.7), (67.7, 110.0)):
+                side = ram_speed(low) > block
+                for _ in range(60):
+                    middle = 0.5 * (low + high)
+                    low, high = (middle, high) if (ram_speed(middle) > block) == side else (low, middle)
+                crossings.append(low)
+            for steps in (1, 12, 24, 25, 31, 72):
+                done = program.call("motion", "-", text=OVERTAKEN % (block, steps))
+                motion = Motion(program.report(done))
+                found = motion.events("friction_reversal", "e")
+                self.assertEqual(len(found), 2, f"{steps} steps")
+                for place, expected in zip(found, crossings):
+                    self.close(place, expected, 1e-6, f"{steps} steps")
+                force = program.report(done)["motion"]["figures"]["G/action"]
+                self.close(force["least"], -30.0, 1e-12, f"{steps} steps")
+                self.close(force["greatest"], 30.0, 1e-12, f"{steps} steps")
+
+    def test_just_beside_a_rest_is_seen(self) -> None:
+        for begin, end in (("20", "180.1"), ("179.9", "340")):
+            for steps in (1, 24, 48, 200):
+                text = RESTS_BEHIND_DEAD_CENTRE.replace("FROM", begin).replace("TO", end) % steps
+                motion = Motion(program.report(program.call("motion", "-", text=text)))
+                found = motion.events("friction_reversal", "d")
+                self.assertEqual(len(found), 1, f"to {end} in {steps} steps")
+                self.close(found[0], 180.0, 1e-6, f"to {end} in {steps} steps")
 
 
 class FrictionInSlides(MotionTest):

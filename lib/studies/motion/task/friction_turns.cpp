@@ -19,9 +19,6 @@ constexpr double kBeside = 0x1p-10;
 
 constexpr int kMostParts = 64;
 
-// A parabola through three rows that leaves more than this share of the slowest has no turn.
-constexpr double kLeastDip = 0.5;
-
 // How short the shortest stretch is in which a friction slides the other way, in steps.
 class ShortTurns {
  public:
@@ -62,8 +59,7 @@ class ShortTurns {
                : std::nullopt;
   }
 
-  // In the first and the last step always; else if it is slowest at one end of the step, and a
-  // parabola leaves little of that.
+  // In the first and the last step always; else if it slides slowest at one end of the step.
   bool may_dip(std::size_t row) const {
     return row == 1 || row + 1 == sliding_.size() || dips_at(row - 1) || dips_at(row);
   }
@@ -73,12 +69,7 @@ class ShortTurns {
     const std::optional<double> a = speed_of(row - 1, along);
     const std::optional<double> b = speed_of(row, along);
     const std::optional<double> c = speed_of(row + 1, along);
-    if (!a || !b || !c || !(*b <= *a && *b <= *c)) {
-      return false;
-    }
-    const double slope = 0.5 * (*c - *a);
-    const double bend = *a - 2.0 * *b + *c;
-    return bend > 0.0 && *b - 0.5 * slope * slope / bend < kLeastDip * *b;
+    return a && b && c && *b <= *a && *b <= *c;
   }
 
   void look(std::size_t row, const Vec3& along) {
