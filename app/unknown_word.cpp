@@ -102,6 +102,9 @@ UsageMessage unknown_word(const CLI::App& app, const CLI::App& command, const st
     return {"there is no command before the file '" + printable(word) + "'",
             "write 'kinestat analyze " + printable(word) + "'"};
   }
+  if (app.get_option_no_throw("--" + word) != nullptr) {
+    return {"unknown command '" + printable(word) + "'", "write 'kinestat --" + word + "'"};
+  }
   const std::vector<std::string> names = command_names(app);
   return {"unknown command '" + printable(word) + "'",
           with_guess(did_you_mean(word, names), "commands are " + plain_list(names, names.size()))};

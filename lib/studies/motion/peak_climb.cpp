@@ -107,7 +107,12 @@ void PeakClimb::aim_at_vertex() {
   const std::optional<PeakSample> vertex = Parabola(by_).vertex();
   const double way = vertex ? std::abs(vertex->share - middle.share) : 0.0;
   if (vertex && is_inside(*vertex) && (way_before_ == 0.0 || way < 0.5 * way_before_)) {
-    promise_ = way < kSameValue * width ? std::nullopt : vertex;
+    if (way >= kSameValue * width) {
+      promise_ = vertex;
+    } else if (trials_ == 0) {
+      // Steps of one height beside a top may be so by chance: a look aside tells.
+      promise_ = {.share = std::lerp(middle.share, behind.share, kGolden), .value = middle.value};
+    }
     return;
   }
   const bool is_among = middle.value >= before.value && middle.value >= behind.value;

@@ -110,6 +110,23 @@ TEST(PeakSearch, FindsATopThatNoStepShows) {
 }
 
 // Straight on both sides: no parabola comes there, the lines do.
+// The steps beside the one in the middle are of one height, and the cubic is highest aside of it.
+TEST(PeakSearch, FindsATopBetweenStepsOfOneHeight) {
+  for (const double skew : {0.5, -0.5, 0.01}) {
+    const Found found = search(
+        [&](double share) {
+          const double t = 2.0 * share - 1.0;
+          return 1.0 - t * t + skew * (t * t * t - t);
+        },
+        2,
+        std::nullopt);
+    // The slope -2 t + skew (3 t^2 - 1) is zero.
+    const double t = (1.0 - std::sqrt(1.0 + 3.0 * skew * skew)) / (3.0 * skew);
+    ASSERT_TRUE(found.top) << skew;
+    EXPECT_NEAR(found.top->value, 1.0 - t * t + skew * (t * t * t - t), 1e-12) << skew;
+  }
+}
+
 TEST(PeakSearch, GoesToAKink) {
   for (double kink = 0.4001; kink < 0.6; kink += 0.013) {
     const Found found = search(
