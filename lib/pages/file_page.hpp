@@ -9,6 +9,7 @@
 #include "cases/analysis.hpp"
 #include "core/diagnostic.hpp"
 #include "core/source.hpp"
+#include "draw/linkage/drawn_actions.hpp"
 #include "draw/linkage/drawn_motion.hpp"
 #include "report/text_blocks.hpp"
 #include "studies/duty/efficiency_map.hpp"
@@ -33,6 +34,7 @@ struct PageMotion {
   MotionTable table;
   std::vector<std::size_t> shown;  ///< of the rows of the table, those that are drawn
   DrawnMotion drawn;               ///< at these
+  DrawnActions acting;             ///< likewise
 };
 
 /// A simulation, its rows those of a motion in time.

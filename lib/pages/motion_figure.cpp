@@ -9,6 +9,7 @@
 #include "core/tolerance.hpp"
 #include "draw/linkage/file_numbers.hpp"
 #include "draw/linkage/linkage_drawing.hpp"
+#include "pages/acting_arrows.hpp"
 #include "pages/figures.hpp"
 #include "pages/moving_figure.hpp"
 #include "pages/spatial_scene.hpp"
@@ -43,7 +44,7 @@ class MotionFigure {
                         .bodies = {},
                         .labels = {},
                         .rows = motion_.shown,
-                        .forces = forces_json(),
+                        .acting = acting_json(motion_.acting, analysis_),
                         .steps = {}};
     for (std::size_t i = 0; i < positions().size(); ++i) {
       figure.labels.push_back(label(i));
@@ -178,41 +179,6 @@ class MotionFigure {
     }
     return result;
   }
-
-  // Of each coupling in the plane whose forces are reported: its name, and at each position where
-  // it is [m] and the force of its tail on its head, in the unit of the file; null without one.
-  std::vector<std::string> forces_json() const {
-    std::vector<std::string> couplings;
-    const std::vector<CouplingId>& bearing = motion_.table.bearing;
-    for (std::size_t r = 0; is_planar() && r < bearing.size(); ++r) {
-      std::vector<std::string> places;
-      bool has_any = false;
-      for (std::size_t i = 0; i < positions().size(); ++i) {
-        const auto& forces = motion_.table.rows[motion_.shown[i]].reactions;
-        const bool has_force = r < forces.size() && forces[r];
-        has_any = has_any || has_force;
-        places.push_back(has_force ? force_json(bearing[r], *forces[r], i) : "null");
-      }
-      if (has_any) {
-        couplings.push_back(
-            fmt::format(R"({{"name":{},"unit":{},"at":[{}]}})",
-                        script_string(mechanism_.topology.coupling(bearing[r]).name),
-                        script_string(units().text(QuantityKind::force)),
-                        fmt::join(places, ",")));
-      }
-    }
-    return couplings;
-  }
-
-  std::string force_json(CouplingId coupling, const Vec3& force, std::size_t position) const {
-    const Vec3& at =
-        positions()[position].geometry.points[static_cast<std::size_t>(coupling.value)];
-    const auto in_unit = [&](double si) { return units().from_si(QuantityKind::force, si); };
-    return fmt::format(
-        "[{:.6g},{:.6g},{:.6g},{:.6g}]", at.x(), at.y(), in_unit(force.x()), in_unit(force.y()));
-  }
-
-  const FileUnits& units() const { return analysis_.description.units; }
 
   const Mechanism& mechanism_;
   const Analysis& analysis_;

@@ -35,17 +35,16 @@ std::string steps_json(const std::vector<std::vector<DrawnPose>>& steps) {
 }
 
 std::string motion_json(const MovingFigure& figure) {
-  return fmt::format(
-      R"({{"drawn":{},"closed":{},"bodies":[{}],"labels":[{}],"rows":[{}],"forces":[{}],)"
-      "\n"
-      R"("poses":[{}]}})",
-      figure.drawn,
-      figure.is_closed,
-      fmt::join(script_strings(figure.bodies), ","),
-      fmt::join(script_strings(figure.labels), ","),
-      fmt::join(figure.rows, ","),
-      fmt::join(figure.forces, ",\n"),
-      steps_json(figure.steps));
+  return fmt::format(R"({{"drawn":{},"closed":{},"bodies":[{}],"labels":[{}],"rows":[{}],{})"
+                     "\n"
+                     R"("poses":[{}]}})",
+                     figure.drawn,
+                     figure.is_closed,
+                     fmt::join(script_strings(figure.bodies), ","),
+                     fmt::join(script_strings(figure.labels), ","),
+                     fmt::join(figure.rows, ","),
+                     figure.acting.empty() ? "" : figure.acting + ",",
+                     steps_json(figure.steps));
 }
 
 // Play, single steps, slider and speed; a script adds what depends on the data.

@@ -26,7 +26,7 @@ struct MovingFigure {
   std::vector<std::string> bodies;            ///< values of data-body; none in space
   std::vector<std::string> labels;            ///< of each step
   std::vector<std::size_t> rows;              ///< of each step the point of the charts that follow
-  std::vector<std::string> forces;            ///< of couplings, as JSON
+  std::string acting;                         ///< members of a JSON object: what acts; or empty
   std::vector<std::vector<DrawnPose>> steps;  ///< of each body
 };
 

@@ -31,7 +31,7 @@ void add_moving_linkage(SectionWriter& section) {
                       .bodies = moving->bodies,
                       .labels = moving->labels,
                       .rows = {},
-                      .forces = {},
+                      .acting = {},
                       .steps = {}};
   for (const std::vector<PlanePose>& poses : moving->steps) {
     figure.rows.push_back(figure.steps.size());

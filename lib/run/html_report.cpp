@@ -23,6 +23,7 @@
 #include "run/synthesis.hpp"
 #include "studies/duty/report/duty_report.hpp"
 #include "studies/duty/task/find_duty.hpp"
+#include "studies/motion/picture/drawn_actions_maker.hpp"
 #include "studies/motion/picture/drawn_motion_maker.hpp"
 #include "studies/motion/task/find_motion.hpp"
 #include "studies/simulation/picture/drawn_simulation.hpp"
@@ -36,18 +37,28 @@ namespace kinestat {
 
 namespace {
 
-PageMotion page_motion(const FoundMotion& motion, const Mechanism& mechanism) {
+PageMotion page_motion(const MechanismDescription& description,
+                       const FoundMotion& motion,
+                       const Mechanism& mechanism) {
   const auto count = static_cast<std::size_t>(motion.solution.position_count());
   std::vector<std::size_t> shown = shown_positions(mechanism, count);
   DrawnMotion drawn = make_drawn_motion(motion, motion.solution, shown, mechanism);
-  return {.table = motion.table, .shown = std::move(shown), .drawn = std::move(drawn)};
+  DrawnActions acting = make_drawn_actions(description, mechanism, motion, shown, drawn);
+  return {.table = motion.table,
+          .shown = std::move(shown),
+          .drawn = std::move(drawn),
+          .acting = std::move(acting)};
 }
 
 PageMotion page_rows(const FoundSimulation& simulation, const SimulationReportView& view) {
   std::vector<std::size_t> shown =
       shown_positions(simulation.mechanism, simulation.solution.rows.size());
   DrawnMotion drawn = make_drawn_simulation(simulation, shown);
-  return {.table = simulation_table(view), .shown = std::move(shown), .drawn = std::move(drawn)};
+  DrawnActions acting = make_drawn_actions(simulation, shown, drawn);
+  return {.table = simulation_table(view),
+          .shown = std::move(shown),
+          .drawn = std::move(drawn),
+          .acting = std::move(acting)};
 }
 
 class PageBuilder {
@@ -115,7 +126,7 @@ class PageBuilder {
   void move(const Mechanism& mechanism, Diagnostics& found) {
     const std::optional<FoundMotion> motion = find_motion(*page_.description, mechanism, found);
     if (motion) {
-      page_.motion = page_motion(*motion, mechanism);
+      page_.motion = page_motion(*page_.description, *motion, mechanism);
     }
   }
 

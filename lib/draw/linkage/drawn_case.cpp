@@ -16,27 +16,30 @@ namespace {
 
 class ArrowFinder {
  public:
-  ArrowFinder(const Analysis& analysis, const CaseAnalysis& one)
-      : mechanism_(analysis.mechanism),
-        description_(analysis.description),
-        units_(analysis.description.units),
-        one_(one) {}
+  ArrowFinder(const MechanismDescription& description,
+              const Mechanism& mechanism,
+              const CaseAnalysis& one)
+      : mechanism_(mechanism), description_(description), units_(description.units), one_(one) {}
 
-  void add_actions() {
-    if (!one_.action || one_.action->magnitudes.empty()) {
-      return;
-    }
-    const Topology& topology = mechanism_.topology;
-    for (int e = 0; e < topology.coupling_count(); ++e) {
+  void add_reactions() {
+    for (int e = 0; e < mechanism_.topology.coupling_count(); ++e) {
       add_reaction(CouplingId{e});
     }
+  }
+
+  void add_loads() {
     for (const Load& load : one_.which.loads) {
       add_load(load);
     }
-    for (const ActuatorTopology& actuator : topology.actuators) {
-      add_actuator(actuator);
+  }
+
+  void add_actuators() {
+    for (std::size_t i = 0; has_actions() && i < mechanism_.topology.actuators.size(); ++i) {
+      add_actuator(mechanism_.topology.actuators[i]);
     }
   }
+
+  bool has_actions() const { return one_.action && !one_.action->magnitudes.empty(); }
 
   void add_drives() {
     if (!has_motion()) {
@@ -54,6 +57,7 @@ class ArrowFinder {
            .at = point_of(label.coupling),
            .vector = rate * (label.is_rotation ? unit.angular : unit.linear),
            .is_axial = label.is_rotation,
+           .name = actuator.name,
            .text = text_of(actuator.name, std::abs(rate), kind)});
     }
   }
@@ -71,9 +75,12 @@ class ArrowFinder {
            .at = at,
            .vector = velocity,
            .is_axial = false,
+           .name = {},
            .text = text_of("", velocity.norm(), QuantityKind::velocity)});
     }
   }
+
+  std::vector<DrawnArrow> take_all() { return std::move(arrows_); }
 
   // Those that are not rounding beside the largest of their kind.
   std::vector<DrawnArrow> take() {
@@ -128,6 +135,7 @@ class ArrowFinder {
            .at = point_of(id),
            .vector = force,
            .is_axial = false,
+           .name = {},
            .text = text_of("", force.norm(), QuantityKind::force)});
     }
   }
@@ -169,6 +177,7 @@ class ArrowFinder {
            .at = *load.point,
            .vector = load.acts.wrench.force,
            .is_axial = false,
+           .name = load.name,
            .text = text_of(load.name, load.acts.wrench.force.norm(), QuantityKind::force)});
     }
     const Vec3 couple = couple_of(load);
@@ -176,6 +185,7 @@ class ArrowFinder {
          .at = load.point ? *load.point : place_of_couple(load.acts.body),
          .vector = couple,
          .is_axial = true,
+         .name = load.name,
          .text = text_of(load.name, couple.norm(), QuantityKind::moment)});
   }
 
@@ -191,6 +201,7 @@ class ArrowFinder {
          .at = point_of(label.coupling),
          .vector = *magnitude * (label.is_couple ? unit.moment : unit.force),
          .is_axial = label.is_couple,
+         .name = actuator.name,
          .text = text_of(actuator.name, std::abs(*magnitude), kind_of(label))});
   }
 
@@ -207,15 +218,26 @@ std::vector<DrawnArrow> find_arrows(const Analysis& analysis, const LinkageOptio
   if (!options.which || *options.which >= analysis.cases.size()) {
     return {};
   }
-  ArrowFinder finder(analysis, analysis.cases[*options.which]);
+  ArrowFinder finder(analysis.description, analysis.mechanism, analysis.cases[*options.which]);
   finder.add_drives();
-  if (options.shows_forces) {
-    finder.add_actions();
+  if (options.shows_forces && finder.has_actions()) {
+    finder.add_reactions();
+    finder.add_loads();
+    finder.add_actuators();
   }
   if (options.shows_velocities) {
     finder.add_velocities();
   }
   return finder.take();
+}
+
+std::vector<DrawnArrow> find_outer_actions(const MechanismDescription& description,
+                                           const Mechanism& mechanism,
+                                           const CaseAnalysis& one) {
+  ArrowFinder finder(description, mechanism, one);
+  finder.add_loads();
+  finder.add_actuators();
+  return finder.take_all();
 }
 
 }  // namespace kinestat

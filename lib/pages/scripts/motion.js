@@ -27,49 +27,137 @@ for (const motion of all(".motion[data-poses]")) {
     return "matrix(" + [c, -s, s, c, e, f].map((x) => +x.toFixed(6)).join(" ") + ")";
   };
 
-  // Forces of tails on heads as arrows: the longest of the motion is 70 px.
-  const forces = data.forces || [];
+  // What acts, as arrows: of those that are chosen the longest of the motion is 70 px, and couples
+  // are arcs about their axes. A load ends at its point, all others begin there.
+  const acting = data.acting || [];
+  const [doubts, doubtOf] = data.doubts || [[], []];
   const layer = make("g", {"data-layer": "acting"}, frame);
-  const sizeOf = (at) => (at ? Math.hypot(at[2], at[3]) : 0);
-  const largest = (list) => Math.max(...list.map((one) => Math.max(...one.at.map(sizeOf))));
+  const dot = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0);
+  const [right, up] = frame.dataset.right ? ["right", "up"].map((name) => frame.dataset[name].split(" ").map(Number))
+                                          : [[1, 0], [0, 1]];
+  const along = (v) => [dot(right, v), -dot(up, v)];
+  const drawnView = {along, at: (p) => [X + k * along(p)[0], Y + k * along(p)[1]]};
+  const places = right.length;
+  const vectorOf = (one, step) => {
+    const list = one.at[step] && one.at[step].slice(0, one.axial && places === 2 ? 1 : places);
+    return list && list.length === 1 ? [0, 0, ...list] : list;
+  };
+  const placeOf = (one, step) => one.place || one.at[step].slice(-places);
+  for (const one of acting) {
+    one.sizes = one.at.map((_, i) => Math.hypot(...(vectorOf(one, i) || [0])));
+    one.most = Math.max(...one.sizes);
+  }
+  const short = (size, one) => amount(Number(size.toPrecision(4)), one.unit);
+  const tip = (a, b, [c, s], head) => {
+    const [g, h] = [a - head * c, b - head * s];
+    const half = 0.36 * head;
+    make("polygon", {points: [a, b, g - half * s, h + half * c, g + half * s, h - half * c].join(" "),
+                     class: "ks-f-vermilion"}, layer);
+    return [g, h];
+  };
+  const drawForce = (view, at, v, size, length, isLoad) => {
+    const flat = view.along(v.map((x) => x / size));
+    const seen = Math.hypot(...flat);
+    if (length * seen < 1) {
+      return;
+    }
+    const [c, s] = flat.map((x) => x / seen);
+    const shift = isLoad ? -length * seen : 0;
+    const [x, y] = [at[0] + shift * c, at[1] + shift * s];
+    const [g, h] = tip(x + length * seen * c, y + length * seen * s, [c, s], Math.min(9, length * seen));
+    make("line", {x1: x, y1: y, x2: g, y2: h, class: "ks-s-vermilion", "stroke-width": 2}, layer);
+  };
+  const drawCouple = (view, at, v, size, share) => {
+    const axis = v.map((x) => x / size);
+    const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+    const one = cross(axis, Math.abs(axis[0]) < 0.9 ? [1, 0, 0] : [0, 1, 0]);
+    const first = one.map((x) => x / Math.hypot(...one));
+    const other = cross(axis, first);
+    const end = Math.PI * (0.3 + 1.3 * share);
+    const rim = Array.from({length: 25}, (_, i) => {
+      const [c, s] = [Math.cos(end * i / 24), Math.sin(end * i / 24)];
+      const flat = view.along(first.map((x, j) => 22 * (c * x + s * other[j])).slice(0, places));
+      return [at[0] + flat[0], at[1] + flat[1]];
+    });
+    make("polyline", {points: rim.join(" "), fill: "none", class: "ks-s-vermilion", "stroke-width": 2}, layer);
+    const [[a, b], [g, h]] = [rim[24], rim[22]];
+    const far = Math.hypot(a - g, b - h) || 1;
+    tip(a + 3 * (a - g) / far, b + 3 * (b - h) / far, [(a - g) / far, (b - h) / far], 9);
+  };
   let chosen = [];
-  const arrows = (step) => {
+  const drawActing = (step) => {
+    const view = frame.view || drawnView;
     layer.replaceChildren();
-    const most = largest(chosen);
-    let words = "";
     for (const one of chosen) {
-      const at = one.at[step];
-      const size = sizeOf(at);
-      if (size <= 1e-6 * most) {
+      const most = Math.max(...chosen.filter((other) => other.axial === one.axial).map((other) => other.most));
+      const size = one.sizes[step];
+      if (!one.at[step] || size <= 1e-6 * most) {
         continue;
       }
-      const length = 70 * size / most;
-      const [x, y] = [X + k * at[0], Y - k * at[1]];
-      const [c, s] = [at[2] / size, -at[3] / size];
-      const head = Math.min(9, length);
-      const [a, b] = [x + length * c, y + length * s];
-      const [g, h] = [a - head * c, b - head * s];
-      const half = 0.36 * head;
-      make("line", {x1: x, y1: y, x2: g, y2: h, class: "ks-s-vermilion", "stroke-width": 2}, layer);
-      make("polygon", {points: [a, b, g - half * s, h + half * c, g + half * s, h - half * c].join(" "),
-                       class: "ks-f-vermilion"}, layer);
-      words = ", " + one.name + " " + amount(Number(size.toPrecision(4)), one.unit);
+      const at = view.at(placeOf(one, step));
+      if (one.axial) {
+        drawCouple(view, at, vectorOf(one, step), size, size / most);
+      } else {
+        drawForce(view, at, vectorOf(one, step), size, 70 * size / most, one.group === "load");
+      }
     }
-    return chosen.length > 1 ? ", longest of all " + amount(Number(most.toPrecision(4)), chosen[0].unit)
-                             : words;
   };
-  if (forces.length > 0) {
+  // Of one its value; of several the longest of these steps: between them it may be longer.
+  const wordsOf = (step) => {
+    const doubt = doubts[doubtOf[step] - 1];
+    const open = chosen.filter((one) => !one.at[step]);
+    const known = open.length < chosen.length;
+    const words = [];
+    const isOne = chosen.every((one) => one.name === chosen[0].name);
+    if (isOne && known) {
+      words.push(chosen[0].name + " " + chosen.filter((one) => one.at[step])
+        .map((one) => short(one.sizes[step], one)).join(" and "));
+    }
+    for (const isAxial of !isOne && known ? [false, true] : []) {
+      const list = chosen.filter((one) => one.axial === isAxial && one.most > 0);
+      const longest = list.reduce((a, b) => (a && a.most >= b.most ? a : b), null);
+      if (longest) {
+        words.push((isAxial ? "greatest couple" : "longest") + " at these steps " +
+                   short(longest.most, longest) + " (" + longest.name + ")");
+      }
+    }
+    if (open.length > 0) {
+      words.push((known && !isOne ? open.map((one) => one.name).join(" and ") + " " : "") + "undetermined here: " +
+                 (doubt || "equilibrium leaves " + (open.length > 1 ? "them" : "it") + " open"));
+    } else if (doubt && known) {
+      words.push("but this cannot be: " + doubt);
+    }
+    return words.map((word) => ", " + word).join("");
+  };
+  if (acting.length > 0) {
     const label = make("label", {}, controls);
     label.append("Force ");
     const choice = make("select", {"data-force": ""}, label);
-    for (const [value, text] of [["", "none"], ["all", "of all couplings"],
-                                 ...forces.map((one, i) => [i, "in " + one.name])]) {
-      make("option", {value}, choice).textContent = text;
+    const couplings = acting.filter((one) => one.group === "coupling");
+    const others = acting.filter((one) => one.group !== "coupling");
+    const choices = [["none", []]];
+    for (const [text, list] of [["of all couplings", couplings], ["of loads and drives", others]]) {
+      if (list.length > 1) {
+        choices.push([text, list]);
+      }
+    }
+    for (const one of acting) {  // a load may be a force and a couple
+      const text = (one.group === "coupling" ? "in " : one.group + " ") + one.name;
+      const there = choices.find((choice) => choice[0] === text);
+      if (there) {
+        there[1].push(one);
+      } else {
+        choices.push([text, [one]]);
+      }
+    }
+    for (const [text] of choices) {
+      make("option", {}, choice).textContent = text;
     }
     choice.addEventListener("change", () => {
-      chosen = choice.value === "all" ? forces : choice.value === "" ? [] : [forces[choice.value]];
+      chosen = choices[choice.selectedIndex][1];
       show(step());
     });
+    frame.addEventListener("viewed", () => drawActing(step()));
   }
 
   const link = make("a", {class: "step-link"}, controls);
@@ -98,7 +186,8 @@ for (const motion of all(".motion[data-poses]")) {
     for (const one of drawn) {
       one.style.visibility = isDrawn ? "" : "hidden";
     }
-    const words = data.labels[to] + arrows(to);
+    drawActing(to);
+    const words = data.labels[to] + wordsOf(to);
     slider.value = to;
     slider.setAttribute("aria-valuetext", words);
     output.textContent = words;

@@ -37,6 +37,7 @@ for (const holder of all("script[id$=-scene]")) {
       const d = add(p, middle, -1);
       return [seat[0] + k * dot(r, d), seat[1] - k * dot(u, d)];
     };
+    frame.view = {at, along: (v) => [dot(r, v), -dot(u, v)]};
     const text = (list) => list.map((p) => at(p).map((x) => x.toFixed(1)).join(",")).join(" ");
     // Of that many pixels where it lies in the picture.
     const line = (from, to, attributes) => {
@@ -112,11 +113,14 @@ for (const holder of all("script[id$=-scene]")) {
     elevation = Math.min(Math.PI / 2, Math.max(-Math.PI / 2, elevation + upwards));
     svg.classList.add("turned");
     draw();
+    frame.dispatchEvent(new Event("viewed"));
   };
   const back = () => {
     [azimuth, elevation] = first;
     svg.classList.remove("turned");
     layer.replaceChildren();
+    delete frame.view;
+    frame.dispatchEvent(new Event("viewed"));
   };
 
   let held = null;

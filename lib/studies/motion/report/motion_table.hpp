@@ -43,8 +43,6 @@ struct MotionRow {
   std::string status;                               ///< "solved", "singular", …
   std::vector<std::optional<double>> at_rest = {};  ///< for means: without friction, whose
                                                     ///< direction is open; else empty
-  std::vector<std::optional<Vec3>> reactions = {};  ///< of MotionTable::bearing: the force of tail
-                                                    ///< on head [N], where actions are reported
   bool lacks_velocities = false;                    ///< they were asked for, and there are none
   bool lacks_accelerations = false;                 ///< likewise, where there are velocities
   bool drops_velocities = false;                    ///< some are left out: they would be rounding
@@ -125,7 +123,6 @@ struct MotionTable {
   std::optional<double> duration;           ///< of a motion in time, in the unit of time
   std::string time_unit;
   std::optional<MotionDynamics> dynamics;  ///< where the file asks for it
-  std::vector<CouplingId> bearing;         ///< couplings that bear forces: of `coupling_reactions`
   std::string length_unit;
   std::string angle_unit;
 

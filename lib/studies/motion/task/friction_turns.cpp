@@ -14,9 +14,6 @@ namespace kinestat {
 
 namespace {
 
-// How frictions slide beside a row is seen so many steps from it.
-constexpr double kBeside = 0x1p-10;
-
 constexpr int kMostParts = 64;
 
 // How short the shortest stretch is in which a friction slides the other way, in steps.
@@ -175,7 +172,7 @@ class TurnFinder {
     const bool is_last = row + 1 == sliding_.size();
     const auto sliding_at = [&](bool is_there, bool is_behind) {
       const FrictionSliding found =
-          is_there ? between_(static_cast<double>(row) + (is_behind ? kBeside : -kBeside))
+          is_there ? between_(static_cast<double>(row) + (is_behind ? kBesideRow : -kBesideRow))
                    : FrictionSliding{};
       return found.rates.empty() ? Vec3(Vec3::Zero()) : found.rates[turn.friction];
     };

@@ -14,6 +14,9 @@
 
 namespace kinestat {
 
+/// How frictions slide beside a row is seen so many steps from it.
+inline constexpr double kBesideRow = 0x1p-10;
+
 /// How the frictions of a mechanism slide in one position.
 struct FrictionSliding {
   /// Of each the motion against which it works [rad/s or m/s]: the rate of the one freedom of a

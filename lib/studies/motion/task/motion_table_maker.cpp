@@ -7,14 +7,12 @@
 
 #include "cases/case_status.hpp"
 #include "core/tolerance.hpp"
-#include "mechanism/couplings/coupling_reactions.hpp"
 #include "mechanism/label_kind.hpp"
 #include "studies/motion/followed_configurations.hpp"
 #include "studies/motion/task/assembly_table.hpp"
 #include "studies/motion/task/columns/column_detail.hpp"
 #include "studies/motion/task/columns/motion_column_choice.hpp"
 #include "studies/motion/task/columns/motion_columns.hpp"
-#include "studies/motion/task/columns/reaction_columns.hpp"
 #include "studies/motion/task/drive_counts.hpp"
 #include "studies/motion/task/figures/approach_limits.hpp"
 #include "studies/motion/task/figures/finer_rows.hpp"
@@ -100,17 +98,6 @@ class TableMaker {
     return shown_drive(description_, topology_, motion_, counts_[d], d, p);
   }
 
-  // Of a step of a motion in time, as share of the whole; empty of a place between two steps.
-  std::optional<double> time_of(int p) const {
-    if (!plan_.schedule) {
-      return std::nullopt;
-    }
-    const double time = static_cast<double>(p) / static_cast<double>(plan_.steps);
-    const bool is_step =
-        solution_.shares[static_cast<std::size_t>(p)] == plan_.schedule->share_at(time);
-    return is_step ? std::optional(time) : std::nullopt;
-  }
-
   void add_drives() {
     const int last = solution_.position_count() - 1;
     for (std::size_t d = 0; d < plan_.drives.size(); ++d) {
@@ -162,16 +149,15 @@ class TableMaker {
     }
     for (int p = 0; p < solution_.position_count(); ++p) {
       const Configuration configuration = solution_.configuration_at(p);
+      const auto row = static_cast<std::size_t>(p);
       const MotionPosition position =
-          positions.at(configuration, solution_.shares[static_cast<std::size_t>(p)], time_of(p));
+          positions.at(configuration, solution_.shares[row], time_of_row(motion_, row));
       judge(position, positions.moved());
       add_crossing_cables(
           description_, mechanism_, motion_, configuration, position.state.poses, said_.back());
       add_row(p, position);
       table_.rows.back().status = status_of(p, position, positions.moved());
     }
-    std::ranges::transform(
-        reactions_, std::back_inserter(table_.bearing), &CouplingReaction::coupling);
     FollowedConfigurations configurations(mechanism_, motion_.network, solution_);
     const SlidingBetween sliding_between = [&](double row) {
       const double share = share_at_step(motion_, row);
@@ -222,9 +208,6 @@ class TableMaker {
 
   void add_row(int p, const MotionPosition& position) {
     MotionRow row{.step = p, .values = {}, .status = {}};
-    if (plan_.report.action || plan_.report.reaction) {
-      row.reactions = reaction_forces(reactions_, topology_, position);
-    }
     row.lacks_velocities = detail_.velocity && !has_motion(position);
     row.lacks_accelerations =
         detail_.acceleration && has_motion(position) && position.state.twist_rates.empty();
@@ -460,7 +443,6 @@ class TableMaker {
   std::vector<std::optional<WholeRange>> counts_;  // of each drive
   MotionDetail detail_;
   std::vector<MotionReading> readings_;
-  std::vector<CouplingReaction> reactions_ = coupling_reactions(mechanism_);
   std::vector<int> driven_;               // of each reading the drive whose position it is, or -1
   std::vector<FreedomRates> rates_;       // of each row
   std::vector<FrictionSliding> sliding_;  // likewise

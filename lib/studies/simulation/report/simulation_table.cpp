@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/motion_tolerance.hpp"
-#include "mechanism/couplings/coupling_reactions.hpp"
 
 namespace kinestat {
 
@@ -90,12 +89,7 @@ MotionTable simulation_table(const SimulationReportView& view) {
                           .from = 0.0,
                           .to = in_time(view.plan.duration),
                           .reached = in_time(end)});
-  for (const CouplingReaction& one : coupling_reactions(view.mechanism)) {
-    table.bearing.push_back(one.coupling);
-  }
-  for (const SimulationRow& row : solution.rows) {
-    table.rows.emplace_back().reactions = row.reactions;
-  }
+  table.rows.resize(solution.rows.size());
   const std::vector<SimulationColumn> columns = simulation_columns(view);
   for (const SimulationColumn& column : columns) {
     table.columns.push_back(

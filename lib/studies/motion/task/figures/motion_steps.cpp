@@ -14,6 +14,15 @@ double step_of_row(const FoundMotion& motion, std::size_t row) {
              : static_cast<double>(row);
 }
 
+std::optional<double> time_of_row(const FoundMotion& motion, std::size_t row) {
+  if (!motion.plan.schedule) {
+    return std::nullopt;
+  }
+  const double time = static_cast<double>(row) / static_cast<double>(motion.plan.steps);
+  const bool is_step = motion.solution.shares[row] == motion.plan.schedule->share_at(time);
+  return is_step ? std::optional(time) : std::nullopt;
+}
+
 double share_at_step(const FoundMotion& motion, double step) {
   if (motion.plan.schedule) {
     return motion.plan.schedule->share_at(step / motion.plan.steps);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 
 #include "studies/motion/task/found_motion.hpp"
@@ -17,6 +18,10 @@ double step_at_share(const FoundMotion& motion, double share);
 
 /// At which step a row is: a motion in time that ends early has its last row between two of them.
 double step_of_row(const FoundMotion& motion, std::size_t row);
+
+/// In a motion in time the time of a row that is a step, as share of the whole; empty of a place
+/// between two steps.
+std::optional<double> time_of_row(const FoundMotion& motion, std::size_t row);
 
 /// Where between rows, which stand at those steps, a step is.
 double row_at(std::span<const double> steps, double step);
