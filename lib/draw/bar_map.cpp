@@ -33,7 +33,6 @@ struct CellForm {
 
 // Of a part.
 constexpr CellForm kClose = {.bar = 56.0, .gap = 14.0};
-constexpr double kTelephone = 366.0;  // what a page has there for a picture [px]
 
 // From the value at the left end of the bars to that at the right.
 struct Scale {
@@ -317,6 +316,37 @@ void expect_whole(const BarMap& map) {
   }
 }
 
+// Of one case, which would be long and narrow: so many blocks as have few rows together.
+std::vector<Picture> draw_blocks_in_parts(const BarMap& map) {
+  constexpr std::size_t kMostRows = 30;
+  std::vector<BarMap> parts;
+  std::size_t rows = kMostRows;
+  for (const BarBlock& block : map.blocks) {
+    rows += shown_rows(block).size();
+    if (parts.empty() || rows > kMostRows) {
+      parts.push_back(map);
+      parts.back().blocks.clear();
+      parts.back().remarks.clear();
+      rows = shown_rows(block).size();
+    }
+    parts.back().blocks.push_back(block);
+  }
+  if (parts.size() <= 1) {
+    return {draw_bar_map(map)};
+  }
+  parts.back().remarks = map.remarks;
+  std::vector<Picture> pictures;
+  for (BarMap& part : parts) {
+    std::vector<std::string> titles;
+    for (const BarBlock& block : part.blocks) {
+      titles.push_back(block.title.substr(0, block.title.find(" [")));
+    }
+    part.title = fmt::format("{}, {}", map.title, fmt::join(titles, ", "));
+    pictures.push_back(draw_bar_map(part));
+  }
+  return pictures;
+}
+
 }  // namespace
 
 Picture draw_bar_map(const BarMap& map) {
@@ -330,7 +360,7 @@ std::vector<Picture> draw_bar_map_in_parts(const BarMap& map) {
   const auto aside = static_cast<std::size_t>(std::max(room / kClose.width(), 1.0));
   const std::size_t count = map.columns.size();
   if (count <= 1) {
-    return {draw_bar_map(map)};
+    return draw_blocks_in_parts(map);
   }
   std::vector<Picture> parts;
   for (std::size_t first = 0; first < count; first += aside) {

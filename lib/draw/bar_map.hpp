@@ -37,8 +37,8 @@ inline constexpr std::size_t kMostBarRows = 60;
 /// The whole.
 Picture draw_bar_map(const BarMap& map);
 
-/// In parts of a few cases, which stand beside each other where there is room, and each of which
-/// fits a telephone. All have one scale.
+/// In parts of a few cases or, of one case, of a few blocks, which stand beside each other where
+/// there is room, and each of which fits a telephone. All cases have one scale.
 std::vector<Picture> draw_bar_map_in_parts(const BarMap& map);
 
 }  // namespace kinestat

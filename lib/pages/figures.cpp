@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "draw/linkage/linkage_drawing.hpp"
+#include "draw/text_styles.hpp"
 
 namespace kinestat {
 
@@ -100,15 +100,7 @@ bool is_broad(const Picture& picture) {
   return picture.view.width() > kBroad;
 }
 
-double drawing_width(const Topology& topology) {
-  constexpr double kShrinkingDrawing = 380.0;
-  constexpr int kMostNames = 16;
-  const int names = topology.body_count() + topology.coupling_count();
-  return names <= kMostNames ? kShrinkingDrawing : kDrawingWidth;
-}
-
 void add_picture(const Picture& picture, const std::string& prefix, Html& html) {
-  constexpr double kShrinking = 550.0;  // down to a telephone with letters that can be read [px]
   const char* const size = picture.view.width() <= kShrinking ? "picture shrinks" : "picture";
   html.open("div", {{"class", size}, {"tabindex", "0"}});
   html.markup(svg_element(picture, prefix));

@@ -34,10 +34,6 @@ std::vector<Picture> pictures_at(PicturePlace place, const PictureSource& source
 /// Whether its letters would be too small in half the width of a page.
 bool is_broad(const Picture& picture);
 
-/// How wide a page draws a mechanism: so that it shrinks to a telephone, as long as its names have
-/// room then [px].
-double drawing_width(const Topology& topology);
-
 /// "Shift matrix: NAME" without the name of the mechanism under which the picture stands.
 std::string caption_of(const std::string& title, const std::string& name);
 

@@ -1,10 +1,11 @@
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "core/text.hpp"
 #include "core/utf8.hpp"
-#include "draw/linkage/linkage_drawing.hpp"
+#include "draw/linkage/page_linkage.hpp"
 #include "draw/train/gear_scheme.hpp"
 #include "pages/figures.hpp"
 #include "pages/page_parts.hpp"
@@ -27,9 +28,8 @@ class FileSection {
     if (page.analysis) {
       LinkageOptions plain;
       plain.shows_forces = false;
-      plain.width = drawing_width(page.analysis->mechanism.topology);
       if (has_picture(*find_picture_kind("linkage"), section_.source())) {
-        linkage_ = draw_linkage(*page.analysis, plain);
+        linkage_ = draw_page_linkage(*page.analysis, plain);
       }
       scheme_ =
           draw_gear_scheme(*page.analysis, {.which = {}, .sections = section_.source().sections});
@@ -171,6 +171,12 @@ class FileSection {
     html_.close();
   }
 
+  bool is_gear(const std::string& label) const {
+    return std::ranges::any_of(page_.analysis->cases, [&](const CaseAnalysis& one) {
+      return one.which.is_gear && one.which.label == label;
+    });
+  }
+
   void add_sensitivity() {
     if (page_.sensitivity.empty()) {
       return;
@@ -182,7 +188,7 @@ class FileSection {
     for (const PageSensitivity& one : page_.sensitivity) {
       const std::string label = printable(one.label);
       html_.open("details");
-      html_.element("summary", (page_.analysis->shift ? "Gear " : "Case ") + label);
+      html_.element("summary", (is_gear(one.label) ? "Gear " : "Case ") + label);
       add_blocks(one.blocks, "Sensitivity of " + label, html_);
       html_.close();
     }

@@ -9,6 +9,7 @@
 #include "core/tolerance.hpp"
 #include "draw/linkage/file_numbers.hpp"
 #include "draw/linkage/linkage_drawing.hpp"
+#include "draw/linkage/page_linkage.hpp"
 #include "pages/acting_arrows.hpp"
 #include "pages/figures.hpp"
 #include "pages/moving_figure.hpp"
@@ -83,11 +84,10 @@ class MotionFigure {
 
   Picture drawing() const {
     LinkageOptions options = motion_options(mechanism_, motion_.drawn);
-    options.width = drawing_width(mechanism_.topology);
     if (is_planar()) {
       add_lobes(options);
     }
-    return draw_linkage(analysis_, options);
+    return draw_page_linkage(analysis_, options);
   }
 
   // Where round cams come, so that the picture holds them.

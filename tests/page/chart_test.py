@@ -208,55 +208,6 @@ class ChartTest(PageCase):
         self.assertEqual(self.ask(CHART + seen, "Motion: velocity"), [True, False])
         self.assertEqual(len(self.ask(DOTS, "Motion: velocity")), 1)
 
-    def test_no_chart_is_cut_on_a_telephone(self) -> None:
-        for name in (PRESS, "spatial/ups_platform.yaml", "synthesis/simpson_class.yaml"):
-            with self.subTest(name):
-                self.open(self.page(name), width=400)
-                charts = self.ask(
-                    "return [...document.querySelectorAll('figure.chart')].map((one) => {"
-                    "  const box = one.querySelector('.picture');"
-                    "  const parts = [...one.querySelectorAll('text, path, line')]"
-                    "    .map((part) => part.getBoundingClientRect()).filter((p) => p.width > 0);"
-                    "  const letters = [...one.querySelectorAll('text')]"
-                    "    .map((part) => part.getBoundingClientRect())"
-                    "    .map((p) => Math.min(p.width, p.height)).filter((p) => p > 0);"
-                    "  return [box.scrollWidth - box.clientWidth,"
-                    "    Math.min(...parts.map((p) => p.left)), Math.max(...parts.map((p) => p.right)),"
-                    "    Math.max(...letters)];"
-                    "});")
-                self.assertGreaterEqual(len(charts), 3)
-                for beyond, left, right, letters in charts:
-                    self.assertLessEqual(beyond, 1)
-                    self.assertGreaterEqual(left, 0)
-                    self.assertLessEqual(right, 400)
-                    self.assertGreater(letters, 11)
-
-    def test_no_bars_are_cut_on_a_telephone(self) -> None:
-        # Of many cases they come in parts, which stand beside each other on a wide screen.
-        for name in ("transmissions/zf_8hp70.yaml", "spatial/ups_platform.yaml",
-                     "transmissions/ravigneaux.yaml"):
-            with self.subTest(name):
-                self.open(self.page(name), width=400)
-                bars = self.ask(
-                    "for (const one of document.querySelectorAll('[hidden]')) one.hidden = false;"
-                    "return [...document.querySelectorAll('figure')]"
-                    "  .filter((one) => ['speeds', 'forces', 'torques'].includes(one.dataset.picture))"
-                    "  .map((one) => [one.querySelector('.picture').scrollWidth,"
-                    "    one.querySelector('.picture').clientWidth,"
-                    "    Math.min(...[...one.querySelectorAll('svg text')]"
-                    "      .map((part) => part.getBoundingClientRect().height))]);")
-                self.assertGreaterEqual(len(bars), 2)
-                for whole, shown, letters in bars:
-                    self.assertLessEqual(whole, shown)
-                    self.assertGreater(letters, 11)
-                self.look(width=1280)
-                parts = self.ask(
-                    "return [...document.querySelectorAll('.parts')].map((one) => [one.children.length,"
-                    "  new Set([...one.children].map((f) => f.getBoundingClientRect().top)).size]);")
-                self.assertTrue(parts)
-                for count, rows in parts:
-                    self.assertLessEqual(rows, (count + 2) // 3)
-
     def test_words_stand_within_their_charts(self) -> None:
         # Two charts of paths have a legend, which a list of values replaces.
         for width in (400, 1280):

@@ -373,6 +373,40 @@ class PageTest(PageCase):
         shown = re.sub(r"<script[^>]* data-kind=.*?</script>", "", html, flags=re.S)
         self.assertLess(len(shown.encode()), 300_000)
 
+    def test_a_page_loads_as_fast_as_it_should(self) -> None:
+        """By an empty page in the same run; half a second, where that one takes a hundredth."""
+        empty = self.folder / "empty.html"
+        empty.write_text("<!DOCTYPE html><title>empty</title>", encoding="utf-8")
+        took = ("const one = performance.getEntriesByType('navigation')[0];"
+                "return one.loadEventEnd - one.startTime;")
+
+        def best(page: Path) -> float:
+            times = []
+            for _ in range(5):
+                self.open(page)
+                times.append(self.ask(took))
+            return min(times)
+
+        self.assertLess(best(self.page("transmissions/ravigneaux.yaml")), 50 * best(empty))
+
+    def test_an_axis_of_efficiencies_ends_at_one(self) -> None:
+        self.open(self.page("synthesis/lepelletier_class.yaml"))
+        axes = self.ask("return [...document.querySelectorAll('[data-picture=trade-offs] [data-plot]')]"
+                        ".map((one) => one.dataset.x.split(' ').map(Number));")
+        self.assertEqual(len(axes), 3)
+        for low, high in axes:
+            self.assertEqual(high, 1.0)
+            self.assertGreater(low, 0.9)
+
+    def test_bars_leave_no_wide_empty_space(self) -> None:
+        # Those of a case of many couplings are not one column far below its tables.
+        self.open(self.page("spatial/ups_platform.yaml"))
+        heights = self.ask(
+            "return [...document.querySelectorAll('section.panel figure')]"
+            ".filter((one) => ['speeds', 'forces'].includes(one.dataset.picture))"
+            ".map((one) => one.getBoundingClientRect().height).filter((one) => one > 0);")
+        self.assertGreater(len(heights), 3)
+        self.assertLess(max(heights), 900)
 
 
 # What the buttons would save: names and texts.

@@ -9,10 +9,12 @@
 
 #include "core/contract.hpp"
 #include "core/rounding.hpp"
+#include "core/text.hpp"
 #include "draw/axes.hpp"
 #include "draw/name_placer.hpp"
 #include "draw/picture_title.hpp"
 #include "draw/text_styles.hpp"
+#include "draw/text_width.hpp"
 #include "kinematics/bounded_motion.hpp"
 #include "report/in_units.hpp"
 
@@ -27,6 +29,7 @@ constexpr double kLabelReach = 55.0;  // of the labels of nodes beyond the first
 constexpr double kCaseSize = 13.0;
 constexpr double kMostOfCase = 160.0;  // of the label of a case
 constexpr double kRowGap = 46.0;
+constexpr double kCaseRow = 24.0;  // of the label of a case above the panel
 constexpr double kNameSize = 11.0;
 constexpr double kNodeRadius = 4.5;
 
@@ -67,7 +70,8 @@ DiagramLever diagram_of(const Lever& lever, const Topology& topology) {
 
 class LeverDrawing {
  public:
-  LeverDrawing(const Analysis& analysis, const std::vector<Lever>& levers) : analysis_(analysis) {
+  LeverDrawing(const Analysis& analysis, const std::vector<Lever>& levers, bool is_part)
+      : analysis_(analysis), is_part_(is_part) {
     for (const Lever& lever : levers) {
       levers_.push_back(diagram_of(lever, analysis.mechanism.topology));
     }
@@ -76,25 +80,31 @@ class LeverDrawing {
         cases_.push_back(&one);
       }
     }
-    for (const CaseAnalysis* one : cases_) {
+    margin_ = is_part ? kLabelReach : kPanelGap;
+    for (std::size_t i = 0; !is_part && i < cases_.size(); ++i) {
+      const CaseAnalysis* const one = cases_[i];
       const double width = text_width(one->which.label, kCaseSize, Weight::bold);
       margin_ = std::max(margin_, std::min(width, kMostOfCase) + kLabelReach + 10.0);
     }
     find_scale();
   }
 
-  Picture run() {
+  Picture run(const std::string& what) {
     svg_.keep_lines();
     draw_names();
     for (const CaseAnalysis* one : cases_) {
       draw_case(*one);
     }
-    svg_.text({.x = 0.0, .y = y_},
-              fmt::format("speeds in {}; a node under the ground line turns backwards",
-                          analysis_.description.units.text(QuantityKind::angular_velocity)),
-              {.ink = Ink::soft, .size = kTextSize});
+    const std::string words =
+        fmt::format("speeds in {}; a node under the ground line turns backwards",
+                    analysis_.description.units.text(QuantityKind::angular_velocity));
+    const double width = left_of(levers_.size() - 1) + kPanelWidth + kLabelReach;
+    for (const std::string& line : wrapped_text(words, kTextSize, width)) {
+      svg_.text({.x = 0.0, .y = y_}, line, {.ink = Ink::soft, .size = kTextSize});
+      y_ += 16.0;
+    }
     return make_picture("lever",
-                        picture_title_of_cases("Lever diagram", analysis_),
+                        picture_title_of_cases(what, analysis_),
                         "Each planetary set as a lever: its central bodies at places given by the "
                         "numbers of teeth, their angular velocities as distances from the ground "
                         "line, for each case.",
@@ -158,8 +168,12 @@ class LeverDrawing {
 
   void draw_case(const CaseAnalysis& one) {
     svg_.text({.x = 0.0, .y = y_ + 4.0},
-              fitting_text(one.which.label, kCaseSize, kMostOfCase, Weight::bold),
+              fitting_text(one.which.label,
+                           kCaseSize,
+                           is_part_ ? kPanelWidth + kLabelReach : kMostOfCase,
+                           Weight::bold),
               {.size = kCaseSize, .weight = Weight::bold});
+    y_ += is_part_ ? kCaseRow : 0.0;
     for (std::size_t l = 0; l < levers_.size(); ++l) {
       draw_panel(one, levers_[l], left_of(l));
     }
@@ -300,6 +314,7 @@ class LeverDrawing {
   std::vector<const CaseAnalysis*> cases_;
   double low_ = 0.0;
   double high_ = 0.0;
+  bool is_part_;
   double margin_ = kPanelGap;  // before the first panel
   double y_ = 0.0;
   Svg svg_;
@@ -309,7 +324,24 @@ class LeverDrawing {
 
 Picture draw_lever_diagram(const Analysis& analysis, const std::vector<Lever>& levers) {
   KINESTAT_EXPECTS(!levers.empty() && std::ranges::any_of(analysis.cases, is_shown));
-  return LeverDrawing(analysis, levers).run();
+  return LeverDrawing(analysis, levers, false).run("Lever diagram");
+}
+
+std::vector<Picture> draw_levers_in_parts(const Analysis& analysis,
+                                          const std::vector<Lever>& levers) {
+  KINESTAT_EXPECTS(!levers.empty() && std::ranges::any_of(analysis.cases, is_shown));
+  std::vector<Picture> parts;
+  for (const Lever& lever : levers) {
+    std::vector<std::string> names;
+    for (const LeverNode& node : lever.nodes) {
+      names.push_back(analysis.mechanism.topology.body(node.body).name);
+    }
+    const std::string what = levers.size() == 1
+                                 ? "Lever diagram"
+                                 : fmt::format("Lever diagram of {}", plain_list(names));
+    parts.push_back(LeverDrawing(analysis, {lever}, true).run(what));
+  }
+  return parts;
 }
 
 }  // namespace kinestat

@@ -15,4 +15,8 @@ namespace kinestat {
 /// least one lever and one case with velocities.
 Picture draw_lever_diagram(const Analysis& analysis, const std::vector<Lever>& levers);
 
+/// Each lever as a picture of its own that fits a telephone, with the label of a case above it.
+std::vector<Picture> draw_levers_in_parts(const Analysis& analysis,
+                                          const std::vector<Lever>& levers);
+
 }  // namespace kinestat

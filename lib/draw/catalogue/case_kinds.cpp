@@ -124,6 +124,10 @@ Picture draw_levers(const PictureSource& source) {
   return draw_lever_diagram(chosen(source), levers_of(source));
 }
 
+std::vector<Picture> draw_each_lever(const PictureSource& source) {
+  return draw_levers_in_parts(chosen(source), levers_of(source));
+}
+
 Picture draw_matrix(const PictureSource& source) {
   return draw_shift_matrix(*source.analysis);
 }
@@ -154,7 +158,8 @@ constexpr auto kCaseKinds = std::to_array<PictureKind>({
     {.name = "lever",
      .sentence = "planetary sets as levers, with the speeds of each case",
      .why_not = why_no_levers,
-     .draw = draw_levers},
+     .draw = draw_levers,
+     .draw_in_parts = draw_each_lever},
     {.name = "shift-matrix",
      .sentence = "which clutches and brakes each gear engages",
      .why_not = why_no_shift,

@@ -6,6 +6,7 @@
 #include "draw/catalogue/catalogue_parts.hpp"
 #include "draw/graph/graph_drawing.hpp"
 #include "draw/linkage/linkage_drawing.hpp"
+#include "draw/linkage/page_linkage.hpp"
 #include "draw/picture_title.hpp"
 #include "draw/train/gear_scheme.hpp"
 
@@ -68,15 +69,24 @@ std::string why_no_mechanism(const PictureSource& source) {
   return is_empty ? "it has no bodies and no couplings" : "";
 }
 
-Picture draw_mechanism(const PictureSource& source) {
-  if (source.placed != nullptr) {
-    return draw_placed(*source.placed);
-  }
+LinkageOptions options_of(const PictureSource& source) {
   LinkageOptions options;
   if (!source.analysis->cases.empty()) {
     options.which = source.which.value_or(0);
   }
-  return named("linkage", draw_linkage(*source.analysis, options));
+  return options;
+}
+
+Picture draw_mechanism(const PictureSource& source) {
+  return source.placed != nullptr
+             ? draw_placed(*source.placed)
+             : named("linkage", draw_linkage(*source.analysis, options_of(source)));
+}
+
+std::vector<Picture> draw_mechanism_of_page(const PictureSource& source) {
+  return {source.placed != nullptr
+              ? draw_placed(*source.placed)
+              : named("linkage", draw_page_linkage(*source.analysis, options_of(source)))};
 }
 
 Picture draw_scheme(const PictureSource& source) {
@@ -132,7 +142,8 @@ constexpr auto kDrawingKinds = std::to_array<PictureKind>({
      .scope = PictureScope::one_case,
      .takes_positions = true,
      .why_not = why_no_mechanism,
-     .draw = draw_mechanism},
+     .draw = draw_mechanism,
+     .draw_in_parts = draw_mechanism_of_page},
     {.name = "gear-scheme",
      .sentence =
          "a gear train along its axis, or all its axes developed, with its clutches and brakes",

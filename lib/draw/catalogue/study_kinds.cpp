@@ -5,6 +5,7 @@
 
 #include "draw/catalogue/catalogue_parts.hpp"
 #include "draw/gnuplot.hpp"
+#include "draw/text_styles.hpp"
 #include "studies/benchmark/picture/pareto.hpp"
 #include "studies/motion/picture/actuator_curves.hpp"
 #include "studies/motion/picture/dynamics_curves.hpp"
@@ -52,6 +53,11 @@ Picture draw_plane(const PictureSource& source) {
   return draw_burmester(*source.synthesis, 0);
 }
 
+std::vector<Picture> draw_small_plane(const PictureSource& source) {
+  constexpr double kOfNumbers = 75.0;  // at its axis, with margins [px]
+  return {draw_burmester(*source.synthesis, 0, kShrinking - kOfNumbers)};
+}
+
 std::string why_no_linkages(const PictureSource& source) {
   return find_best_linkages(*source.synthesis).empty() ? "the task has no linkage" : "";
 }
@@ -66,6 +72,10 @@ std::string why_no_ladders(const PictureSource& source) {
 
 Picture draw_found_ladders(const PictureSource& source) {
   return draw_ladders(*source.transmissions);
+}
+
+std::vector<Picture> draw_narrow_ladders(const PictureSource& source) {
+  return {draw_ladders(*source.transmissions, LadderForm::narrow)};
 }
 
 Figure trade_offs_of(const PictureSource& source) {
@@ -240,12 +250,14 @@ constexpr auto kStudyKinds = std::to_array<PictureKind>({
      .sentence = "the positions of a synthesis with poles, curves and dyads",
      .need = PictureNeed::synthesis,
      .why_not = why_no_task,
-     .draw = draw_plane},
+     .draw = draw_plane,
+     .draw_in_parts = draw_small_plane},
     {.name = "ladders",
      .sentence = "the ladders of gears that a search for transmissions has found",
      .need = PictureNeed::transmissions,
      .why_not = why_no_ladders,
-     .draw = draw_found_ladders},
+     .draw = draw_found_ladders,
+     .draw_in_parts = draw_narrow_ladders},
     {.name = "trade-offs",
      .sentence = "torque, speed and steps of transmissions over their efficiency",
      .need = PictureNeed::transmissions,

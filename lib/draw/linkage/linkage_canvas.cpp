@@ -322,17 +322,17 @@ void LinkageCanvas::draw_legend() {
   const double y = drawn.bottom + 26.0;
   double x = drawn.left;
   x = draw_scale({.x = x, .y = y}) + 26;
+  std::vector<std::string> lines;
   if (largest_force_ > 0.0) {
     const double force = round_length(units.from_si(QuantityKind::force, largest_force_));
     const double arrow = kLongestArrow * units.to_si(QuantityKind::force, force) / largest_force_;
     svg_.arrow(
         {.x = x, .y = y}, {.x = x + arrow, .y = y}, {.stroke = Ink::vermilion, .width = 1.8}, 9.0);
-    const std::string words = fmt::format("{} {}; in couplings the first body on the second",
-                                          short_number(force),
-                                          units.text(QuantityKind::force));
+    const std::string words =
+        fmt::format("{} {}", short_number(force), units.text(QuantityKind::force));
     svg_.text({.x = x + arrow + 8, .y = y + 4}, words, kSmall);
+    lines.emplace_back("in couplings the first body acts on the second");
   }
-  std::vector<std::string> lines;
   if (!options_.remark.empty()) {
     lines.push_back(options_.remark);
   }

@@ -16,6 +16,7 @@
 #include "draw/picture_title.hpp"
 #include "draw/symbols.hpp"
 #include "draw/text_styles.hpp"
+#include "draw/text_width.hpp"
 #include "studies/synthesis/curves/cubic_branches.hpp"
 #include "studies/synthesis/picture/burmester_plane.hpp"
 
@@ -23,7 +24,6 @@ namespace kinestat {
 
 namespace {
 
-constexpr double kSize = 560.0;  // of the longer side of the window [px]
 constexpr int kCurvePoints = 700;
 constexpr TextStyle kName = {
     .ink = Ink::ink, .size = 12.5, .weight = Weight::bold, .has_halo = true};
@@ -36,10 +36,10 @@ struct Stretch {
 
 class BurmesterWriter {
  public:
-  BurmesterWriter(const SynthesisAnalysis& analysis, const SynthesisTask& task)
-      : analysis_(analysis), task_(task), plane_(find_plane(task)) {
-    const Point size = plane_.window.high - plane_.window.low;
-    scale_ = kSize / std::max(size.real(), size.imag());
+  BurmesterWriter(const SynthesisAnalysis& analysis, const SynthesisTask& task, double size)
+      : analysis_(analysis), task_(task), plane_(find_plane(task)), size_(size) {
+    const Point whole = plane_.window.high - plane_.window.low;
+    scale_ = size / std::max(whole.real(), whole.imag());
   }
 
   Svg write() {
@@ -120,7 +120,7 @@ class BurmesterWriter {
     const double radius = scale_ * plane_.circle->radius;
     std::vector<PixelPoint> points;
     for (PixelPoint p : arc_points(
-             at(plane_.circle->centre), std::min(radius, 100 * kSize), 0.0, 2 * std::numbers::pi)) {
+             at(plane_.circle->centre), std::min(radius, 100 * size_), 0.0, 2 * std::numbers::pi)) {
       points.push_back(within(p) ? p : gap());
     }
     svg_.polyline(points, {.stroke = Ink::pink, .width = 1.3, .dash = "10 3 2 3"});
@@ -354,8 +354,15 @@ class BurmesterWriter {
   void legend_line(const Paint& paint, const std::string& words, double& y) {
     const double x = 0.0;
     svg_.line({.x = x, .y = y}, {.x = x + 28, .y = y}, paint);
-    svg_.text({.x = x + 36, .y = y + 4}, words, kSmall);
-    y += 17.0;
+    legend_words(words, x + 36, y);
+  }
+
+  // In as many lines as the size asks for.
+  void legend_words(const std::string& words, double x, double& y) {
+    for (const std::string& line : wrapped_text(words, kSmall.size, size_ - x)) {
+      svg_.text({.x = x, .y = y + 4}, line, kSmall);
+      y += 17.0;
+    }
   }
 
   void draw_legend() {
@@ -377,8 +384,7 @@ class BurmesterWriter {
     if (std::ranges::any_of(plane_.poles,
                             [&](const NamedPoint& pole) { return plane_.window.holds(pole.at); })) {
       draw_cross({.x = 14.0, .y = y});
-      svg_.text({.x = 36.0, .y = y + 4.0}, "poles of the moving plane", kSmall);
-      y += 17.0;
+      legend_words("poles of the moving plane", 36.0, y);
     }
     std::string reasons;
     for (const auto& [reason, count] : rejected_) {
@@ -409,8 +415,7 @@ class BurmesterWriter {
   void draw_verdict(double y) {
     const std::string dyads = dyads_text();
     if (!dyads.empty()) {
-      svg_.text({.x = 0.0, .y = y + 4}, dyads, kSmall);
-      y += 17.0;
+      legend_words(dyads, 0.0, y);
     }
     if (task_.linkages.empty()) {
       return;
@@ -418,15 +423,16 @@ class BurmesterWriter {
     const LinkageCandidate& best = task_.linkages.front();
     const std::string verdict =
         best.is_usable() ? std::string("usable") : "rejected: " + in_words(word_of(best.defect()));
-    svg_.text(
-        {.x = 0.0, .y = y + 4},
+    legend_words(
         fmt::format("linkage A, B: {}, {}", hyphenated(word_of(best.linkage.type())), verdict),
-        kSmall);
+        0.0,
+        y);
   }
 
   const SynthesisAnalysis& analysis_;
   const SynthesisTask& task_;
   BurmesterPlane plane_;
+  double size_;         // of the longer side of the window [px]
   double scale_ = 1.0;  // [px/m]
   Svg svg_;
   std::vector<std::pair<std::string, PixelPoint>> names_;
@@ -436,7 +442,7 @@ class BurmesterWriter {
 
 }  // namespace
 
-Picture draw_burmester(const SynthesisAnalysis& analysis, std::size_t task) {
+Picture draw_burmester(const SynthesisAnalysis& analysis, std::size_t task, double size) {
   KINESTAT_EXPECTS(task < analysis.tasks.size() && !analysis.tasks[task].positions.empty());
   const SynthesisTask& of = analysis.tasks[task];
   return make_picture("burmester",
@@ -444,7 +450,7 @@ Picture draw_burmester(const SynthesisAnalysis& analysis, std::size_t task) {
                                   shown_name(analysis.file, analysis.description)),
                       fmt::format("Positions {}, poles, curves and dyads in the fixed frame.",
                                   form_of(of.positions)),
-                      BurmesterWriter(analysis, of).write());
+                      BurmesterWriter(analysis, of, size).write());
 }
 
 }  // namespace kinestat

@@ -21,7 +21,7 @@ namespace kinestat {
 namespace {
 
 constexpr int kSteps = 180;
-constexpr double kLongerSide = 480.0;  // of the longer side of what is drawn [px]
+constexpr double kLongerSide = 380.0;  // of the longer side of what is drawn [px]
 
 // A dyad as a body of its own: a crank, or the block of a slider or of an inverted one.
 struct DyadBody {

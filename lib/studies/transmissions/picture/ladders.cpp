@@ -17,13 +17,12 @@ namespace kinestat {
 
 namespace {
 
-constexpr double kAxis = 460.0;  // from the largest ratio to the smallest [px]
-constexpr double kRow = 40.0;
 constexpr double kLeft = 34.0;  // of the number of a ladder
 constexpr double kFirstColumn = 58.0;
 constexpr double kColumn = 72.0;
 constexpr double kMark = 4.0;
 constexpr double kLabelDistance = 34.0;  // of labels as 0.765
+constexpr double kBelow = 36.0;          // from the line of a ladder to words below it
 
 struct Column {
   const char* title;
@@ -44,7 +43,8 @@ constexpr std::array kColumns = {
 
 class LaddersDrawing {
  public:
-  explicit LaddersDrawing(const std::vector<LadderGroup>& groups) : groups_(groups) {
+  LaddersDrawing(const std::vector<LadderGroup>& groups, LadderForm form)
+      : groups_(groups), is_narrow_(form == LadderForm::narrow) {
     low_ = 1.0;
     high_ = 1.0;
     for (const LadderGroup& group : groups) {
@@ -67,18 +67,18 @@ class LaddersDrawing {
 
  private:
   double place(double ratio) const {
-    return kAxis * std::log(high_ / std::abs(ratio)) / std::log(high_ / low_);
+    return axis_ * std::log(high_ / std::abs(ratio)) / std::log(high_ / low_);
   }
 
-  static double height(std::size_t row) { return kRow * static_cast<double>(row); }
+  double height(std::size_t row) const { return row_ * static_cast<double>(row); }
 
-  static double column(std::size_t which) {
-    return kAxis + kFirstColumn + kColumn * static_cast<double>(which);
+  double column(std::size_t which) const {
+    return axis_ + kFirstColumn + kColumn * static_cast<double>(which);
   }
 
   void draw_axis() {
     const double top = -22.0;
-    const double bottom = height(groups_.size()) - kRow + 20.0;
+    const double bottom = height(groups_.size()) - row_ + 20.0;
     for (const double tick : ratio_ticks(low_, high_)) {
       svg_.line({.x = place(tick), .y = top},
                 {.x = place(tick), .y = bottom},
@@ -88,10 +88,10 @@ class LaddersDrawing {
       svg_.text({.x = place(tick), .y = top - 6.0}, label_number(tick), style);
     }
     TextStyle style = {.size = kTextSize, .anchor = Anchor::middle};
-    svg_.text({.x = kAxis / 2, .y = top - 24.0}, "magnitude of the ratio", style);
+    svg_.text({.x = axis_ / 2, .y = top - 24.0}, "magnitude of the ratio", style);
     style = kSmall;
     style.anchor = Anchor::middle;
-    for (std::size_t i = 0; i < kColumns.size(); ++i) {
+    for (std::size_t i = 0; !is_narrow_ && i < kColumns.size(); ++i) {
       svg_.text({.x = column(i), .y = top - 6.0}, kColumns[i].title, style);
     }
   }
@@ -118,12 +118,24 @@ class LaddersDrawing {
           : svg_.circle(at, kMark + 2.0, {.stroke = Ink::vermilion, .width = 2.0});
     }
     write_ratios(gears, y);
+    is_narrow_ ? write_below(group, y) : write_beside(group, y);
+    svg_.close_group();
+  }
+
+  void write_beside(const LadderGroup& group, double y) {
     for (std::size_t i = 0; i < kColumns.size(); ++i) {
       svg_.text({.x = column(i), .y = y + 4.0},
                 label_number(kColumns[i].value(group)),
                 {.size = kTextSize, .anchor = Anchor::middle});
     }
-    svg_.close_group();
+  }
+
+  void write_below(const LadderGroup& group, double y) {
+    std::vector<std::string> words;
+    for (const Column& one : kColumns) {
+      words.push_back(fmt::format("{} {}", one.title, label_number(one.value(group))));
+    }
+    svg_.text({.x = 0.0, .y = y + kBelow}, fmt::format("{}", fmt::join(words, ", ")), kSmall);
   }
 
   // Forward ones above the line, moved apart where they stand close; reverse ones below.
@@ -149,6 +161,9 @@ class LaddersDrawing {
   }
 
   const std::vector<LadderGroup>& groups_;
+  bool is_narrow_;
+  double axis_ = is_narrow_ ? 350.0 : 460.0;  // from the largest ratio to the smallest [px]
+  double row_ = is_narrow_ ? 66.0 : 40.0;
   double low_ = 1.0;
   double high_ = 1.0;
   Svg svg_;
@@ -171,6 +186,12 @@ std::vector<bool> find_front(const std::vector<LadderFigures>& all, double Ladde
     }
   }
   return is_on_front;
+}
+
+// Of an axis of efficiencies: a tenth of what is lacking below the least.
+double lower_end(double least) {
+  constexpr double kOfLossless = 0.9;
+  return least < 1.0 ? least - 0.1 * (1.0 - least) : kOfLossless;
 }
 
 Chart trade_off(const std::vector<LadderFigures>& all,
@@ -199,15 +220,20 @@ Chart trade_off(const std::vector<LadderFigures>& all,
   if (front.size() < 2) {
     chart.series.pop_back();  // no line
   }
+  const auto least = std::ranges::min_element(chart.series[0].x);
+  if (least != chart.series[0].x.end()) {
+    chart.x.low = lower_end(*least);
+    chart.x.high = 1.0;  // no efficiency is above
+  }
   return chart;
 }
 
 }  // namespace
 
-Picture draw_ladders(const TransmissionAnalysis& analysis) {
+Picture draw_ladders(const TransmissionAnalysis& analysis, LadderForm form) {
   KINESTAT_EXPECTS(!analysis.groups.empty());
   const std::size_t count = analysis.groups.size();
-  const Svg svg = LaddersDrawing(analysis.groups).run();
+  const Svg svg = LaddersDrawing(analysis.groups, form).run();
   return make_picture(
       "ladders",
       picture_title("Ladders", analysis.file, analysis.description),
