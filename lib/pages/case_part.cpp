@@ -27,18 +27,20 @@ class CasePart {
       return;
     }
     const std::vector<CaseAnalysis>& cases = analysis_.cases;
-    const bool are_gears = analysis_.shift.has_value();
-    section_.open_part("cases", are_gears ? "Gears" : "Cases");
+    const int gears = gear_count(analysis_);
+    const bool are_gears = gears == static_cast<int>(cases.size());
+    const bool are_both = gears > 0 && !are_gears;
+    section_.open_part("cases", are_both ? "Cases and gears" : are_gears ? "Gears" : "Cases");
     html_.open("div", {{"class", "chooser"}});
     if (cases.size() > 1) {
-      add_choices(are_gears ? "Gear" : "Case");
+      add_choices(are_both ? "Case or gear" : are_gears ? "Gear" : "Case");
     }
     for (std::size_t i = 0; i < cases.size(); ++i) {
       add_case(i);
     }
     html_.close();
     if (cases.size() > 1) {
-      add_comparison(are_gears ? "All gears" : "All cases");
+      add_comparison(are_both ? "All cases and gears" : are_gears ? "All gears" : "All cases");
     }
     html_.close();
   }
@@ -177,6 +179,11 @@ class CasePart {
 };
 
 }  // namespace
+
+int gear_count(const Analysis& analysis) {
+  return static_cast<int>(std::ranges::count_if(
+      analysis.cases, [](const CaseAnalysis& one) { return one.which.is_gear; }));
+}
 
 void add_case_part(SectionWriter& section) {
   CasePart(section).run();

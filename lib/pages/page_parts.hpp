@@ -19,6 +19,9 @@ namespace kinestat {
 /// if there are none. The file must have an analysis.
 void add_case_part(SectionWriter& section);
 
+/// How many of the cases of a file are gears of its `shift`.
+int gear_count(const Analysis& analysis);
+
 /// The mechanism, moving if it does, else as the picture shows it; beside it what was found.
 void add_summary_part(SectionWriter& section, const std::optional<Picture>& picture);
 

@@ -103,6 +103,17 @@ std::string open_text(const CaseAnalysis& one) {
   return fmt::format("{} ({})", printable(one.which.label), fmt::join(parts, ", "));
 }
 
+// "5 cases and 4 gears are", "1 gear is".
+std::string counted_cases(const Analysis& analysis) {
+  const int gears = gear_count(analysis);
+  const int others = static_cast<int>(analysis.cases.size()) - gears;
+  if (gears == 0 || others == 0) {
+    return gears == 0 ? counted(others, "case is", "cases are")
+                      : counted(gears, "gear is", "gears are");
+  }
+  return fmt::format("{} and {} are", counted(others, "case"), counted(gears, "gear"));
+}
+
 // A motion has positions of its own, so that it may be solved where the drawn one is not.
 void add_cases(const Analysis& analysis, bool moves, Sentences& sentences) {
   const std::vector<CaseAnalysis>& cases = analysis.cases;
@@ -119,9 +130,7 @@ void add_cases(const Analysis& analysis, bool moves, Sentences& sentences) {
   const int solved = count - static_cast<int>(open.size());
   const std::string list = plain_list(open, kMostListed);
   sentences.push_back(
-      open.empty() ? fmt::format("{} solved.",
-                                 analysis.shift ? counted(count, "gear is", "gears are")
-                                                : counted(count, "case is", "cases are"))
+      open.empty() ? fmt::format("{} solved.", counted_cases(analysis))
       : solved == 0
           ? fmt::format("{} case is solved: {}.", moves ? "In the drawn position no" : "No", list)
           : fmt::format(

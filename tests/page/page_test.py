@@ -389,6 +389,16 @@ class PageTest(PageCase):
 
         self.assertLess(best(self.page("transmissions/ravigneaux.yaml")), 50 * best(empty))
 
+    def test_cases_beside_gears_are_not_called_so(self) -> None:
+        # Five cases of its own, and the gears 1, 2, 3 and R of its section `shift`.
+        self.open(self.page("transmissions/converter_automatic.yaml"))
+        self.assertIn("5 cases and 4 gears are solved.", self.ask("return document.body.textContent;"))
+        self.assertEqual(
+            self.ask("return document.querySelector('.chooser legend').textContent;"), "Case or gear")
+        self.open(self.page("transmissions/zf_8hp70.yaml"))
+        self.assertEqual(
+            self.ask("return document.querySelector('.chooser legend').textContent;"), "Gear")
+
     def test_an_axis_of_efficiencies_ends_at_one(self) -> None:
         self.open(self.page("synthesis/lepelletier_class.yaml"))
         axes = self.ask("return [...document.querySelectorAll('[data-picture=trade-offs] [data-plot]')]"

@@ -147,7 +147,7 @@ Table verdict_table(const SynthesisTask& task, const PlaneText& plane) {
                fmt::format("{} {}", candidate.dyads[0], candidate.dyads[1]),
                fmt::format("{}", candidate.dyads[drive]),
                phrase_of(candidate.defects),
-               best.working_arc ? plane.angle(candidate.margin()) : "",
+               best.working_arc ? plane.angle(candidate.margin()) : "-",
                best.turns_fully ? "yes" : "no",
                PlaneText::shown(candidate.ratio),
                candidate.grashof ? hyphenated(word_of(candidate.grashof->kind)) : "",
@@ -198,7 +198,7 @@ Table link_table(const SynthesisTask& task, const PlaneText& plane) {
          distance_text(
              has_none(DyadKind::inverted_slider), one.circle_point, other.circle_point, plane),
          link_text(other, plane),
-         best.working_arc ? range_text(*best.working_arc, plane) : "",
+         best.working_arc ? range_text(*best.working_arc, plane) : "-",
          range_text(best.full, plane)});
   }
   return table;
@@ -345,6 +345,10 @@ TextBlocks linkages_blocks(const SynthesisTask& task,
   }
   TextBlocks text("\n");
   text += TextBlocks(verdict_table(task, plane), "");
+  const auto has_no_way = [](const LinkageCandidate& one) { return !one.best().working_arc; };
+  if (std::ranges::any_of(task.linkages, has_no_way)) {
+    text += "-: the drive does not lead the linkage through all positions in their order\n";
+  }
   if (!task.linkages.front().is_usable()) {
     text += fmt::format("no linkage is usable; the first one is the nearest{}\n",
                         limits_text(task.linkages.front(), plane));
