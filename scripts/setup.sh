@@ -22,6 +22,19 @@ stop() {
   exit "$status"
 }
 
+# Ends the script. The checker of accessibility is not in Debian; without it its tests are skipped.
+finish() {
+  local root
+  if [[ -n $checks ]] && command -v npm >/dev/null && root=$(npm root --global 2>/dev/null) &&
+    [[ ! -e $root/axe-core/axe.min.js ]]; then
+    echo "setup.sh: installing axe-core by npm" >&2
+    "$@" npm install --global --no-fund --no-audit axe-core >/dev/null 2>&1 </dev/null ||
+      echo "setup.sh: npm could not install axe-core, so tests of accessibility are skipped" >&2
+  fi
+  exit 0
+}
+
+checks=
 wanted=()
 [[ $# -gt 0 ]] || set -- build test
 for part in "$@"; do
@@ -32,7 +45,7 @@ for part in "$@"; do
     sanitize) wanted+=("${sanitize[@]}") ;;
     bench) wanted+=("${bench[@]}") ;;
     lint) wanted+=("${lint[@]}") ;;
-    browser) wanted+=("${browser[@]}") ;;
+    browser) wanted+=("${browser[@]}") checks=yes ;;
     viewers) wanted+=("${viewers[@]}") ;;
     manual) wanted+=("${manual[@]}") ;;
     *) stop 2 "unknown part '$part'; parts are build, package, test, sanitize, bench, lint, browser, viewers, manual" ;;
@@ -51,15 +64,18 @@ missing=()
 for package in "${wanted[@]}"; do
   grep -qxF "installed $package" <<<"$installed" || missing+=("$package")
 done
-[[ ${#missing[@]} -gt 0 ]] || exit 0
 
 as_root=(env DEBIAN_FRONTEND=noninteractive)
 if [[ $(id -u) -ne 0 ]]; then
+  if [[ ${#missing[@]} -eq 0 ]] && ! command -v sudo >/dev/null; then
+    finish env
+  fi
   command -v sudo >/dev/null ||
     stop 4 "these packages are missing, and installing needs root or sudo: ${missing[*]}" \
       "as root: apt-get install --no-install-recommends ${missing[*]}"
   as_root=(sudo "${as_root[@]}")
 fi
+[[ ${#missing[@]} -gt 0 ]] || finish "${as_root[@]}"
 
 echo "setup.sh: installing ${missing[*]}" >&2
 log=$(mktemp)
@@ -69,3 +85,4 @@ trap 'rm -f "$log"' EXIT
   cat "$log" >&2
   stop 4 "could not install ${missing[*]}"
 }
+finish "${as_root[@]}"

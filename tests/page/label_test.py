@@ -6,9 +6,6 @@ Skipped, with a word on it, where Chromium and its driver are not installed.
 
 from __future__ import annotations
 
-import os
-import shutil
-import subprocess
 import sys
 import unittest
 from pathlib import Path
@@ -70,16 +67,6 @@ return [...document.querySelectorAll('[data-picture=linkage], figure.motion')]
             texts.filter((one) => one.left < left).map((one) => one.text)];
   });
 """
-
-
-def axe_core() -> Path | None:
-    """The checker of accessibility, where npm has it: npm install --global axe-core."""
-    folders = [os.environ.get("NODE_PATH", "")]
-    if shutil.which("npm"):
-        folders.append(subprocess.run(["npm", "root", "--global"], capture_output=True,
-                                      encoding="utf-8", check=False).stdout.strip())
-    paths = [Path(one) / "axe-core/axe.min.js" for one in folders if one]
-    return next((one for one in paths if one.exists()), None)
 
 
 class LabelTest(PageCase):
@@ -161,20 +148,6 @@ class LabelTest(PageCase):
                 drawings = self.ask(CROWDED)
                 self.assertTrue(drawings)
                 self.assertEqual([one for one in drawings if one[1] or one[2]], [])
-
-    def test_axe_finds_nothing_against_pages(self) -> None:
-        checker = axe_core()
-        if not checker:
-            self.skipTest("axe-core is not installed; npm install --global axe-core")
-        for name in ("sweeps/press_stroke.yaml", "spatial/rssr.yaml", "synthesis/crank_rocker.yaml",
-                     "transmissions/zf_8hp70.yaml"):
-            with self.subTest(name):
-                self.open(self.page(name), prefers_reduced_motion="reduce")
-                self.ask(checker.read_text(encoding="utf-8") + "; window.axe = axe;")
-                found = self.ask(
-                    "return window.axe.run(document, {resultTypes: ['violations']}).then((result) =>"
-                    " result.violations.map((one) => [one.id, one.nodes.map((node) => node.html)]));")
-                self.assertEqual(found, [])
 
 
 if __name__ == "__main__":

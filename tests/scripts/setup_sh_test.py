@@ -79,6 +79,33 @@ class Setup(unittest.TestCase):
         self.assertEqual(done.returncode, 4)
         self.assertIn("libeigen3-dev", done.stderr)
 
+    def fake_npm(self, install: str = "true") -> None:
+        self.fake("npm", f'[ "$1" = root ] && echo "{self.folder}/modules" && exit; '
+                         f'echo "npm $*" >>"{self.folder}/log"; {install}')
+
+    def test_takes_the_checker_of_accessibility_from_npm(self) -> None:
+        self.fake_debian(ALL_THERE)
+        self.fake_npm()
+        self.assertEqual(self.run_setup("browser").returncode, 0)
+        self.assertRegex(self.asked(), r"^npm install --global .*axe-core\n$")
+        (self.folder / "log").unlink()
+        checker = self.folder / "modules/axe-core/axe.min.js"
+        checker.parent.mkdir(parents=True)
+        checker.touch()
+        self.assertEqual(self.run_setup("browser").returncode, 0)
+        self.assertEqual(self.asked(), "")
+
+    def test_does_without_the_checker_where_npm_has_none(self) -> None:
+        self.fake_debian(ALL_THERE)
+        self.assertEqual(self.run_setup("browser").returncode, 0)  # no npm
+        self.fake_npm(install="exit 1")
+        done = self.run_setup("browser")
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("tests of accessibility are skipped", done.stderr)
+        (self.folder / "log").unlink()
+        self.assertEqual(self.run_setup("build").returncode, 0)
+        self.assertEqual(self.asked(), "")
+
     def test_refuses_an_unknown_part(self) -> None:
         self.assertEqual(self.run_setup("everything").returncode, 2)
 
