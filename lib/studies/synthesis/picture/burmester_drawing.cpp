@@ -347,7 +347,9 @@ class BurmesterWriter {
     TextStyle style = kSmall;
     style.has_halo = true;
     for (const auto& [reason, p] : reasons_) {
-      write_label(svg_, placer.place(p, reason, style, 5.0), reason, style);
+      if (const PlacedName label = placer.place(p, reason, style, 5.0); label.is_free) {
+        write_label(svg_, label, reason, style);
+      }
     }
   }
 
