@@ -19,8 +19,10 @@ class RecordedNumbers {
  public:
   using Number = TapeNumber;
 
-  RecordedNumbers(std::span<const TapeQuantity> values, LaneRecorder& recorder)
-      : values_(values), recorder_(recorder) {}
+  RecordedNumbers(std::span<const TapeQuantity> values,
+                  std::vector<std::optional<TapeNumber>>& errors,
+                  LaneRecorder& recorder)
+      : values_(values), errors_(errors), recorder_(recorder) {}
 
   TapeNumber value(int index) const { return values_[static_cast<std::size_t>(index)].value; }
 
@@ -33,13 +35,25 @@ class RecordedNumbers {
   TapeNumber quotient(TapeNumber a, TapeNumber b) const { return recorder_.divide(a, b); }
 
   TapeNumber magnitude(TapeNumber a) const {
-    const TapeRange& range = recorder_.range(a);
+    const TapeRange range = recorder_.range(a);  // of a list that grows with what is recorded
+    if (range.low >= 0.0) {
+      return a;
+    }
     const TapeNumber negative = recorder_.subtract(recorder_.constant(0.0), a);
-    return range.low >= 0.0 ? a : range.high <= 0.0 ? negative : recorder_.larger(a, negative);
+    return range.high <= 0.0 ? negative : recorder_.larger(a, negative);
+  }
+
+  const std::optional<TapeNumber>& known_error(int index) const {
+    return errors_[static_cast<std::size_t>(index)];
+  }
+
+  void keep_error(int index, TapeNumber error) const {
+    errors_[static_cast<std::size_t>(index)] = error;
   }
 
  private:
   std::span<const TapeQuantity> values_;
+  std::vector<std::optional<TapeNumber>>& errors_;  // of each node, once it is recorded
   LaneRecorder& recorder_;
 };
 
@@ -48,7 +62,10 @@ class ExpressionRecorder {
   ExpressionRecorder(const SlotExpression& expression,
                      std::span<const std::optional<TapeQuantity>> slots,
                      LaneRecorder& recorder)
-      : expression_(expression), slots_(slots), recorder_(recorder) {}
+      : expression_(expression),
+        slots_(slots),
+        recorder_(recorder),
+        errors_(expression.expression().nodes().size()) {}
 
   std::optional<TapeQuantity> record() {
     for (const Node& node : expression_.expression().nodes()) {
@@ -104,7 +121,7 @@ class ExpressionRecorder {
 
   // What is mere rounding of the terms of a sum is zero, as in evaluate.
   TapeNumber settled(const Node& sum, TapeNumber value) {
-    const RecordedNumbers numbers(numbers_, recorder_);
+    const RecordedNumbers numbers(numbers_, errors_, recorder_);
     const TapeNumber bound = error_of_terms(expression_.expression().nodes(), numbers, sum);
     const TapeNumber larger = recorder_.larger(numbers.magnitude(numbers.value(sum.left)),
                                                numbers.magnitude(numbers.value(sum.right)));
@@ -178,6 +195,7 @@ class ExpressionRecorder {
   std::span<const std::optional<TapeQuantity>> slots_;
   LaneRecorder& recorder_;
   std::vector<TapeQuantity> numbers_;
+  std::vector<std::optional<TapeNumber>> errors_;  // of each node, where a sum asked for it
 };
 
 }  // namespace

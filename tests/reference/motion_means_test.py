@@ -133,6 +133,23 @@ class Mechanism(MotionTest):
                 self.close(acceleration["mean"], 0.0, 1e-4 * acceleration["rms"],
                            f"{law} in {steps}")
 
+    def test_turns_between_dwells_do_their_work(self) -> None:
+        """From dead centre to dead centre the ram goes by twice the crank, there and back over four of
+        its turns by nothing."""
+        profiles = (("{to: 180, time: 0.3 s, law: cycloidal}, {dwell: 0.6 s}", 0.9, 0.5),
+                    ("{dwell: 0.31 s}, {to: 180, time: 0.5 s, law: modified_trapezoid}, {dwell: 0.17 s}",
+                     0.98, 0.5),
+                    ("{to: 1440, time: 0.4 s, law: modified_sine}, {dwell: 3.6 s}", 4.0, 4.0))
+        for profile, time, turns in profiles:
+            way = -2 * CRANK * (turns % 1 != 0)
+            for steps in (1, 12, 24, 36, 48, 72, 100):
+                text = PRESS.replace("to: 90, law: LAW, time: 0.5 s", f"profile: [{profile}]")
+                found = run(text, "--steps", str(steps)).report["figures"]
+                power, acceleration = found["motor/power"], found["d.vx/acceleration"]
+                where = f"{profile} in {steps} steps"
+                self.close(power["mean"], -LOAD * way / 1000 / time, 1e-4 * power["rms"], where)
+                self.close(acceleration["mean"], 0.0, 1e-4 * acceleration["rms"], where)
+
     def test_a_whole_turn_at_a_steady_speed_returns(self) -> None:
         text = PRESS.replace("to: 90, law: LAW, time: 0.5 s", "to: 360").replace(
             "{motor: 0}, acceleration", "{motor: 60 rpm}, acceleration")

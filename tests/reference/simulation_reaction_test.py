@@ -79,6 +79,7 @@ class ReactionTest(simulations.SimulationCase):
         found = tray(", friction: {mu: 2}", 10)
         self.assertEqual([event["kind"] for event in found.events], ["stick"])
         self.assertEqual(set(found.columns["e.vx/velocity"]), {0.0})
+
     def test_ground_bears_weight_and_momentum(self) -> None:
         """A pendulum on a cart with springs, a damper, viscous friction, a curve, and a stop."""
         found = Simulation("""

@@ -193,5 +193,6 @@ class Figures(ReferenceTest):
         said = refused(without, "{vary: {x: [3]}, report: [t.v.dead_points]}")
         self.assertIn("make it one of an actuator", said)
 
+
 if __name__ == "__main__":
     motion_case.main()

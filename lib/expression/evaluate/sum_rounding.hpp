@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
 
 #include "core/index.hpp"
@@ -30,14 +31,22 @@ struct DoublesOfNodes {
 
   static double quotient(double a, double b) { return a / b; }
 
+  static std::optional<double> known_error(int /*index*/) { return std::nullopt; }
+
+  static void keep_error(int /*index*/, double /*error*/) {}
+
   ValueAt value_at;
 };
 
-/// How far the value of a node may be from what is typed: decimals are rounded once, whole numbers
-/// not at all, names and functions like data; every operation rounds its result. `numbers` does the
-/// arithmetic, as DoublesOfNodes.
 template <class Numbers>
 auto error_of(std::span<const Node> nodes, const Numbers& numbers, int index) ->
+    typename Numbers::Number;
+
+/// Whole numbers are what is typed up to here.
+inline constexpr double kLargestWhole = 0x1p53;
+
+template <class Numbers>
+auto find_error_of(std::span<const Node> nodes, const Numbers& numbers, int index) ->
     typename Numbers::Number {
   const Node& node = nodes[at(index)];
   const auto error = [&](int operand) { return error_of(nodes, numbers, operand); };
@@ -46,7 +55,9 @@ auto error_of(std::span<const Node> nodes, const Numbers& numbers, int index) ->
   const auto rounding = [&] { return share(kEpsilon / 2.0); };
   switch (node.kind) {
     case NodeKind::number:
-      return node.value == std::floor(node.value) ? numbers.constant(0.0) : rounding();
+      return node.value == std::floor(node.value) && node.value <= kLargestWhole
+                 ? numbers.constant(0.0)
+                 : rounding();
     case NodeKind::unit:
     case NodeKind::pi:
       return rounding();
@@ -73,6 +84,20 @@ auto error_of(std::span<const Node> nodes, const Numbers& numbers, int index) ->
   return share(kDataRounding);
 }
 
+/// How far the value of a node may be from what is typed: decimals are rounded once, whole numbers
+/// below 2^53 not at all, names and functions like data; every operation rounds its result.
+/// `numbers` does the arithmetic, as DoublesOfNodes, and may keep what it found.
+template <class Numbers>
+auto error_of(std::span<const Node> nodes, const Numbers& numbers, int index) ->
+    typename Numbers::Number {
+  if (const auto& known = numbers.known_error(index)) {
+    return *known;
+  }
+  const typename Numbers::Number found = find_error_of(nodes, numbers, index);
+  numbers.keep_error(index, found);
+  return found;
+}
+
 /// How far the terms of a sum are off, together.
 template <class Numbers>
 auto error_of_terms(std::span<const Node> nodes, const Numbers& numbers, const Node& sum) ->
@@ -84,12 +109,17 @@ constexpr bool is_sum(NodeKind kind) {
   return kind == NodeKind::add || kind == NodeKind::subtract;
 }
 
+/// Below this a rounding of a whole number, as 0.1*30, is none.
+inline constexpr double kSurelyWhole = 0x1p40;
+
 /// The value of a sum, or zero where it is mere rounding of its terms, of which it is then less
 /// than half the larger.
 template <class ValueAt>
 double settled_sum(std::span<const Node> nodes, ValueAt value_at, const Node& sum, double value) {
   const double larger = std::max(std::abs(value_at(sum.left)), std::abs(value_at(sum.right)));
-  if (value == 0.0 || std::abs(value) > larger / 2.0) {
+  // Terms that are whole are no fractions by rounding, as counts of teeth.
+  const bool is_whole = value == std::floor(value) && larger == std::floor(larger);
+  if (value == 0.0 || std::abs(value) > larger / 2.0 || (is_whole && larger < kSurelyWhole)) {
     return value;
   }
   const DoublesOfNodes<ValueAt> numbers{value_at};

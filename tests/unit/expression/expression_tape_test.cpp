@@ -137,6 +137,19 @@ TEST(TapedExpression, GivesTheBitsOfEvaluateAs) {
   }
 }
 
+// Each sum asks how far the sums before it are off.
+TEST(TapedExpression, OfManyTermsIsThatOfEvaluateAs) {
+  const FileUnits units;
+  std::string text = "0.1*x";
+  for (int i = 0; i < 300; ++i) {
+    text += i % 3 == 0 ? " - 0.7*y" : i % 3 == 1 ? " + 0.2*x" : " + 0.35*y";
+  }
+  const Taped taped(text, QuantityKind::length, units);
+  ASSERT_TRUE(taped.is_recorded());
+  taped.expect_same({0.1, 0.7, 1.0});
+  taped.expect_same({3.0, -1e-3, 1.0});
+}
+
 TEST(TapedExpression, IsEmptyForWhatATapeCannotDo) {
   const FileUnits units;
   for (const char* text : {"sqrt(x)", "x^2", "x + l", "sin(x)", "mod(x, 3)", "(x) kg"}) {

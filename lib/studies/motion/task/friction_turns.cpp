@@ -14,7 +14,9 @@ namespace kinestat {
 
 namespace {
 
-constexpr int kMostParts = 64;
+// Of more parts or rows a motion would take many times as long.
+constexpr double kMostParts = 64.0;
+constexpr double kMostRows = 4000.0;
 
 // How short the shortest stretch is in which a friction slides the other way, in steps.
 class ShortTurns {
@@ -251,7 +253,9 @@ int parts_for_friction(const Mechanism& mechanism,
     }
   }
   const double parts = shortest < 1.0 ? std::ceil(1.0 / shortest) + 1.0 : 1.0;
-  return static_cast<int>(std::min(parts, static_cast<double>(kMostParts)));
+  const bool is_worth_it =
+      parts <= kMostParts && parts * static_cast<double>(sliding.size()) <= kMostRows;
+  return is_worth_it ? static_cast<int>(parts) : 1;
 }
 
 void find_friction_turns(const Mechanism& mechanism,

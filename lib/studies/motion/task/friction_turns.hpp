@@ -40,8 +40,9 @@ Vec3 sliding_of(const Topology& topology,
 using SlidingBetween = std::function<FrictionSliding(double row)>;
 
 /// Into how many parts the steps between the rows must be divided so that the rows see each turn:
-/// no friction turns round twice within one, nor once just beside a rest. 1 if they see all; turns
-/// that are over in a sixty-fourth of a step may stay unseen.
+/// no friction turns round twice within one, nor once just beside a rest. 1 if they see all, or if
+/// it would take too many: turns that are over in a sixty-fourth of a step stay unseen, and so does
+/// what moves between two rests, or turns three times within a step.
 int parts_for_friction(const Mechanism& mechanism,
                        const std::vector<FrictionSliding>& sliding,
                        const SlidingBetween& between);

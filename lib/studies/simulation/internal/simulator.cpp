@@ -23,7 +23,8 @@ constexpr double kBetterCoordinates = 10.0;
 // Where something may happen between steps, there are so many of them at least.
 constexpr int kLeastWatched = 100;
 
-// A step in which more turns [rad] has more to be looked at than it is worth.
+// A step in which more turns [rad] has more to be looked at than it is worth, as long as there are
+// not too many of them.
 constexpr double kFarthestStep = 16.0;
 
 // So many events at one time, and in all, are too many, and so many accelerations: they take half a
@@ -133,8 +134,9 @@ double Simulator::next_end() const {
                           !mechanism_.curves.empty() || has_dry() || !one_sided_.empty() ||
                           !one_sided_springs_.empty();
   const double end = std::min(plan_.duration, next_turn());
-  const double watched = time_ + std::min(plan_.duration / std::max(plan_.steps, kLeastWatched),
-                                          kFarthestStep / watch_.turns());
+  const double step = plan_.duration / std::max(plan_.steps, kLeastWatched);
+  const double watched =
+      time_ + (parts_left_ > 0 ? std::min(step, kFarthestStep / watch_.turns()) : step);
   return is_watched && watched < end - least_step() ? watched : end;
 }
 
@@ -368,7 +370,7 @@ SimulationSolution Simulator::finish() {
   }
   result_.sides = watch_.sides();
   result_.extremes = watch_.extremes();
-  result_.looks_between_rows = watch_.sees_all();
+  result_.looks_between_rows = watch_.sees_all() && parts_left_ > 0;
   for (const SimulationRow& row : result_.rows) {
     const SimulationRow& first = result_.rows.front();
     const std::optional<double> balance = row.balance();

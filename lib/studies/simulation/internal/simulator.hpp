@@ -105,7 +105,7 @@ class Simulator : private StateInTime {
   using SpringValue = double (ReducedSystem::*)(std::size_t) const;
   std::optional<double> spring_turn(std::size_t spring, SpringValue of, double from, double to);
 
-  int parts_of(double from, double to) const;  // in which a step is looked at
+  int parts_of(double from, double to);  // in which a step is looked at
   double root(const Happening& what, double low, double high);
 
   void note_signs();
@@ -140,6 +140,7 @@ class Simulator : private StateInTime {
   std::optional<double> borne_at_;            // then
   std::vector<double> arcs_;                  // of cables on pulleys, there
   std::vector<std::size_t> one_sided_springs_;
+  int parts_left_ = 50'000;  // for steps in which much turns
   int next_row_ = 0;
   int standstill_ = 0;           // events at one time
   std::size_t told_before_ = 0;  // events before these

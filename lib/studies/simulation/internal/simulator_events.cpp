@@ -7,8 +7,8 @@
 #include "core/index.hpp"
 #include "core/simulation_tolerance.hpp"
 #include "core/tolerance.hpp"
-#include "studies/motion/configuration.hpp"
 #include "math/dense/first_crossing.hpp"
+#include "studies/motion/configuration.hpp"
 #include "studies/simulation/internal/simulator.hpp"
 
 namespace kinestat {
@@ -142,10 +142,13 @@ std::optional<Happening> Simulator::find_first() {
   return first;
 }
 
-int Simulator::parts_of(double from, double to) const {
-  constexpr int kLeastParts = 4;
-  return std::max(kLeastParts,
-                  static_cast<int>(std::ceil((to - from) * watch_.turns() / kFarthestTurn)));
+int Simulator::parts_of(double from, double to) {
+  constexpr double kLeastParts = 4.0;
+  const double wanted = std::ceil((to - from) * watch_.turns() / kFarthestTurn);
+  const int parts = static_cast<int>(
+      std::clamp(wanted, kLeastParts, std::max(kLeastParts, static_cast<double>(parts_left_))));
+  parts_left_ -= parts - static_cast<int>(kLeastParts);
+  return parts;
 }
 
 double Simulator::root(const Happening& what, double low, double high) {

@@ -409,7 +409,7 @@ class CornerFinder {
       return;
     }
     found.pieces =
-        find_time_pieces(*motion_.plan.schedule, motion_.plan.steps, last_step(), steps_);
+        find_time_pieces(mechanism_.topology, motion_.plan, last_step(), steps_);
     for (const TimePiece& piece : found.pieces) {
       for (const TimePoint& point : piece.points) {
         add_place(point.step, found.places, point.weight);

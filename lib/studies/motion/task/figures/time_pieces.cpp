@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 
 #include "core/motion_tolerance.hpp"
 #include "math/dense/legendre_pieces.hpp"
@@ -13,7 +14,10 @@ namespace kinestat {
 namespace {
 
 constexpr int kLeastPoints = 4;
-constexpr int kMostPoints = 8;
+constexpr int kMostPoints = 32;
+
+// Of each turn of a drive.
+constexpr double kPointsOfTurn = 24.0;
 constexpr std::size_t kMostPieces = 100;
 
 const GaussPoints& rule_of(int count) {
@@ -38,9 +42,26 @@ TimePiece piece_of(double begin, double end, int count) {
   return piece;
 }
 
+// In equal parts where there are more points than one rule has.
+void add_pieces(double begin, double end, int count, std::vector<TimePiece>& pieces) {
+  const int parts = (count + kMostPoints - 1) / kMostPoints;
+  const int each = std::max((count + parts - 1) / parts, kLeastPoints);
+  for (int i = 0; i < parts; ++i) {
+    pieces.push_back(piece_of(std::lerp(begin, end, static_cast<double>(i) / parts),
+                              std::lerp(begin, end, static_cast<double>(i + 1) / parts),
+                              each));
+  }
+}
+
 class PointCounter {
  public:
-  PointCounter(const DriveSchedule& schedule, int steps) : schedule_(schedule), steps_(steps) {}
+  PointCounter(const Topology& topology, const MotionPlan& plan)
+      : schedule_(*plan.schedule), steps_(plan.steps) {
+    for (std::size_t d = 0; d < plan.drives.size(); ++d) {
+      const auto freedom = static_cast<std::size_t>(plan.drives[d].freedom);
+      ways_.push_back(topology.freedoms[freedom].is_rotation ? 2.0 * std::numbers::pi : way(d));
+    }
+  }
 
   // None where all drives rest.
   int count(double begin, double end) const {
@@ -52,13 +73,31 @@ class PointCounter {
     while (count < kMostPoints && !agree(mean_squares(begin, end, count), finest)) {
       ++count;
     }
-    // Of what else the mechanism does in so many steps.
-    const int least = static_cast<int>(std::ceil(kPointsOfSteps * (end - begin)));
-    return std::min(std::max(count, least), kMostPoints);
+    double most = 0.0;
+    for (std::size_t d = 0; d < ways_.size(); ++d) {
+      const double moved = std::abs(position(d, end) - position(d, begin));
+      most = std::max(most, moved > 0.0 ? moved / ways_[d] : 0.0);
+    }
+    return std::max(count, static_cast<int>(std::ceil(kPointsOfTurn * most)));
   }
 
  private:
-  static constexpr double kPointsOfSteps = 0.5;
+  double position(std::size_t drive, double step) const {
+    return schedule_.at(drive, step / steps_).position;
+  }
+
+  // From one end of what it passes to the other.
+  double way(std::size_t drive) const {
+    double least = position(drive, 0.0);
+    double greatest = least;
+    for (const double turn : schedule_.turns()) {
+      const double there = schedule_.at(drive, turn).position;
+      least = std::min(least, there);
+      greatest = std::max(greatest, there);
+    }
+    const double last = position(drive, steps_);
+    return std::max(greatest, last) - std::min(least, last);
+  }
 
   static bool agree(const std::vector<double>& some, const std::vector<double>& finest) {
     constexpr double kAgree = 0x1p-17;
@@ -67,14 +106,16 @@ class PointCounter {
     });
   }
 
-  // Of the speed and the acceleration of each drive.
+  // Of the speed, the acceleration and their product, the power of a mass, of each drive.
   std::vector<double> mean_squares(double begin, double end, int count) const {
-    std::vector<double> sums(2 * schedule_.drive_count(), 0.0);
+    std::vector<double> sums(3 * schedule_.drive_count(), 0.0);
     for (const TimePoint& point : piece_of(begin, end, count).points) {
       for (std::size_t d = 0; d < schedule_.drive_count(); ++d) {
         const DriveInstant now = schedule_.at(d, point.step / steps_);
-        sums[2 * d] += point.weight * now.speed * now.speed;
-        sums[2 * d + 1] += point.weight * now.acceleration * now.acceleration;
+        const double power = now.speed * now.acceleration;
+        sums[3 * d] += point.weight * now.speed * now.speed;
+        sums[3 * d + 1] += point.weight * now.acceleration * now.acceleration;
+        sums[3 * d + 2] += point.weight * power * power;
       }
     }
     return sums;
@@ -82,17 +123,20 @@ class PointCounter {
 
   const DriveSchedule& schedule_;
   double steps_;
+  std::vector<double> ways_;  // of each drive, of which so many points are
 };
 
 }  // namespace
 
-std::vector<TimePiece> find_time_pieces(const DriveSchedule& schedule,
-                                        int steps,
+std::vector<TimePiece> find_time_pieces(const Topology& topology,
+                                        const MotionPlan& plan,
                                         double last_step,
                                         std::span<const double> corners) {
   // So many steps for each point show as much as these.
   constexpr double kStepsOfPoint = 2.0;
-  const PointCounter counter(schedule, steps);
+  const PointCounter counter(topology, plan);
+  const DriveSchedule& schedule = *plan.schedule;
+  const int steps = plan.steps;
   std::vector<double> ends;
   for (const double time : schedule.corners()) {
     ends.push_back(std::min(time * steps, last_step));
@@ -103,9 +147,8 @@ std::vector<TimePiece> find_time_pieces(const DriveSchedule& schedule,
   auto next = corners.begin();
   for (const double end : ends) {
     const double width = end - begin;
-    const int whole =
-        width > kSameStep && width < kStepsOfPoint * kMostPoints ? counter.count(begin, end) : 0;
-    const bool needs_points = width < kStepsOfPoint * whole;
+    const bool needs_points =
+        width > kSameStep && width < kStepsOfPoint * counter.count(begin, end);
     for (double from = begin; from < end;) {
       while (next != corners.end() && *next <= from + kSameStep) {
         ++next;
@@ -113,7 +156,7 @@ std::vector<TimePiece> find_time_pieces(const DriveSchedule& schedule,
       const double to = next != corners.end() && *next < end - kSameStep ? *next : end;
       const int count = needs_points && to - from > kSameStep ? counter.count(from, to) : 0;
       if (count > 0 && pieces.size() < kMostPieces) {
-        pieces.push_back(piece_of(from, to, count));
+        add_pieces(from, to, count, pieces);
       }
       from = to;
     }

@@ -4,7 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "mechanism/drive_schedule.hpp"
+#include "mechanism/motion_plan.hpp"
+#include "mechanism/topology.hpp"
 
 namespace kinestat {
 
@@ -22,11 +23,12 @@ struct TimePiece {
 };
 
 /// Those with points of their own: where a law lets drives move between two of its corners that are
-/// too few steps apart to show it. There are as many points as mean squares of the speeds and
-/// accelerations of the drives need. `corners`: in order, of the law and others, within the motion
-/// and without its ends.
-std::vector<TimePiece> find_time_pieces(const DriveSchedule& schedule,
-                                        int steps,
+/// too few steps apart to show it. There are as many points as mean squares of speeds, accelerations
+/// and powers of the drives need, and 24 for each turn of one that rotates, or for the whole way of
+/// one that slides: what the mechanism makes of it. The plan is one in time; `corners`: in order, of
+/// the law and others, within the motion and without its ends.
+std::vector<TimePiece> find_time_pieces(const Topology& topology,
+                                        const MotionPlan& plan,
                                         double last_step,
                                         std::span<const double> corners);
 
