@@ -46,7 +46,7 @@ def of_analysis(report: dict, names: tuple[str, str] | None = None) -> Answers:
         answers.put("rate", name, value)
     for name, body in motion.get("bodies", {}).items():
         for part in ("angular", "linear"):
-            for letter, value in zip("xyz", body[part]):
+            for letter, value in zip("xyz", body.get(part, ())):
                 answers.put(part, f"{name}/{letter}", value)
     for name, value in action.get("actions", {}).items():
         answers.put("action", name, value)
