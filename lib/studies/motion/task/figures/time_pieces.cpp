@@ -16,8 +16,9 @@ namespace {
 constexpr int kLeastPoints = 4;
 constexpr int kMostPoints = 32;
 
-// Of each turn of a drive.
-constexpr double kPointsOfTurn = 24.0;
+// Of each turn of a drive: that need no points beside them, and if they do.
+constexpr double kRowsOfTurn = 24.0;
+constexpr double kPointsOfTurn = 36.0;
 constexpr std::size_t kMostPieces = 100;
 
 const GaussPoints& rule_of(int count) {
@@ -63,8 +64,29 @@ class PointCounter {
     }
   }
 
+  // Whether rows so near each other do not show what is between two places.
+  bool needs_points(double begin, double end) const {
+    // So many steps for each point show as much as these.
+    constexpr double kStepsOfPoint = 2.0;
+    const double width = end - begin;
+    return width < kStepsOfPoint * points_of_law(begin, end) ||
+           width < kRowsOfTurn * turns(begin, end);
+  }
+
   // None where all drives rest.
   int count(double begin, double end) const {
+    const int of_law = points_of_law(begin, end);
+    return of_law == 0
+               ? 0
+               : std::max(of_law, static_cast<int>(std::ceil(kPointsOfTurn * turns(begin, end))));
+  }
+
+ private:
+  double position(std::size_t drive, double step) const {
+    return schedule_.at(drive, step / steps_).position;
+  }
+
+  int points_of_law(double begin, double end) const {
     const std::vector<double> finest = mean_squares(begin, end, kMostPoints);
     if (std::ranges::all_of(finest, [](double one) { return one == 0.0; })) {
       return 0;
@@ -73,17 +95,17 @@ class PointCounter {
     while (count < kMostPoints && !agree(mean_squares(begin, end, count), finest)) {
       ++count;
     }
+    return count;
+  }
+
+  // The most that a drive moves.
+  double turns(double begin, double end) const {
     double most = 0.0;
     for (std::size_t d = 0; d < ways_.size(); ++d) {
       const double moved = std::abs(position(d, end) - position(d, begin));
       most = std::max(most, moved > 0.0 ? moved / ways_[d] : 0.0);
     }
-    return std::max(count, static_cast<int>(std::ceil(kPointsOfTurn * most)));
-  }
-
- private:
-  double position(std::size_t drive, double step) const {
-    return schedule_.at(drive, step / steps_).position;
+    return most;
   }
 
   // From one end of what it passes to the other.
@@ -123,7 +145,7 @@ class PointCounter {
 
   const DriveSchedule& schedule_;
   double steps_;
-  std::vector<double> ways_;  // of each drive, of which so many points are
+  std::vector<double> ways_;  // of each drive: a turn, or all of it
 };
 
 }  // namespace
@@ -132,8 +154,6 @@ std::vector<TimePiece> find_time_pieces(const Topology& topology,
                                         const MotionPlan& plan,
                                         double last_step,
                                         std::span<const double> corners) {
-  // So many steps for each point show as much as these.
-  constexpr double kStepsOfPoint = 2.0;
   const PointCounter counter(topology, plan);
   const DriveSchedule& schedule = *plan.schedule;
   const int steps = plan.steps;
@@ -146,9 +166,7 @@ std::vector<TimePiece> find_time_pieces(const Topology& topology,
   double begin = 0.0;
   auto next = corners.begin();
   for (const double end : ends) {
-    const double width = end - begin;
-    const bool needs_points =
-        width > kSameStep && width < kStepsOfPoint * counter.count(begin, end);
+    const bool needs_points = end - begin > kSameStep && counter.needs_points(begin, end);
     for (double from = begin; from < end;) {
       while (next != corners.end() && *next <= from + kSameStep) {
         ++next;
