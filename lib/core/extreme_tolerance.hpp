@@ -11,8 +11,8 @@ inline constexpr double kLeastPeak = 1e-10;
 /// rest only up to rounding where it sticks.
 inline constexpr double kBeforeEvent = 1e-9;
 
-/// What dips below zero and rises again, by no more than this share of its largest value in the step,
-/// only touches it.
+/// What dips below zero and rises again, by no more than this share of its largest value in the
+/// step, only touches it.
 inline constexpr double kDeepestGraze = 1e-11;
 
 }  // namespace kinestat

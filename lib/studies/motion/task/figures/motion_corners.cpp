@@ -408,8 +408,7 @@ class CornerFinder {
     if (!motion_.plan.schedule) {
       return;
     }
-    found.pieces =
-        find_time_pieces(mechanism_.topology, motion_.plan, last_step(), steps_);
+    found.pieces = find_time_pieces(mechanism_.topology, motion_.plan, last_step(), steps_);
     for (const TimePiece& piece : found.pieces) {
       for (const TimePoint& point : piece.points) {
         add_place(point.step, found.places, point.weight);

@@ -23,10 +23,10 @@ struct TimePiece {
 };
 
 /// Those with points of their own: where a law lets drives move between two of its corners that are
-/// too few steps apart to show it. There are as many points as mean squares of speeds, accelerations
-/// and powers of the drives need, and 36 for each turn of one that rotates, or for the whole way of
-/// one that slides: what the mechanism makes of it. The plan is one in time; `corners`: in order, of
-/// the law and others, within the motion and without its ends.
+/// too few steps apart to show it. There are as many points as mean squares of speeds,
+/// accelerations and powers of the drives need, and 36 for each turn of one that rotates, or for
+/// the whole way of one that slides: what the mechanism makes of it. The plan is one in time;
+/// `corners`: in order, of the law and others, within the motion and without its ends.
 std::vector<TimePiece> find_time_pieces(const Topology& topology,
                                         const MotionPlan& plan,
                                         double last_step,
