@@ -50,22 +50,22 @@ class CrossingSearch {
   CrossingSearch(const ValueAt& value, double from, double to, int parts)
       : value_(value), from_(from), to_(to), parts_(parts) {}
 
-  std::optional<Crossing> run() {
+  std::optional<SignChange> run() {
     const double part = (to_ - from_) / parts_;
     look(from_);
     look(from_ + kBesideEnd * part);
     for (int i = 1; i <= parts_; ++i) {
       if (i == parts_) {
-        if (std::optional<Crossing> dip = look_on(to_ - kBesideEnd * part)) {
+        if (std::optional<SignChange> dip = look_on(to_ - kBesideEnd * part)) {
           return dip;
         }
       }
       const double time = i == parts_ ? to_ : from_ + i * part;
-      if (std::optional<Crossing> dip = look_on(time)) {
+      if (std::optional<SignChange> dip = look_on(time)) {
         return dip;
       }
       if (!looks_.empty() && looks_.back().time == time && looks_.back().value < 0.0) {
-        return Crossing{.before = last_positive_, .behind = time};
+        return SignChange{.before = last_positive_, .behind = time};
       }
     }
     return std::nullopt;
@@ -83,7 +83,7 @@ class CrossingSearch {
   }
 
   // With what dips since the look before the last.
-  std::optional<Crossing> look_on(double time) {
+  std::optional<SignChange> look_on(double time) {
     if (!looks_.empty() && looks_.back().value >= 0.0) {
       last_positive_ = looks_.back().time;
     }
@@ -97,13 +97,13 @@ class CrossingSearch {
 
   bool is_below_zero(double value) const { return value < -kDeepestGraze * largest_; }
 
-  std::optional<Crossing> dip(Look a, Look b, Look c) {
+  std::optional<SignChange> dip(Look a, Look b, Look c) {
     if (!(a.value >= 0.0 && c.value >= 0.0 && b.value < a.value && b.value <= c.value)) {
       return std::nullopt;
     }
     for (int round = 0; round < kMostParabolas; ++round) {
       if (is_below_zero(b.value)) {
-        return Crossing{.before = a.time, .behind = b.time};
+        return SignChange{.before = a.time, .behind = b.time};
       }
       const Bottom bottom = bottom_of(a, b, c);
       const bool is_hopeless =
@@ -145,7 +145,7 @@ class CrossingSearch {
 
 }  // namespace
 
-std::optional<Crossing> find_crossing(const ValueAt& value, double from, double to, int parts) {
+std::optional<SignChange> find_crossing(const ValueAt& value, double from, double to, int parts) {
   return CrossingSearch(value, from, to, parts).run();
 }
 

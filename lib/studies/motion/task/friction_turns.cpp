@@ -83,7 +83,7 @@ class ShortTurns {
   }
 
   void find(double from, double to, const ValueAt& value) {
-    const std::optional<Crossing> there = find_crossing(value, from, to, kParts);
+    const std::optional<SignChange> there = find_crossing(value, from, to, kParts);
     if (!there) {
       return;
     }

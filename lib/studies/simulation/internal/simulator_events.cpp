@@ -130,7 +130,7 @@ std::optional<Happening> Simulator::find_first() {
       continue;
     }
     const double end = first ? first->time : to;
-    const std::optional<Crossing> crossing = find_crossing(
+    const std::optional<SignChange> crossing = find_crossing(
         [&](double time) { return distance(what, time); }, from, end, parts_of(from, end));
     if (crossing) {
       what.time = root(what, crossing->before, crossing->behind);

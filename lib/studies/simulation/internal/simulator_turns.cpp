@@ -112,7 +112,7 @@ std::optional<double> Simulator::spring_turn(std::size_t spring,
     const std::optional<double> there = tension(time);
     return there ? std::optional(side * *there) : std::nullopt;
   };
-  const std::optional<Crossing> crossing = find_crossing(distance, from, to, parts_of(from, to));
+  const std::optional<SignChange> crossing = find_crossing(distance, from, to, parts_of(from, to));
   if (!crossing) {
     return std::nullopt;
   }
