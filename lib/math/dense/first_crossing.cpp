@@ -23,25 +23,20 @@ constexpr double kLeastPromise = 0.25;
 constexpr double kAside = 0.02;
 
 struct Look {
-  double time = 0.0;
-  double value = 0.0;
-};
-
-struct Bottom {
-  double time = 0.0;
+  double place = 0.0;
   double value = 0.0;
 };
 
 // Of the parabola through three looks, the middle one below both others.
-Bottom bottom_of(const Look& a, const Look& b, const Look& c) {
-  const double left = (b.value - a.value) / (b.time - a.time);
-  const double right = (c.value - b.value) / (c.time - b.time);
-  const double curvature = (right - left) / (c.time - a.time);
-  const double slope = left + curvature * (b.time - a.time);  // at the middle one
+Look bottom_of(const Look& a, const Look& b, const Look& c) {
+  const double left = (b.value - a.value) / (b.place - a.place);
+  const double right = (c.value - b.value) / (c.place - b.place);
+  const double curvature = (right - left) / (c.place - a.place);
+  const double slope = left + curvature * (b.place - a.place);  // at the middle one
   if (!(curvature > 0.0)) {
-    return {.time = b.time, .value = b.value};
+    return {.place = b.place, .value = b.value};
   }
-  return {.time = b.time - slope / (2.0 * curvature),
+  return {.place = b.place - slope / (2.0 * curvature),
           .value = b.value - slope * slope / (4.0 * curvature)};
 }
 
@@ -60,34 +55,34 @@ class CrossingSearch {
           return dip;
         }
       }
-      const double time = i == parts_ ? to_ : from_ + i * part;
-      if (std::optional<SignChange> dip = look_on(time)) {
+      const double place = i == parts_ ? to_ : from_ + i * part;
+      if (std::optional<SignChange> dip = look_on(place)) {
         return dip;
       }
-      if (!looks_.empty() && looks_.back().time == time && looks_.back().value < 0.0) {
-        return SignChange{.before = last_positive_, .behind = time};
+      if (!looks_.empty() && looks_.back().place == place && looks_.back().value < 0.0) {
+        return SignChange{.before = last_positive_, .behind = place};
       }
     }
     return std::nullopt;
   }
 
  private:
-  void look(double time) {
-    const std::optional<double> value = value_(time);
+  void look(double place) {
+    const std::optional<double> value = value_(place);
     if (!value) {
       looks_.clear();
       return;
     }
-    looks_.push_back({.time = time, .value = *value});
+    looks_.push_back({.place = place, .value = *value});
     largest_ = std::max(largest_, std::abs(*value));
   }
 
   // With what dips since the look before the last.
-  std::optional<SignChange> look_on(double time) {
+  std::optional<SignChange> look_on(double place) {
     if (!looks_.empty() && looks_.back().value >= 0.0) {
-      last_positive_ = looks_.back().time;
+      last_positive_ = looks_.back().place;
     }
-    look(time);
+    look(place);
     if (looks_.size() < 3) {
       return std::nullopt;
     }
@@ -103,32 +98,32 @@ class CrossingSearch {
     }
     for (int round = 0; round < kMostParabolas; ++round) {
       if (is_below_zero(b.value)) {
-        return SignChange{.before = a.time, .behind = b.time};
+        return SignChange{.before = a.place, .behind = b.place};
       }
-      const Bottom bottom = bottom_of(a, b, c);
+      const Look bottom = bottom_of(a, b, c);
       const bool is_hopeless =
           round > 0 && !(b.value - bottom.value > kLeastPromise * std::max(b.value, 0.0));
       if (is_hopeless) {
         return std::nullopt;
       }
-      double time = bottom.time;
-      const double aside = kAside * (c.time - a.time);
-      if (std::abs(time - b.time) < aside) {
-        time = c.time - b.time > b.time - a.time ? b.time + aside : b.time - aside;
+      double place = bottom.place;
+      const double aside = kAside * (c.place - a.place);
+      if (std::abs(place - b.place) < aside) {
+        place = c.place - b.place > b.place - a.place ? b.place + aside : b.place - aside;
       }
-      if (!(time > a.time && time < c.time) || time == b.time) {
+      if (!(place > a.place && place < c.place) || place == b.place) {
         return std::nullopt;
       }
-      const std::optional<double> value = value_(time);
+      const std::optional<double> value = value_(place);
       if (!value) {
         return std::nullopt;
       }
-      const Look here{.time = time, .value = *value};
+      const Look here{.place = place, .value = *value};
       if (here.value < b.value) {
-        (time < b.time ? c : a) = b;
+        (place < b.place ? c : a) = b;
         b = here;
       } else {
-        (time < b.time ? a : c) = here;
+        (place < b.place ? a : c) = here;
       }
     }
     return std::nullopt;
