@@ -52,7 +52,7 @@ std::vector<Probed> find_free(const Analysis& analysis) {
     const Quantity* value = parameter.is_free ? table.find(parameter.name.text) : nullptr;
     if (value != nullptr) {
       const NamedUnit unit = description.units.unit_of(value->dimension);
-      const double number = unit.scale.from_si(value->value);
+      const double number = unit.scale.written_from_si(value->value);
       result.push_back({.index = i,
                         .parameter = {.value = number,
                                       .step = step_of(number, *value, description.units, length)},

@@ -44,8 +44,10 @@ class FileUnits {
   /// A number in the file's unit, in SI.
   double to_si(QuantityKind kind, double value) const { return unit(kind).scale.to_si(value); }
 
-  /// A value in SI, in the file's unit.
-  double from_si(QuantityKind kind, double value) const { return unit(kind).scale.from_si(value); }
+  /// A value in SI, in the file's unit: what was typed as it was typed.
+  double from_si(QuantityKind kind, double value) const {
+    return unit(kind).scale.written_from_si(value);
+  }
 
  private:
   struct Entry {

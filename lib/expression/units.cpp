@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "expression/decimal_figures.hpp"
 #include "expression/expression.hpp"
 #include "expression/parse/characters.hpp"
 #include "expression/parse/suggestion.hpp"
@@ -195,6 +197,15 @@ double UnitScale::to_si(double value) const {
 
 double UnitScale::from_si(double value) const {
   return value * denominator / (numerator * std::pow(std::numbers::pi, pi_power));
+}
+
+double UnitScale::written_from_si(double value) const {
+  if (*this == UnitScale{}) {
+    return value;
+  }
+  const double nearest = from_si(value);
+  const double typed = round_to_figures(nearest, std::numeric_limits<double>::digits10);
+  return to_si(typed) == value ? typed : nearest;
 }
 
 UnitScale operator*(const UnitScale& a, const UnitScale& b) {

@@ -26,6 +26,11 @@ struct UnitScale {
   /// A value in SI, counted in this unit.
   double from_si(double value) const;
 
+  /// A value in SI as it is written in this unit: the number of at most fifteen figures that reads
+  /// back as this very value, where there is one, so that what was typed comes back as typed; else
+  /// as from_si.
+  double written_from_si(double value) const;
+
   /// SI per unit: 0.001 for mm.
   double factor() const { return to_si(1.0); }
 };

@@ -26,7 +26,7 @@ const Record<ParameterView>& parameter_record() {
     keys.number("value",
                 ByContext::beside,
                 "Its value.",
-                [](const View& v) { return v.unit.scale.from_si(v.value->value); })
+                [](const View& v) { return v.unit.scale.written_from_si(v.value->value); })
         .only_if(has_value);
     keys.text("unit",
               "Unit of the value, of the file or else of SI; empty for a bare number.",

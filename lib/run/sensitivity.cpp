@@ -154,7 +154,7 @@ class SensitivityJob {
         variables_.push_back({.index = static_cast<int>(i),
                               .shown = {.name = names[i],
                                         .unit = unit.text,
-                                        .value = unit.scale.from_si(value->value)},
+                                        .value = unit.scale.written_from_si(value->value)},
                               .factor = unit.scale.factor()});
       }
     }

@@ -1,5 +1,11 @@
 #include "expression/units.hpp"
 
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "support/angles.hpp"
@@ -140,6 +146,33 @@ INSTANTIATE_TEST_SUITE_P(
                     UnitFault{"broken_power", "m^0.5", 2, "whole number", "s^2"},
                     UnitFault{"empty", "", 0, "empty", "number"}),
     [](const auto& row) { return std::string(row.param.name); });
+
+// Typed with up to as many figures as a double keeps.
+TEST(WrittenNumber, ComesBackAsItWasTyped) {
+  std::mt19937_64 random(20261201);
+  std::uniform_real_distribution<double> mantissa(1.0, 10.0);
+  for (const std::string& name : unit_names()) {
+    const UnitScale& scale = find_unit(name)->scale;
+    for (int i = 0; i < 20'000; ++i) {
+      const int figures = 1 + i % 15;
+      const int power = i % 12 - 6;
+      const double typed =
+          std::stod(fmt::format("{:.{}e}", mantissa(random) * std::pow(10.0, power), figures - 1));
+      ASSERT_EQ(scale.written_from_si(scale.to_si(typed)), typed) << name;
+      ASSERT_EQ(scale.written_from_si(scale.to_si(-typed)), -typed) << name;
+    }
+  }
+}
+
+TEST(WrittenNumber, IsThatOfTheUnitWhereNothingWasTyped) {
+  const UnitScale& rpm = find_unit("rpm")->scale;
+  const double speed = std::sqrt(2.0);
+
+  EXPECT_EQ(rpm.written_from_si(speed), rpm.from_si(speed));
+  EXPECT_EQ(rpm.written_from_si(0.0), 0.0);
+  EXPECT_EQ(rpm.written_from_si(std::numeric_limits<double>::infinity()),
+            std::numeric_limits<double>::infinity());
+}
 
 }  // namespace
 }  // namespace kinestat
