@@ -189,14 +189,20 @@ std::optional<UnitExpression> UnitReader::fail(const Node& node,
   return std::nullopt;
 }
 
+// numerator * π^pi_power
+double above(const UnitScale& scale) {
+  return scale.pi_power == 0 ? scale.numerator
+                             : scale.numerator * std::pow(std::numbers::pi, scale.pi_power);
+}
+
 }  // namespace
 
 double UnitScale::to_si(double value) const {
-  return value * (numerator * std::pow(std::numbers::pi, pi_power)) / denominator;
+  return value * above(*this) / denominator;
 }
 
 double UnitScale::from_si(double value) const {
-  return value * denominator / (numerator * std::pow(std::numbers::pi, pi_power));
+  return value * denominator / above(*this);
 }
 
 double UnitScale::written_from_si(double value) const {

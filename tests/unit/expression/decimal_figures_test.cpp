@@ -13,7 +13,7 @@ TEST(RoundToFigures, GivesTheDoubleOfTheDecimalNumber) {
   EXPECT_EQ(round_to_figures(-59.99999999999999, 15), -60.0);
   EXPECT_EQ(round_to_figures(0.30000000000000004, 15), 0.3);
   EXPECT_EQ(round_to_figures(123456.789, 3), 123000.0);
-  EXPECT_EQ(round_to_figures(9.96e20, 2), 1e21);
+  EXPECT_EQ(round_to_figures(9.96e19, 2), 1e20);
   EXPECT_EQ(round_to_figures(1.26e-8, 2), 1.3e-8);
 }
 
@@ -27,7 +27,7 @@ TEST(RoundToFigures, LeavesWhatIsZeroOrNotFinite) {
 // Where ten to the needed power is no double.
 TEST(RoundToFigures, LeavesWhatIsTooSmallOrTooLarge) {
   EXPECT_EQ(round_to_figures(1.0 / 3e9, 15), 1.0 / 3e9);
-  EXPECT_EQ(round_to_figures(1e300 / 3.0, 15), 1e300 / 3.0);
+  EXPECT_EQ(round_to_figures(1e22 / 3.0, 2), 1e22 / 3.0);
   EXPECT_EQ(round_to_figures(std::numeric_limits<double>::denorm_min(), 15),
             std::numeric_limits<double>::denorm_min());
 }
