@@ -6,8 +6,10 @@ namespace kinestat {
 
 namespace {
 
-bool needs_quotes(char c) {
-  return c == ',' || c == '"' || c == '\r' || c == '\n';
+// Letters, digits and signs, which most cells consist of, stand behind the comma.
+bool needs_quotes(std::string_view cell) {
+  return std::ranges::any_of(
+      cell, [](char c) { return c <= ',' && (c == ',' || c == '"' || c == '\r' || c == '\n'); });
 }
 
 template <class Cell>
@@ -24,7 +26,7 @@ void append_cells(std::span<const Cell> cells, std::string& text) {
 }  // namespace
 
 void append_csv_cell(std::string_view cell, std::string& text) {
-  if (std::ranges::none_of(cell, needs_quotes)) {
+  if (!needs_quotes(cell)) {
     text += cell;
     return;
   }
