@@ -21,6 +21,8 @@ std::string_view word_of(MotionFigure figure) {
       return "peak";
     case MotionFigure::dead_points:
       return "dead_points";
+    case MotionFigure::overall_efficiency:
+      return "overall_efficiency";
   }
   return "";
 }
@@ -28,7 +30,7 @@ std::string_view word_of(MotionFigure figure) {
 std::span<const std::string> motion_figure_words() {
   static const std::vector<std::string> words = [] {
     std::vector<std::string> result;
-    for (int i = 0; i <= static_cast<int>(MotionFigure::dead_points); ++i) {
+    for (int i = 0; i <= static_cast<int>(MotionFigure::overall_efficiency); ++i) {
       result.emplace_back(word_of(static_cast<MotionFigure>(i)));
     }
     return result;
@@ -45,12 +47,15 @@ std::optional<MotionFigureName> motion_figure_of(std::string_view name) {
     return std::nullopt;
   }
   const auto figure = static_cast<MotionFigure>(at - words.begin());
+  const bool is_of_whole = figure == MotionFigure::overall_efficiency;
   if (dot == std::string_view::npos) {
-    return figure == MotionFigure::dead_points
+    return figure == MotionFigure::dead_points || is_of_whole
                ? std::optional(MotionFigureName{.column = {}, .figure = figure})
                : std::nullopt;
   }
-  return MotionFigureName{.column = std::string(name.substr(0, dot)), .figure = figure};
+  return is_of_whole ? std::nullopt
+                     : std::optional(MotionFigureName{.column = std::string(name.substr(0, dot)),
+                                                      .figure = figure});
 }
 
 bool sweeps_motion_alone(const MechanismDescription& description) {

@@ -13,17 +13,18 @@ namespace kinestat {
 enum class MotionFigure {
   least,
   greatest,
-  range,       ///< the greatest minus the least value: a stroke
-  mean,        ///< over time, or over the way of the drives
-  rms,         ///< root of the mean square over time
-  peak,        ///< the largest absolute value
-  dead_points  ///< how often a freedom reverses
+  range,              ///< the greatest minus the least value: a stroke
+  mean,               ///< over time, or over the way of the drives
+  rms,                ///< root of the mean square over time
+  peak,               ///< the largest absolute value
+  dead_points,        ///< how often a freedom reverses
+  overall_efficiency  ///< of the case, by its mean powers
 };
 
 /// The name of a figure, such as "s.vx.position.range": a column of the motion, with dots between
 /// its parts, and the figure.
 struct MotionFigureName {
-  std::string column;  ///< empty for the dead points of all freedoms
+  std::string column;  ///< empty for the dead points of all freedoms and what is of the whole
   MotionFigure figure = MotionFigure::range;
 };
 

@@ -91,6 +91,8 @@ class MotionBinder {
                              .at = evaluator_.point(point.at).value_or(Vec3::Zero())});
     }
     plan_.report.is_default = motion_.report.empty();
+    plan_.report.works =
+        plan_.report.is_default && this->which() != nullptr && this->which()->asks_actions;
     for (const Name& name : motion_.report) {
       add_report(name);
     }

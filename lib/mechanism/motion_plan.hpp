@@ -56,6 +56,13 @@ struct MotionReport {
   std::vector<Name> columns;   ///< names of columns, which are checked once the columns exist
   std::optional<ChosenColumns> chosen;  ///< the only columns that are reported; empty: all
   bool is_default = false;              ///< the file does not say what to report
+  bool works = false;  ///< the default of a case with actions: those of actuators, and powers
+
+  /// Of the actuators, at least.
+  bool has_powers() const { return power || works; }
+
+  /// That of the whole motion, where the case names both ends.
+  bool tells_efficiency() const { return has_powers() || efficiency; }
 };
 
 /// Why a motion in time has no schedule.

@@ -127,6 +127,29 @@ class SliderCrank(FiguresTest):
         found = self.figures(run(SLIDER_CRANK, "--steps", "50"), "d.vx/position")
         self.assertLess(abs(found["greatest"] - found["least"] - stroke), VALUE * stroke)
 
+    def test_actions_and_powers_of_actuators_need_no_report(self) -> None:
+        motion = run(SLIDER_CRANK.replace(", report: [position, velocity, motor]", ""))
+        self.holds(motion, "motor/action", lambda t: -PRESS * self.slope(t) / 1000.0)
+        self.holds(motion, "motor/power", lambda t: -2.0 * PRESS * self.slope(t) / 1000.0)
+        self.holds(motion, "press/power", lambda t: 2.0 * PRESS * self.slope(t) / 1000.0)
+        self.assertEqual([self.figures(motion, "press/action")[one]
+                          for one in ("least", "greatest", "mean")], [PRESS] * 3)
+        self.assertFalse([one for one in motion.names if one.endswith("/force")])
+
+    def test_mean_torque_of_a_stroke_is_its_work_over_its_way(self) -> None:
+        """Without an offset from dead centre to dead centre: the press moves by two cranks."""
+        text = (SLIDER_CRANK.replace("40 + sqrt(125^2 - 15^2)", "40 + 125").replace(", 15]", ", 0]")
+                .replace("to: 360", "to: 180").replace(", report: [position, velocity, motor]", ""))
+        found = self.figures(run(text, "--steps", "720"), "motor/action")
+        mean = PRESS * 2.0 * CRANK / 1000.0 / math.pi
+        self.assertLess(abs(found["mean"] - mean), 1e-5 * mean)
+
+    def test_what_a_report_does_not_name_is_not_there(self) -> None:
+        motion = run(SLIDER_CRANK.replace("report: [position, velocity, motor]",
+                                          "report: [position]"))
+        self.assertNotIn("motor/action", motion.names)
+        self.assertNotIn("motor/power", motion.names)
+
     def test_mean_is_that_over_the_way_of_the_drive(self) -> None:
         count = 20_000
         mean = sum(self.place(360.0 * i / count) for i in range(count)) / count

@@ -132,7 +132,7 @@ void declare_report(Mapping<SweepDescription>& m) {
         "limit_use, equivalent_inertia, an actuator, lossy.ACTUATOR (its action with mesh losses), "
         "or COUPLING.FREEDOM and COUPLING.ACTION; a number of the report of a case by its place, "
         "power/input; for a whole motion COLUMN.least, .greatest, "
-        ".range, .mean, .rms or .peak, and dead_points.")
+        ".range, .mean, .rms or .peak, dead_points and overall_efficiency.")
       .may(&SweepDescription::report, one_or_more(quantity()), "[ratio, efficiency, h.Rc]")
       .offer("ratio", "input speed over output speed")
       .offer("torque_ratio", "input torque over output torque")

@@ -62,6 +62,9 @@ class MotionCsv {
       event_line(width, event.uncertainty, event);
       add_jumps(event);
     }
+    if (motion_.overall_efficiency) {
+      fixed_line({"", "overall_efficiency", ""}, *motion_.overall_efficiency);
+    }
     add_gaps(motion_.drawn_gaps, "drawn_gap");
     add_corrections();
     add_gaps(motion_.nearest_gaps, "nearest_gap");

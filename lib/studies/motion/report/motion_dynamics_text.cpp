@@ -90,12 +90,6 @@ class DynamicsWriter {
 
   TextBlocks energy(const EnergyFigures& figures) const {
     using enum QuantityKind;
-    const std::string efficiency =
-        figures.efficiency
-            ? fmt::format("\n  efficiency over the motion {}", format_short(*figures.efficiency))
-        : figures.no_efficiency.empty()
-            ? ""
-            : fmt::format("\n  no efficiency over the motion: {}", figures.no_efficiency);
     const auto exchanged = [&](double energy) {
       return fmt::format("{} {}",
                          energy < 0.0 ? "absorb" : "supply",
@@ -103,15 +97,14 @@ class DynamicsWriter {
     };
     return TextBlocks(fmt::format(
         "Energy\n  actuators {}; loads, weights and springs {}; {} {}\n  net "
-        "change of kinetic energy {}, largest value {}{}{}\n\n",
+        "change of kinetic energy {}, largest value {}{}\n\n",
         exchanged(figures.actuators),
         exchanged(figures.loads),
         figures.has_lossy_meshes ? "friction and meshes dissipate" : "friction dissipates",
         amount(QuantityKind::energy, figures.lost),
         amount(QuantityKind::energy, figures.kinetic_change),
         amount(QuantityKind::energy, figures.greatest_kinetic),
-        figures.audit ? fmt::format("; balance error {:.1g} of that", *figures.audit) : "",
-        efficiency));
+        figures.audit ? fmt::format("; balance error {:.1g} of that", *figures.audit) : ""));
   }
 
   TextBlocks flywheel(const FlywheelFigures& wheel) const {

@@ -379,6 +379,10 @@ void add_rows(Record<MotionTable>& keys) {
             });
 }
 
+bool has_overall_efficiency(const MotionTable& v) {
+  return v.overall_efficiency || !v.no_overall_efficiency.empty();
+}
+
 }  // namespace
 
 const Record<MotionTable>& motion_record() {
@@ -416,6 +420,18 @@ const Record<MotionTable>& motion_record() {
                       v.rows.empty() ? to.null() : closure_record().write(v, to);
                     })
             .not_compared();
+        keys.number("overall_efficiency",
+                    Bare::efficiency,
+                    "Of a case that names input and output, where its powers are reported: the "
+                    "mean power of the outputs over that of the inputs, in time or, of a motion "
+                    "without time, for as long as the drive takes at the speeds of the case; null "
+                    "where the reason in 'no_overall_efficiency' says why.",
+                    [](const View& v) { return v.overall_efficiency; })
+            .only_if(has_overall_efficiency);
+        keys.text("no_overall_efficiency",
+                  "Why there is none, or why it is 0; empty otherwise.",
+                  [](const View& v) { return v.no_overall_efficiency; })
+            .only_if(has_overall_efficiency);
         keys.part("dynamics",
                   motion_dynamics_record(),
                   [](const View& v) -> const MotionDynamics& { return *v.dynamics; })

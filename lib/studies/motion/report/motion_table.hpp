@@ -27,11 +27,12 @@ std::string_view word_of(MotionEnd end);
 
 /// One value of every position. The name is "a.wz/position": element, then quantity.
 struct MotionColumn {
-  std::string element;    ///< coupling.freedom, coupling.action, actuator, body or traced point;
-                          ///< empty of a value of the whole
-  std::string quantity;   ///< "position", "velocity", "linear/x"
-  std::string unit;       ///< that of the file; empty for a bare number
-  bool is_named = false;  ///< the report asks for it by its own name
+  std::string element;     ///< coupling.freedom, coupling.action, actuator, body or traced point;
+                           ///< empty of a value of the whole
+  std::string quantity;    ///< "position", "velocity", "linear/x"
+  std::string unit;        ///< that of the file; empty for a bare number
+  bool is_named = false;   ///< the report asks for it by its own name
+  bool is_output = false;  ///< of a freedom that the case names as output
 
   std::string name() const { return element.empty() ? quantity : element + "/" + quantity; }
 };
@@ -95,6 +96,8 @@ struct ColumnFigures {
   std::optional<double> rms;   ///< root of the mean square in time; likewise, and of a motion in
                                ///< time alone
   std::vector<std::size_t> poles = {};  ///< rows: on the way there the value goes through infinity
+  std::optional<double> mean_by_half = {};  ///< of columns that are checked so: that of every
+                                            ///< second step
 };
 
 struct MotionTable {
@@ -117,10 +120,12 @@ struct MotionTable {
   double worst_closure =
       0.0;             ///< largest closure error of any row, relative to the mechanism's size
   int worst_step = 0;  ///< where it is
-  std::vector<CouplingGap> drawn_gaps;      ///< of the drawn position, if it does not close
-  std::vector<BodyCorrection> corrections;  ///< that closed it
-  std::vector<CouplingGap> nearest_gaps;    ///< where nothing closes it: of the nearest position
-  std::optional<double> duration;           ///< of a motion in time, in the unit of time
+  std::vector<CouplingGap> drawn_gaps;       ///< of the drawn position, if it does not close
+  std::vector<BodyCorrection> corrections;   ///< that closed it
+  std::vector<CouplingGap> nearest_gaps;     ///< where nothing closes it: of the nearest position
+  std::optional<double> overall_efficiency;  ///< find_efficiency by the means of powers
+  std::string no_overall_efficiency;         ///< why there is none, of a case that names both ends
+  std::optional<double> duration;            ///< of a motion in time, in the unit of time
   std::string time_unit;
   std::optional<MotionDynamics> dynamics;  ///< where the file asks for it
   std::string length_unit;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -77,7 +78,9 @@ class MotionWriter {
     std::vector<std::string> with_gaps;
     std::vector<std::string> with_poles;
     for (const std::size_t c : results_first()) {
-      const auto& [least, greatest, mean, rms, poles] = motion_.figures[c];
+      const ColumnFigures& figures = motion_.figures[c];
+      const auto& [least, greatest, mean, rms] =
+          std::tie(figures.least, figures.greatest, figures.mean, figures.rms);
       const bool is_time = motion_.duration && motion_.columns[c].quantity == kTimeColumn;
       const bool is_bounded = least && greatest;
       // Means leave out the approaches to places where friction turns round.
@@ -130,26 +133,27 @@ class MotionWriter {
         blocks += TextBlocks(std::move(*one));
       }
     }
-    if (!lacks.empty()) {
-      blocks += lacks + "\n";
+    const std::string below = lacks + overall_text();
+    if (!below.empty()) {
+      blocks += below + "\n";
     }
     return blocks;
   }
 
  private:
-  // What actuators do and what passes through the mechanism, strokes, what couplings bear, and then
-  // how everything moves; else as in the file.
+  // What actuators do and what passes through the mechanism, strokes, that of the output first,
+  // what couplings bear, and then how everything moves; else as in the file.
   static int rank_of(const MotionColumn& column) {
     constexpr std::array<std::string_view, 6> kPassed = {
         "action", "power", "efficiency", "ratio", "transmission_angle", "mechanical_advantage"};
     constexpr std::array kBorne = {kReactionForce, kReactionFriction, kReactionLoss};
     const bool is_of_coupling = column.element.find('.') != std::string::npos;
     if (std::ranges::find(kPassed, column.quantity) != kPassed.end()) {
-      return is_of_coupling ? 3 : 0;
+      return is_of_coupling ? 4 : 0;
     }
-    return column.quantity == "position"                                ? 1
-           : std::ranges::find(kBorne, column.quantity) != kBorne.end() ? 2
-                                                                        : 4;
+    return column.quantity == "position"                                ? (column.is_output ? 1 : 2)
+           : std::ranges::find(kBorne, column.quantity) != kBorne.end() ? 3
+                                                                        : 5;
   }
 
   std::vector<std::size_t> results_first() const {
@@ -160,6 +164,16 @@ class MotionWriter {
     std::ranges::stable_sort(
         columns, {}, [&](std::size_t c) { return rank_of(motion_.columns[c]); });
     return columns;
+  }
+
+  std::string overall_text() const {
+    const std::string& why = motion_.no_overall_efficiency;
+    return motion_.overall_efficiency ? fmt::format("  overall efficiency {}{}{}\n",
+                                                    format_short(*motion_.overall_efficiency),
+                                                    why.empty() ? ", of mean powers" : ": ",
+                                                    why)
+           : why.empty()              ? ""
+                                      : fmt::format("  no overall efficiency: {}\n", why);
   }
 
   static std::string no_mean_text(const std::vector<std::string>& columns, std::string_view why) {

@@ -10,6 +10,22 @@
 
 namespace kinestat {
 
+namespace {
+
+// That of the energies, which look as often as they need, where the file asks for these.
+void take_overall_efficiency(MotionTable& table) {
+  if (!table.dynamics || !table.dynamics->energy) {
+    return;
+  }
+  const EnergyFigures& energy = *table.dynamics->energy;
+  if (energy.efficiency || !energy.no_efficiency.empty()) {
+    table.overall_efficiency = energy.efficiency;
+    table.no_overall_efficiency = energy.no_efficiency;
+  }
+}
+
+}  // namespace
+
 std::optional<FoundMotion> find_motion(const MechanismDescription& description,
                                        const Mechanism& mechanism,
                                        Diagnostics& found) {
@@ -23,9 +39,11 @@ std::optional<FoundMotion> find_motion(const MechanismDescription& description,
     return std::nullopt;
   }
   PositionFindings of_positions;
-  motion->table = make_motion_table(description, mechanism, *motion, {}, of_positions);
+  motion->table = make_motion_table(
+      description, mechanism, *motion, {.overall_efficiency = true}, of_positions);
   add_findings(*motion, description, mechanism, of_positions, found);
   motion->table.dynamics = find_motion_dynamics(description, mechanism, *motion, found);
+  take_overall_efficiency(motion->table);
   return motion;
 }
 

@@ -18,6 +18,7 @@
 #include "studies/motion/task/figures/finer_rows.hpp"
 #include "studies/motion/task/figures/motion_corners.hpp"
 #include "studies/motion/task/figures/motion_steps.hpp"
+#include "studies/motion/task/figures/overall_efficiency.hpp"
 #include "studies/motion/task/figures/poles.hpp"
 #include "studies/motion/task/figures/reversal_events.hpp"
 #include "studies/motion/task/figures/unbounded_quotients.hpp"
@@ -78,6 +79,9 @@ class TableMaker {
     add_events();
     add_column_figures();
     quotients_.leave_out_unbounded(readings_, table_.drives.size(), steps_, table_);
+    if (overall_) {
+      overall_->finish(table_);
+    }
     add_assembly(solution_.assembly, mechanism_, units_, table_);
     return std::move(table_);
   }
@@ -133,12 +137,16 @@ class TableMaker {
     detail_ = detail_of(plan_, mechanism_);
     detail_.closure_error = worst_closure_error(solution_);
     MotionPositions positions(mechanism_, plan_, motion_.network, motion_.drawn, detail_);
-    readings_ = motion_readings(
-        description_, mechanism_, plan_, positions.at(solution_.configuration_at(0), 0.0));
+    const MotionPosition first_position = positions.at(solution_.configuration_at(0), 0.0);
+    readings_ = motion_readings(description_, mechanism_, plan_, first_position);
     leave_out_idle_motions(motion_, mechanism_, readings_);
     if (scope_.columns) {
       keep_readings([&](const MotionColumn& one) { return is_among(*scope_.columns, one.name()); },
                     readings_);
+    }
+    if (scope_.overall_efficiency && first_position.solved) {
+      overall_.emplace(mechanism_, plan_);
+      overall_->add_readings(*first_position.solved, readings_);
     }
     for (const MotionReading& reading : readings_) {
       table_.columns.push_back(reading.column);
@@ -253,9 +261,9 @@ class TableMaker {
       return std::string(kSingularEvent);
     }
     const MotionReport& asked = plan_.report;
-    return position.solved
-               ? std::string(case_status(moved, *position.solved, asked.power, asked.efficiency))
-               : "solved";
+    return position.solved ? std::string(case_status(
+                                 moved, *position.solved, asked.has_powers(), asked.efficiency))
+                           : "solved";
   }
 
   std::vector<double> drives_at(double share) const {
@@ -387,11 +395,14 @@ class TableMaker {
       add_figures(solution_.shares, steps_, {}, {}, {}, where_at, share_at, table_);
       return;
     }
-    table_.looks_between_steps = scope_.extremes || table_.columns.size() <= kMostClimbed;
+    const auto own = std::ranges::count_if(table_.columns, OverallEfficiency::is_own);
+    table_.looks_between_steps =
+        scope_.extremes || table_.columns.size() <= kMostClimbed + static_cast<std::size_t>(own);
     const std::vector<FigureColumn> columns =
         figure_columns(readings_, table_.drives.size(), units_, [this](const MotionColumn& one) {
-          return scope_.extremes ? is_among(*scope_.extremes, one.name())
-                                 : table_.looks_between_steps;
+          return !OverallEfficiency::is_own(one) &&
+                 (scope_.extremes ? is_among(*scope_.extremes, one.name())
+                                  : table_.looks_between_steps);
         });
     FollowedConfigurations configurations(mechanism_, motion_.network, solution_);
     ValuesBetween values(
@@ -442,6 +453,7 @@ class TableMaker {
   PositionFindings& found_;
   std::vector<std::optional<WholeRange>> counts_;  // of each drive
   MotionDetail detail_;
+  std::optional<OverallEfficiency> overall_;
   std::vector<MotionReading> readings_;
   std::vector<int> driven_;               // of each reading the drive whose position it is, or -1
   std::vector<FreedomRates> rates_;       // of each row
@@ -463,7 +475,7 @@ MotionTable make_motion_table(const MechanismDescription& description,
                               const FoundMotion& motion,
                               const MotionScope& scope,
                               PositionFindings& found) {
-  const bool has_figures = !scope.columns || !scope.columns->empty();
+  const bool has_figures = !scope.columns || !scope.columns->empty() || scope.overall_efficiency;
   for (int times = 1;;) {
     const std::optional<FinerMotion> finer =
         has_figures ? divide_steps(mechanism, motion, times) : std::nullopt;

@@ -15,6 +15,7 @@ namespace kinestat {
 struct MotionScope {
   std::optional<std::vector<std::string>> columns = {};  ///< these by their names; empty: all
   bool dead_points = true;
+  bool overall_efficiency = false;                        ///< where the report tells it
   std::optional<std::vector<std::string>> extremes = {};  ///< of these they are looked for between
                                                           ///< the steps; empty: of all that can be
 };

@@ -236,6 +236,7 @@ std::optional<double> LaneMotions::value_of(const Source& source, std::size_t la
       return in_unit(std::max(std::abs(all.least), std::abs(all.greatest)));
     case MotionFigure::rms:  // of motions in time, which are none of these
     case MotionFigure::dead_points:
+    case MotionFigure::overall_efficiency:
       break;
   }
   return std::nullopt;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "cases/case_status.hpp"
 #include "studies/motion/task/find_motion.hpp"
 #include "studies/sweep/report/sweep_status.hpp"
 
@@ -62,6 +63,7 @@ class FigureReader {
         return figures.least && figures.greatest ? std::max(std::abs(least), std::abs(greatest))
                                                  : kNone;
       case MotionFigure::dead_points:
+      case MotionFigure::overall_efficiency:
         break;
     }
     return kNone;
@@ -154,10 +156,16 @@ std::string StateMotion::find_figures(const MechanismDescription& description,
   const auto matters = [&](const MotionRow& row) { return is_open(row.status); };
   const FigureReader reader(table);
   const MotionRow* gap = nullptr;
+  bool lacks_efficiency = false;
   for (std::size_t i = 0; i < values_.size(); ++i) {
     const SweptFigure& asked = asked_.figures[i];
     if (asked.figure == MotionFigure::dead_points) {
       values_[i] = table.may_lack_dead_points ? kNone : reader.dead_points(asked.column);
+      continue;
+    }
+    if (asked.figure == MotionFigure::overall_efficiency) {
+      values_[i] = table.overall_efficiency.value_or(kNone);
+      lacks_efficiency = !table.overall_efficiency;
       continue;
     }
     const std::optional<std::size_t> column = reader.column_of(asked);
@@ -181,7 +189,10 @@ std::string StateMotion::find_figures(const MechanismDescription& description,
   }
   const std::string_view warning = code_of(found, Severity::warning);
   const bool lacks_some = std::ranges::any_of(values_, [](double one) { return std::isnan(one); });
-  return std::string(!warning.empty() ? warning : lacks_some ? kNoNumber : kSolved);
+  return std::string(!warning.empty()   ? warning
+                     : lacks_efficiency ? kNoEfficiency
+                     : lacks_some       ? kNoNumber
+                                        : kSolved);
 }
 
 void StateMotion::show(std::string_view status, SweepRow& row) {

@@ -109,6 +109,9 @@ std::optional<SweepColumn> MotionColumnSearch::find(const Name& name) {
   if (asked.figure == MotionFigure::dead_points) {
     return find_dead_points(name, asked);
   }
+  if (asked.figure == MotionFigure::overall_efficiency) {
+    return find_efficiency_of_whole(name);
+  }
   const Candidate* column = nullptr;
   for (const std::vector<Candidate>& of_case : candidates_) {
     const auto at = find_column(of_case, asked.column);
@@ -152,6 +155,19 @@ std::optional<SweepColumn> MotionColumnSearch::find(const Name& name) {
     asked_.scope.extremes->push_back(column->name);
   }
   return add(name, {.column = column->name, .figure = asked.figure}, column->unit);
+}
+
+// The powers of what the case names as ends.
+std::optional<SweepColumn> MotionColumnSearch::find_efficiency_of_whole(const Name& name) {
+  MotionReport needs = report_of_word("velocity");
+  unite(needs, report_of_word("efficiency"));
+  if (!can_report(needs)) {
+    return std::nullopt;
+  }
+  unite(asked_.report, report_of_word("power"));  // statuses of positions are those of powers
+  asked_.is_of_case = true;
+  asked_.scope.overall_efficiency = true;
+  return add(name, {.column = {}, .figure = MotionFigure::overall_efficiency}, "");
 }
 
 std::optional<SweepColumn> MotionColumnSearch::find_dead_points(const Name& name,

@@ -69,6 +69,7 @@ class MotionColumnSearch {
   bool needs_case_of_its_own(const std::string& column);
   bool can_report(const MotionReport& report);
   std::optional<SweepColumn> find_dead_points(const Name& name, const MotionFigureName& asked);
+  std::optional<SweepColumn> find_efficiency_of_whole(const Name& name);
   SweepColumn add(const Name& name, SweptFigure figure, std::string unit);
 
   const MechanismDescription& description_;

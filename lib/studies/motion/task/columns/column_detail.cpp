@@ -18,7 +18,7 @@ MotionDetail detail_of(const MotionPlan& plan, const Mechanism& mechanism) {
   const bool has_names = !report.freedoms.empty() || !report.actuators.empty();
   const bool has_statics =
       has_case && (report.action || report.reaction || report.power || report.efficiency ||
-                   report.ratio || report.mechanical_advantage || report.dynamics ||
+                   report.ratio || report.mechanical_advantage || report.dynamics || report.works ||
                    !report.actions.empty() || !report.actuators.empty());
   const bool has_inertia =
       has_statics && mechanism.cases[static_cast<std::size_t>(plan.which)].has_inertia();

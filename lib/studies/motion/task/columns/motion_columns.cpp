@@ -14,12 +14,12 @@
 #include "core/axis_name.hpp"
 #include "math/numbers/zero_within_bound.hpp"
 #include "mechanism/label_kind.hpp"
-#include "mechanism/springs/spring_quantities.hpp"
 #include "studies/motion/task/columns/column_detail.hpp"
 #include "studies/motion/task/columns/dynamic_columns.hpp"
 #include "studies/motion/task/columns/motion_column_choice.hpp"
 #include "studies/motion/task/columns/quotient_columns.hpp"
 #include "studies/motion/task/columns/reaction_columns.hpp"
+#include "studies/motion/task/columns/spring_columns.hpp"
 
 namespace kinestat {
 
@@ -118,6 +118,12 @@ class ReadingList {
            std::ranges::any_of(report().actuators, of_actuator);
   }
 
+  bool drives_output(int freedom) const {
+    return plan_.which >= 0 && std::ranges::any_of(which().outputs, [&](int actuator) {
+             return topology_.actuators[static_cast<std::size_t>(actuator)].freedom == freedom;
+           });
+  }
+
   bool turns(int freedom) const {
     return topology_.freedoms[static_cast<std::size_t>(freedom)].is_rotation;
   }
@@ -135,6 +141,7 @@ class ReadingList {
             "position",
             position_kind(turns(f)),
             [i](const MotionPosition& at) { return at.freedoms[i]; });
+        readings_.back().column.is_output = drives_output(f);
       }
     }
     for (int b = 1; report().position && b < topology_.body_count(); ++b) {
@@ -298,11 +305,12 @@ class ReadingList {
   }
 
   bool names_action(int action) const {
-    const auto of_actuator = [&](int actuator) {
-      return topology_.actuators[static_cast<std::size_t>(actuator)].action == action;
-    };
+    const auto of_actuator =
+        std::ranges::find(topology_.actuators, action, &ActuatorTopology::action);
     return std::ranges::find(report().actions, action) != report().actions.end() ||
-           std::ranges::any_of(report().actuators, of_actuator);
+           (of_actuator != topology_.actuators.end() &&
+            (report().works ||
+             names_actuator(static_cast<std::size_t>(of_actuator - topology_.actuators.begin()))));
   }
 
   void add_actions() {
@@ -330,21 +338,8 @@ class ReadingList {
   }
 
   void add_springs() {
-    for (std::size_t i = 0; report().action && i < mechanism_.springs.size(); ++i) {
-      const Spring& spring = mechanism_.springs[i];
-      const SpringQuantities& quantities = quantities_of(spring, topology_);
-      const auto add_state = [&](const char* quantity, QuantityKind kind, double SpringState::*at) {
-        add(std::string(kSpringPrefix) + spring.name,
-            quantity,
-            kind,
-            [i, at](const MotionPosition& position) -> std::optional<double> {
-              return position.solved && i < position.solved->springs.size()
-                         ? std::optional(position.solved->springs[i].*at)
-                         : std::nullopt;
-            });
-      };
-      add_state(quantities.position, quantities.position_kind, &SpringState::position);
-      add_state(quantities.action, quantities.action_kind, &SpringState::force);
+    if (report().action) {
+      std::ranges::move(spring_readings(units_, mechanism_), std::back_inserter(readings_));
     }
   }
 
@@ -353,9 +348,21 @@ class ReadingList {
            report().actuators.end();
   }
 
+  // By itself only where something runs.
+  bool has_power(std::size_t actuator) const {
+    return report().power || names_actuator(actuator) || (report().works && detail_.velocity);
+  }
+
+  // Of a load, whose power is what goes in or comes out of the case.
+  bool is_end(std::size_t load) const {
+    return std::ranges::count(which().input_loads, load) +
+               std::ranges::count(which().output_loads, load) >
+           0;
+  }
+
   void add_powers() {
     for (std::size_t i = 0; detail_.statics && i < topology_.actuators.size(); ++i) {
-      if (report().power || names_actuator(i)) {
+      if (has_power(i)) {
         add(topology_.actuators[i].name,
             "power",
             QuantityKind::power,
@@ -365,18 +372,20 @@ class ReadingList {
             });
       }
     }
-    if (!report().power || plan_.which < 0) {
+    if (!report().has_powers() || plan_.which < 0) {
       return;
     }
     const std::vector<std::string> loads = load_names();
     for (std::size_t i = 0; i < loads.size(); ++i) {
-      add(loads[i],
-          "power",
-          QuantityKind::power,
-          [i](const MotionPosition& at) -> std::optional<double> {
-            return at.solved && at.solved->power ? std::optional(at.solved->power->loads[i])
-                                                 : std::nullopt;
-          });
+      if (report().power || (is_end(i) && detail_.velocity)) {
+        add(loads[i],
+            "power",
+            QuantityKind::power,
+            [i](const MotionPosition& at) -> std::optional<double> {
+              return at.solved && at.solved->power ? std::optional(at.solved->power->loads[i])
+                                                   : std::nullopt;
+            });
+      }
     }
   }
 
@@ -395,7 +404,7 @@ class ReadingList {
               return lossy != nullptr ? lossy->actions[a] : std::nullopt;
             });
       }
-      if (report().power || names_actuator(i)) {
+      if (has_power(i)) {
         add(actuator.name,
             "lossy_power",
             QuantityKind::power,
@@ -438,8 +447,7 @@ class ReadingList {
   const Case& which() const { return mechanism_.cases[static_cast<std::size_t>(plan_.which)]; }
 
   const std::string& output_name() const {
-    const Case& which = mechanism_.cases[static_cast<std::size_t>(plan_.which)];
-    return topology_.actuators[static_cast<std::size_t>(which.outputs.front())].name;
+    return topology_.actuators[static_cast<std::size_t>(which().outputs.front())].name;
   }
 
   void add_transmission() {

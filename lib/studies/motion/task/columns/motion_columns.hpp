@@ -31,6 +31,7 @@ struct MotionReading {
   bool is_of_friction = false;  ///< open where friction has no direction, whatever acts without it
   bool is_bounded = false;    ///< nothing makes it grow without bound, but it may end between steps
   bool is_of_motion = false;  ///< whatever acts
+  bool is_checked = false;    ///< its mean by half of the steps, too
   std::function<std::optional<QuotientParts>(const MotionPosition&)> parts = {};  ///< of a quotient
   std::function<std::optional<double>(const MotionPosition&)> alone =
       {};  ///< of a component: reads

@@ -82,6 +82,9 @@ class FigureMaker {
       }
       const ColumnMeans means = means_of_column(c);
       figures.mean = means.mean;
+      if (c < columns_.size() && columns_[c].is_checked) {
+        figures.mean_by_half = means_of_column(c, 2).mean;
+      }
       figures.rms = table_.duration ? root(means.mean_square) : std::nullopt;
     }
   }
@@ -289,14 +292,18 @@ class FigureMaker {
     return square ? std::optional(std::sqrt(*square)) : std::nullopt;
   }
 
-  // Of a motion that reaches its end.
-  ColumnMeans means_of_column(std::size_t column) const {
+  // Of a motion that reaches its end; of one in so many of its steps.
+  ColumnMeans means_of_column(std::size_t column, int every = 1) const {
     if (!table_.is_whole() || table_.rows.size() < 2) {
       return {};
     }
     std::vector<MeanSample> samples;
+    int steps = 0;
     for (const Sample& one : samples_with_jumps(column, false)) {
       const bool is_inside = one.step > steps_.front() && one.step < steps_.back();
+      if (!one.is_corner && steps++ % every != 0 && is_inside) {
+        continue;
+      }
       if (!one.is_rounded || !is_inside || one.value(column)) {
         samples.push_back({.step = one.step,
                            .value = one.value(column),

@@ -35,6 +35,7 @@ struct FigureColumn {
   bool is_climbed = false;    ///< its extremes are looked for between the steps
   bool is_bounded = false;    ///< of values that never grow without bound
   bool is_of_motion = false;  ///< of what follows from the motion alone
+  bool is_checked = false;    ///< its mean is taken by half of the steps, too
   std::optional<ValueFolds> folds = {};
 };
 

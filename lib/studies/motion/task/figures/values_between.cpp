@@ -49,7 +49,8 @@ std::vector<FigureColumn> figure_columns(
   for (const MotionReading& one : readings) {
     columns.push_back({.is_climbed = is_climbed(one.column),
                        .is_bounded = one.is_bounded,
-                       .is_of_motion = one.is_of_motion || one.needs.has_value()});
+                       .is_of_motion = one.is_of_motion || one.needs.has_value(),
+                       .is_checked = one.is_checked});
     if (one.folds) {
       columns.back().folds = {.least = *in_unit(one, one.folds->least, units),
                               .greatest = *in_unit(one, one.folds->greatest, units)};
