@@ -76,7 +76,7 @@ void add_compare(CLI::App& command, Job& job) {
       "  kinestat compare golden/train.report.json reports/train.report.json\n"
       "  kinestat analyze --format json train.yaml | kinestat compare golden.json -\n"
       "  kinestat compare --rtol 1e-6 --tolerance 'moment=0.5 N*mm' old.json new.json\n"
-      "  kinestat compare --tolerance '/cases/*/ratio=0.1%' --format json old.json new.json\n"
+      "  kinestat compare --tolerance '/cases/*/ratio=0.1%' old.json new.json\n"
       "\nKeys that are not compared, because equal results may differ in them:\n";
   command.footer("");  // not that of the program
   command.footer([examples] {

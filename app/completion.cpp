@@ -56,7 +56,8 @@ struct Completion {
 void add_completion(CLI::App& command, Job& job) {
   command.footer(
       "  source <(kinestat completion bash)\n"
-      "  kinestat completion zsh > ~/.zfunc/_kinestat   # before compinit: fpath+=(~/.zfunc)\n"
+      "  kinestat completion zsh > ~/.zfunc/_kinestat\n"
+      "  # in ~/.zshrc, before compinit: fpath+=(~/.zfunc)\n"
       "  kinestat completion fish | source\n");
   auto completion = std::make_shared<Completion>();
   add_argument(command, "SHELL", completion->shell, "bash, zsh or fish").required();

@@ -2,19 +2,21 @@
 
 #include <sstream>
 
+#include "core/page_text.hpp"
+
 namespace kinestat::app {
 
 namespace {
 
-constexpr std::size_t kCommandColumn = 12;
+constexpr std::size_t kCommandColumn = 14;
 constexpr std::size_t kOptionColumn = 28;
 
 std::string commands_of(const CLI::App& app) {
-  std::ostringstream list;
+  std::string list;
   for (const CLI::App* command : app.get_subcommands({})) {
-    CLI::detail::format_help(list, command->get_name(), command->get_description(), kCommandColumn);
+    list += page_lines("  " + command->get_name(), command->get_description(), kCommandColumn);
   }
-  return list.str().empty() ? "" : "\nCommands:\n" + list.str();
+  return list.empty() ? "" : "\nCommands:\n" + list;
 }
 
 std::string options_of(const CLI::App& app) {

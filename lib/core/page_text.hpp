@@ -8,7 +8,7 @@
 namespace kinestat {
 
 /// The columns of a page.
-inline constexpr std::size_t kPageWidth = 95;
+inline constexpr std::size_t kPageWidth = 80;
 
 /// The words in lines that fit a page, each ended; they begin in the column `begin`. `head` stands
 /// in front of the first line.

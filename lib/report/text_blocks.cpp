@@ -24,10 +24,10 @@ std::size_t end_within(std::string_view line, std::size_t begin, std::size_t wid
   return end;
 }
 
-std::string wrapped(std::string_view line, std::size_t width) {
+std::string wrapped(std::string_view line, std::size_t width, std::size_t hang) {
   constexpr std::size_t kFurther = 2;
   const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
-  const std::string below(indent + kFurther, ' ');
+  const std::string below(hang > 0 ? hang : indent + kFurther, ' ');
   std::string text;
   std::string rest(line);
   while (width > 0 && columns_of(rest) > width) {
@@ -42,13 +42,13 @@ std::string wrapped(std::string_view line, std::size_t width) {
   return text + rest;
 }
 
-std::string laid_out(std::string_view lines, const TextLayout& layout) {
+std::string laid_out(std::string_view lines, const TextLayout& layout, std::size_t hang) {
   std::string text;
   for (std::size_t at = 0; at < lines.size();) {
     const std::size_t end = std::min(lines.find('\n', at), lines.size());
     const std::string_view line = lines.substr(at, end - at);
-    const bool is_heading = !line.empty() && line.front() != ' ';
-    const std::string shown = wrapped(line, layout.width);
+    const bool is_heading = hang == 0 && !line.empty() && line.front() != ' ';
+    const std::string shown = wrapped(line, layout.width, hang);
     text += layout.is_coloured && is_heading ? styled(shown, LineStyle::heading) : shown;
     text += end < lines.size() ? "\n" : "";
     at = end + 1;
@@ -70,16 +70,22 @@ TextBlocks& TextBlocks::operator+=(std::string_view lines) {
   if (lines.empty()) {
     return *this;
   }
-  if (blocks_.empty() || blocks_.back().table) {
+  if (blocks_.empty() || blocks_.back().table || blocks_.back().hang > 0) {
     blocks_.push_back({.lines = {}, .table = std::nullopt, .indent = {}});
   }
   blocks_.back().lines += lines;
   return *this;
 }
 
+TextBlocks& TextBlocks::add_list(std::string_view lines, std::size_t hang) {
+  blocks_.push_back(
+      {.lines = std::string(lines), .table = std::nullopt, .indent = {}, .hang = hang});
+  return *this;
+}
+
 TextBlocks& TextBlocks::operator+=(TextBlocks more) {
   for (TextBlock& one : more.blocks_) {
-    if (one.table) {
+    if (one.table || one.hang > 0) {
       blocks_.push_back(std::move(one));
     } else {
       *this += one.lines;
@@ -91,7 +97,7 @@ TextBlocks& TextBlocks::operator+=(TextBlocks more) {
 std::string TextBlocks::text(const TextLayout& layout) const {
   std::string text;
   for (const TextBlock& one : blocks_) {
-    text += one.table ? one.table->text(one.indent, layout) : laid_out(one.lines, layout);
+    text += one.table ? one.table->text(one.indent, layout) : laid_out(one.lines, layout, one.hang);
   }
   return text;
 }

@@ -17,7 +17,8 @@ namespace kinestat {
 struct TextBlock {
   std::string lines;  ///< each with its line end; empty for a table
   std::optional<Table> table;
-  std::string indent;  ///< before every line of the table, as text
+  std::string indent;    ///< before every line of the table, as text
+  std::size_t hang = 0;  ///< of lines of a list: the column in which those too long go on
 };
 
 /// Blocks in reading order. What stands on a terminal and on a page is made of the same ones. Lines
@@ -41,6 +42,9 @@ class TextBlocks {
   TextBlocks& operator+=(std::string_view lines);
 
   TextBlocks& operator+=(TextBlocks more);
+
+  /// Lines of a list, none of them a heading, whose words begin in the column `hang`.
+  TextBlocks& add_list(std::string_view lines, std::size_t hang);
 
   const std::vector<TextBlock>& blocks() const { return blocks_; }
 

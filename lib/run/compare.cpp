@@ -72,15 +72,19 @@ std::optional<Tolerances> read_options(const std::string& path_a,
   return tolerances;
 }
 
-std::string text_of(const ReportComparison& comparison,
-                    const std::string& path_a,
-                    const std::string& path_b,
-                    const CompareOptions& options) {
+void write_comparison(const ReportComparison& comparison,
+                      const std::string& path_a,
+                      const std::string& path_b,
+                      const CompareOptions& options,
+                      Outcome& outcome) {
   if (options.is_quiet) {
-    return {};
+    return;
   }
-  return options.format == StreamFormat::json ? comparison_json(comparison, path_a, path_b)
-                                              : comparison_text(comparison);
+  if (options.format == StreamFormat::json) {
+    outcome.out = comparison_json(comparison, path_a, path_b);
+  } else {
+    outcome.report = comparison_blocks(comparison);
+  }
 }
 
 void warn_of_unmet_places(const ReportComparison& comparison, Outcome& outcome) {
@@ -99,9 +103,8 @@ void warn_of_unmet_places(const ReportComparison& comparison, Outcome& outcome) 
 }  // namespace
 
 std::string ignored_keys_help() {
-  constexpr std::size_t kWidth = 80;
   const std::vector<std::string> keys = ignored_keys();
-  return page_lines("  ", plain_list(keys, keys.size()), 2, kWidth);
+  return page_lines("  ", plain_list(keys, keys.size()), 2);
 }
 
 Outcome compare_reports(const std::string& path_a,
@@ -131,7 +134,7 @@ Outcome compare_reports(const std::string& path_a,
     return outcome;
   }
   const ReportComparison comparison = compare(*a, *b, *tolerances);
-  outcome.out = text_of(comparison, path_a, path_b, options);
+  write_comparison(comparison, path_a, path_b, options, outcome);
   warn_of_unmet_places(comparison, outcome);
   if (!comparison.differences.empty()) {
     outcome.status = worst(outcome.status, ExitStatus::check_failed);

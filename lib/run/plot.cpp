@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "cases/chosen_case.hpp"
+#include "core/page_text.hpp"
 #include "core/text.hpp"
 #include "core/utf8.hpp"
 #include "draw/catalogue/catalogue.hpp"
@@ -215,7 +216,12 @@ class PictureJob {
   }
 
   void write(std::string text, Outcome& outcome) {
-    if (choice_.path.empty() || choice_.picture == kListPictures) {
+    if (choice_.picture == kListPictures) {
+      constexpr std::size_t kSentence = 21;
+      outcome.report.add_list(text, kSentence);
+      return;
+    }
+    if (choice_.path.empty()) {
       outcome.out += text;
       return;
     }
@@ -327,10 +333,14 @@ std::vector<std::string> picture_names() {
 
 std::string picture_help() {
   std::string text;
+  const auto name_and_sentence = [](std::string_view name, std::string_view sentence) {
+    constexpr std::size_t kSentence = 18;
+    return page_lines(fmt::format("  {:<15} ", name), sentence, kSentence);
+  };
   for (const PictureKind& kind : picture_kinds()) {
-    text += fmt::format("  {:<15} {}\n", kind.name, kind.sentence);
+    text += name_and_sentence(kind.name, kind.sentence);
   }
-  return text + fmt::format("  {:<15} {}\n", kListPictures, "says which of these the file has");
+  return text + name_and_sentence(kListPictures, "says which of these the file has");
 }
 
 Outcome plot_file(const std::string& path,

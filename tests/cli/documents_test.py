@@ -11,12 +11,16 @@ the output shown; a line `…` stands for any lines. A script that begins with i
 from __future__ import annotations
 
 import argparse
+import fcntl
 import json
 import os
+import pty
 import re
+import struct
 import subprocess
 import sys
 import tempfile
+import termios
 import unittest
 from pathlib import Path
 from typing import Any, Iterator
@@ -114,7 +118,7 @@ class Examples(unittest.TestCase):
                 page = kinestat("help", kind).stdout
                 self.assertRegex(page, rf"(?m)^{kind}: ")  # behind what the glossary says
                 told = re.sub(r"^    kinestat: 1\n(    .*\n)*", "", page, flags=re.M)
-                self.assertLessEqual(max(map(len, told.splitlines())), 95)
+                self.assertLessEqual(max(map(len, told.splitlines())), 80)
                 examples = list(indented_examples(page))
                 self.assertEqual(len(examples), 1)
                 self.accept(examples[0], "analyze")
@@ -123,6 +127,68 @@ class Examples(unittest.TestCase):
 def types_of_couplings() -> list[str]:
     keys = schema("mechanism")["definitions"]["coupling"]["then"]["properties"]
     return keys["type"]["enum"]
+
+
+def commands() -> list[str]:
+    told = kinestat("--help").stdout.split("\nCommands:\n")[1].split("\n\n")[0]
+    return re.findall(r"(?m)^  (\w+) ", told)
+
+
+def on_terminal(*arguments: str) -> str:
+    """What a terminal of 80 columns shows, without colours."""
+    leader, follower = pty.openpty()
+    fcntl.ioctl(follower, termios.TIOCSWINSZ, struct.pack("HHHH", 25, 80, 0, 0))
+    text = b""
+    with subprocess.Popen([PROGRAM, *arguments], stdout=follower, stderr=subprocess.DEVNULL,
+                          env={**os.environ, "NO_COLOR": "1"}):
+        os.close(follower)
+        try:
+            while part := os.read(leader, 4096):
+                text += part
+        except OSError:
+            pass  # the end
+    os.close(leader)
+    shown = text.decode().replace("\r\n", "\n")
+    long = [line for line in shown.splitlines() if len(line) > 80]
+    if long or not shown:
+        raise AssertionError(f"{arguments}: {long}")
+    return shown
+
+
+class Width(unittest.TestCase):
+    """What people read fits a terminal of 80 columns."""
+
+    def check(self, *arguments: str) -> None:
+        with self.subTest(arguments):
+            told = kinestat(*arguments)
+            self.assertEqual((told.returncode, told.stderr), (0, ""))
+            self.assertGreater(len(told.stdout), 0)
+            self.assertEqual([line for line in told.stdout.splitlines() if len(line) > 80], [])
+
+    def test_of_the_use_of_every_command(self) -> None:
+        self.assertGreaterEqual(len(commands()), 20)
+        self.check("--help")
+        for command in commands():
+            self.check(command, "--help")
+
+    def test_of_the_lists(self) -> None:
+        for words in (("help",), ("help", "commands"), ("examples",), ("help", "efficiency"),
+                      ("help", "helical")):
+            self.check(*words)
+
+    def test_of_a_terminal_where_lines_hold_what_a_file_says(self) -> None:
+        """In a pipe each picture has its line."""
+        file = str(ROOT / "mechanisms" / "transmissions" / "ravigneaux.yaml")
+        piped = kinestat("plot", "list", file).stdout
+        self.assertGreater(max(map(len, piped.splitlines())), 80)
+        self.assertEqual(on_terminal("plot", "list", file).split(), piped.split())
+        with tempfile.TemporaryDirectory() as folder:
+            paths = [Path(folder) / "a.json", Path(folder) / "b.json"]
+            for path, mu in zip(paths, ("19", "20")):
+                path.write_text(kinestat("analyze", "--format", "json", "--set", f"N1={mu}",
+                                         file).stdout, encoding="utf-8")
+            told = on_terminal("compare", *map(str, paths))
+            self.assertIn("values differ", told)
 
 
 def keys_of_the_format() -> list[str]:
@@ -142,14 +208,14 @@ class Topics(unittest.TestCase):
                 page = kinestat("help", key)
                 self.assertEqual((page.returncode, page.stderr), (0, ""))
                 self.assertRegex(page.stdout, rf"(?m)^(  {key}  |{key}: |Usage: kinestat {key} )")
-                self.assertLessEqual(max(map(len, page.stdout.splitlines())), 95)
+                self.assertLessEqual(max(map(len, page.stdout.splitlines())), 80)
 
     def test_fit_a_terminal_and_name_themselves(self) -> None:
         for topic in topics():
             with self.subTest(topic):
                 page = kinestat("help", topic).stdout
                 self.assertTrue(page.startswith(f"{topic}: "))
-                self.assertLessEqual(max(map(len, page.splitlines())), 95)
+                self.assertLessEqual(max(map(len, page.splitlines())), 80)
 
     def test_name_only_codes_that_exist(self) -> None:
         for topic in topics():
@@ -189,7 +255,7 @@ class ReportKeys(unittest.TestCase):
                     self.assertRegex(told, rf"(?m)^ +{key}  ")
         for part, page in pages.items():
             with self.subTest(part):
-                self.assertLessEqual(max(map(len, page.splitlines())), 95)
+                self.assertLessEqual(max(map(len, page.splitlines())), 80)
 
     def test_have_no_page_of_another_name(self) -> None:
         for words in (("reports", "pwer"), ("signs", "power")):

@@ -32,9 +32,8 @@ std::string indented(std::string_view text) {
 }
 
 std::string page_of(const Code& row) {
-  constexpr std::size_t kWidth = 80;
   std::string page =
-      fmt::format("{}: {}\n\n{}", row.code, row.title, page_lines("", row.paragraph, 0, kWidth));
+      fmt::format("{}: {}\n\n{}", row.code, row.title, page_lines("", row.paragraph, 0));
   if (const EmbeddedText* example = find_text(embedded_examples(), row.code)) {
     page += fmt::format("\nExample (- wrong, + correct):\n\n{}", indented(example->text));
   }

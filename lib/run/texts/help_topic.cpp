@@ -98,13 +98,13 @@ std::string filled(const EmbeddedText& page) {
 std::string list_of_topics() {
   std::string text = "Topics:\n";
   for (const EmbeddedText& page : embedded_topics()) {
-    text += fmt::format("  {:<13} {}\n", page.name, title_of(page));
+    text += page_lines(fmt::format("  {:<13} ", page.name), title_of(page), 16);
   }
   return text +
-         "\n'kinestat help TOPIC' shows a topic, 'kinestat help COMMAND' the use of a command and\n"
-         "'kinestat help commands' lists the commands. It also explains a type of coupling, a key\n"
-         "of mechanism files, and a code: 'kinestat help revolute', 'kinestat help\n"
-         "line_of_action', 'kinestat help E0312'.\n";
+         "\n'kinestat help TOPIC' shows a topic, 'kinestat help COMMAND' the use of a\n"
+         "command and 'kinestat help commands' lists the commands. It also explains a\n"
+         "type of coupling, a key of mechanism files, and a code: 'kinestat help\n"
+         "revolute', 'kinestat help line_of_action', 'kinestat help E0312'.\n";
 }
 
 template <class Is>

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "core/page_text.hpp"
 #include "core/text.hpp"
 #include "core/utf8.hpp"
 #include "run/embedded.hpp"
@@ -53,7 +54,7 @@ std::string list_of(std::string_view folder) {
   }
   std::string text;
   for (const LibraryFile& one : shown) {
-    text += fmt::format("  {:<{}}  {}\n", one.name, width, one.title);
+    text += page_lines(fmt::format("  {:<{}}  ", one.name, width), one.title, width + 4);
   }
   return text +
          "\n'kinestat examples NAME' shows a file, 'kinestat examples NAME FILE' writes it.\n";

@@ -123,16 +123,15 @@ bool mentions(std::string_view text, const std::string& word) {
 
 std::string mentions_of(const std::string& word, const std::vector<HelpPage>& pages) {
   constexpr std::size_t kIndent = 6;
-  constexpr std::size_t kWidth = 92;
   const auto below = [](std::string_view line) {
-    return page_lines(std::string(kIndent, ' '), line, kIndent, kWidth);
+    return page_lines(std::string(kIndent, ' '), line, kIndent);
   };
   std::string text;
   for (const HelpPage& page : pages) {
     const bool is_title = mentions(page.title, word);
     const std::string line = is_title ? "" : sentence_with(page.text, word);
     if (is_title || !line.empty()) {
-      text += fmt::format("  {:<22} {}\n", page.command, page.title);
+      text += page_lines(fmt::format("  {:<22} ", page.command), page.title, 25);
       text += line.empty() ? "" : below(line);
     }
   }

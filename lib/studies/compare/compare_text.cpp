@@ -225,21 +225,23 @@ void add_result(Record<ComparisonView>& keys) {
 
 }  // namespace
 
-std::string comparison_text(const ReportComparison& comparison) {
+TextBlocks comparison_blocks(const ReportComparison& comparison) {
   const std::vector<Difference>& all = comparison.differences;
   if (all.empty()) {
-    return fmt::format("equal: {} values\n", comparison.value_count);
+    return TextBlocks(fmt::format("equal: {} values\n", comparison.value_count));
   }
   Table table({"Place", "A", "B", "Difference", "Tolerance", "Unit"});
   for (std::size_t i = 0; i < std::min(all.size(), kMostPlaces); ++i) {
     table.add(row_of(all[i]));
   }
-  std::string text = table.text("");
+  TextBlocks text(std::move(table), "");
   if (all.size() > kMostPlaces) {
     text += fmt::format("and {}; --format json lists all\n",
                         counted(all.size() - kMostPlaces, "more place"));
   }
-  return text + "\n" + summary(comparison);
+  text += "\n";
+  text += summary(comparison);
+  return text;
 }
 
 const Record<ComparisonView>& comparison_record() {

@@ -4,13 +4,14 @@
 #include <string>
 
 #include "record/record.hpp"
+#include "report/text_blocks.hpp"
 #include "studies/compare/compare.hpp"
 
 namespace kinestat {
 
 /// The places that differ, at most the first 50, and the count of values. Two numbers have so many
 /// digits that three of them show the difference.
-std::string comparison_text(const ReportComparison& comparison);
+TextBlocks comparison_blocks(const ReportComparison& comparison);
 
 struct ComparisonView {
   const ReportComparison& comparison;

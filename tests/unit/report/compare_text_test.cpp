@@ -18,24 +18,41 @@ ReportComparison compared(const std::string& a, const std::string& b) {
   return compare(*read_report(first, found), *read_report(second, found), {});
 }
 
+std::string text_of(const ReportComparison& comparison, std::size_t width = 0) {
+  return comparison_blocks(comparison).text({.width = width});
+}
+
 std::string report(const std::string& actions) {
   return json_report(R"(, "cases": {"M1": {"statics": {"actions": {)" + actions + "}}}}");
 }
 
 TEST(ComparisonText, SaysThatReportsAreEqual) {
-  EXPECT_EQ(comparison_text(compared(json_report(""), json_report(""))), "equal: 3 values\n");
+  EXPECT_EQ(text_of(compared(json_report(""), json_report(""))), "equal: 3 values\n");
 }
 
 TEST(ComparisonText, ShowsNumbersSoThatTheyDiffer) {
-  EXPECT_EQ(comparison_text(compared(report(R"("a.Rx": 2.0)"), report(R"("a.Rx": 2.0000001)"))),
+  EXPECT_EQ(text_of(compared(report(R"("a.Rx": 2.0)"), report(R"("a.Rx": 2.0000001)"))),
             "Place                           A          B  Difference  Tolerance  Unit\n"
             "/cases/M1/statics/actions/a.Rx  2  2.0000001       1e-07      2e-09     N\n"
             "\n"
             "1 of 4 values differ\n");
 }
 
+TEST(ComparisonText, PartsItsTableWhereItIsTooWide) {
+  const ReportComparison one = compared(report(R"("a.Rx": 2.0)"), report(R"("a.Rx": 2.0000001)"));
+
+  EXPECT_EQ(text_of(one, 60),
+            "Place                           A          B  Difference\n"
+            "/cases/M1/statics/actions/a.Rx  2  2.0000001       1e-07\n"
+            "\n"
+            "Place                           Tolerance  Unit\n"
+            "/cases/M1/statics/actions/a.Rx      2e-09     N\n"
+            "\n"
+            "1 of 4 values differ\n");
+}
+
 TEST(ComparisonText, NamesTheWorstOfSeveral) {
-  const std::string text = comparison_text(
+  const std::string text = text_of(
       compared(report(R"("a.Rx": 2.0, "a.Ry": 2.0)"), report(R"("a.Rx": 2.1, "a.Ry": 3.0)")));
 
   EXPECT_NE(text.find("2 of 5 values differ; furthest from its tolerance is "
@@ -52,7 +69,7 @@ TEST(ComparisonText, ShowsFiftyPlaces) {
     b += (i == 0 ? "\"a" : ",\"a") + std::to_string(i) + ".Rx\": 2.0";
   }
 
-  const std::string text = comparison_text(compared(report(a), report(b)));
+  const std::string text = text_of(compared(report(a), report(b)));
 
   EXPECT_NE(text.find("and 10 more places; --format json lists all\n\n60 of 63 values differ"),
             std::string::npos)
@@ -61,8 +78,8 @@ TEST(ComparisonText, ShowsFiftyPlaces) {
 
 TEST(ComparisonText, ShortensLongTextsBetweenCharacters) {
   const std::string text =
-      comparison_text(compared(json_report(R"(, "note": ")" + std::string(39, 'x') + "üü\""),
-                               json_report(R"(, "note": "y")")));
+      text_of(compared(json_report(R"(, "note": ")" + std::string(39, 'x') + "üü\""),
+                       json_report(R"(, "note": "y")")));
 
   EXPECT_NE(text.find("'" + std::string(39, 'x') + "…'"), std::string::npos) << text;
 }
