@@ -21,6 +21,7 @@ void add_duty(CLI::App& command, Job& job) {
   add_files(command, options->files);
   add_curves(command, options->files.analyse.load);
   add_format(command, options->files);
+  add_layout(command, options->files);
   add_strict(command, options->files);
   add_quiet(command, options->files);
   with_value(command,

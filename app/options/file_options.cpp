@@ -151,7 +151,8 @@ void add_layout(CLI::App& command, FileOptions& options) {
                           {{"long", TableLayout::tidy}, {"wide", TableLayout::wide}},
                           options.analyse.output.layout,
                           "layout of CSV: long has one row per value, wide\n"
-                          "one per case, or per step of a motion or simulation");
+                          "one per case, point of a duty cycle, or step of a\n"
+                          "motion or simulation");
 }
 
 void add_fail_fast(CLI::App& command, FileOptions& options) {

@@ -21,10 +21,16 @@ struct WideColumn {
   std::string pass;
   std::string element;
   std::string quantity;
+  std::string parameter;  // of what changes with one; may be empty
   std::string unit;
 
   std::string name() const {
-    return fmt::format("{}{}{}", element, element.empty() ? "" : "/", quantity);
+    return fmt::format("{}{}{}{}{}",
+                       element,
+                       element.empty() ? "" : "/",
+                       quantity,
+                       parameter.empty() ? "" : "/",
+                       parameter);
   }
 };
 
@@ -91,14 +97,16 @@ class WideTable {
   }
 
   std::size_t column_of(const CsvRow& row) {
+    const WideColumn column = {.pass = cell(row, "pass"),
+                               .element = cell(row, "element"),
+                               .quantity = cell(row, "quantity"),
+                               .parameter = has("parameter") ? cell(row, "parameter") : "",
+                               .unit = cell(row, "unit")};
     const auto [at, is_new] = column_numbers_.try_emplace(
-        {cell(row, "pass"), cell(row, "element"), cell(row, "quantity"), cell(row, "unit")},
+        {column.pass, column.element, column.quantity, column.parameter, column.unit},
         columns_.size());
     if (is_new) {
-      columns_.push_back({.pass = cell(row, "pass"),
-                          .element = cell(row, "element"),
-                          .quantity = cell(row, "quantity"),
-                          .unit = cell(row, "unit")});
+      columns_.push_back(column);
     }
     return at->second;
   }
@@ -158,7 +166,7 @@ class WideTable {
   CsvReader reader_;
   std::map<std::string, std::size_t, std::less<>> places_;  // of the columns of the tidy table
   std::vector<WideColumn> columns_;
-  std::map<std::tuple<std::string, std::string, std::string, std::string>, std::size_t>
+  std::map<std::tuple<std::string, std::string, std::string, std::string, std::string>, std::size_t>
       column_numbers_;
   std::vector<WideRow> rows_;
   std::map<std::pair<std::vector<std::string>, std::string>, std::size_t> row_numbers_;
