@@ -225,6 +225,9 @@ DECISIONS: dict[str, dict[str, str]] = {
     "lib/studies/motion/task/figures/value_ends.cpp": {
         "zero_beyond": "search: where a value runs on to zero at a jam, before which rounding ends it",
     },
+    "lib/studies/motion/task/friction_places.cpp": {
+        "keep_between": "search: speeds that only touch zero are no turn",
+    },
     "lib/studies/motion/task/motion_events.cpp": {
         "may_rest": "search: rates so slow that their bounds are asked for",
     },

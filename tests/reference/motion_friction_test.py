@@ -89,6 +89,52 @@ motion: {drive: M, from: FROM, to: TO, time: 1, law: polynomial_345, steps: %d, 
 """
 
 
+# Two strokes, out and back, between two dwells: as short as a step, or a part of it.
+STROKES_BETWEEN_DWELLS = """\
+kinestat: 1
+space: planar
+ground: bed
+bodies: {table: {mass: 60, centre_of_mass: [0, 0]}}
+gravity: [0, -9.81]
+couplings: {g: {type: prismatic, bodies: [bed, table], at: [0, 0], axis: x, friction: 0.1}}
+actuators: {servo: {coupling: g}}
+cases: {move: {motion: {servo: 0}, acceleration: {}, action: {}}}
+motion:
+  drives:
+    - drive: servo
+      profile:
+        - {dwell: 1 s}
+        - {to: 0.2, time: 0.04 s, law: LAW}
+        - {to: 0, time: 0.04 s, law: LAW}
+        - {dwell: 0.92 s}
+  case: move
+  steps: %d
+  report: [velocity, action]
+"""
+
+# Yokes at r cos(t) and cos(3 t), r = 9 - 12 sin^2(1 deg): the one slides on the other by
+# 12 sin(t) (sin^2(t) - sin^2(1 deg)), which has three zeros within two degrees.
+THREE_TURNS = """\
+kinestat: 1
+space: planar
+units: {angle: deg}
+ground: f
+bodies: [crank, yoke, crank3, yoke3]
+couplings:
+  a: {type: revolute, bodies: [f, crank], at: [0, 0]}
+  s: {type: pin_in_slot, bodies: [crank, yoke], at: [9 - 12*sin(1 deg)^2, 0], slot: y}
+  d: {type: prismatic, bodies: [f, yoke], at: [0, 0], axis: x}
+  a3: {type: revolute, bodies: [f, crank3], at: [0, 0]}
+  s3: {type: pin_in_slot, bodies: [crank3, yoke3], at: [1, 0], slot: y}
+  e: {type: prismatic, bodies: [yoke, yoke3], at: [0, 0], axis: x, friction: {mu: 0.3}}
+loads: {weight: {body: yoke3, at: [0, 0], force: [0, -100]}}
+actuators: {M: {coupling: a}, M3: {coupling: a3}}
+cases: {c: {motion: {M: 1, M3: 3}, action: {}}}
+motion: {drives: [{drive: M, from: -100, to: 97}, {drive: M3, from: -300, to: 291}], steps: %d,
+         case: c, report: [M3/action]}
+"""
+
+
 def ram_speed(degrees: float) -> float:
     """Of OVERTAKEN, at 1 rad/s: x = 0.1 cos + sqrt(0.04 - (0.1 sin)^2)."""
     turn = math.radians(degrees)
@@ -118,6 +164,34 @@ class FrictionWithinAStep(MotionTest):
                 force = program.report(done)["motion"]["figures"]["G/action"]
                 self.close(force["least"], -30.0, 1e-12, f"{steps} steps")
                 self.close(force["greatest"], 30.0, 1e-12, f"{steps} steps")
+
+    def test_that_moves_between_two_rests_alone_is_seen(self) -> None:
+        """A stroke within a step, whose ends are at rest: what is said of it is the same in any steps."""
+        for law in ("cycloidal", "constant_speed", "polynomial_345"):
+            rests = " at 1.04," if law != "constant_speed" else ""
+            for steps in (1, 10, 12, 24, 25, 31, 50, 100, 400):
+                text = STROKES_BETWEEN_DWELLS.replace("LAW", law) % steps
+                done = program.call("motion", "-", text=text)
+                where = f"{law}, {steps} steps"
+                found = [one for one in program.report(done)["motion"]["events"]
+                         if one["kind"] == "friction_reversal"]
+                self.assertEqual(len(found), 1, where)
+                self.close(found[0]["time"], 1.04, 1e-9, where)
+                self.close(found[0]["drive"][0], 0.2, 1e-9, where)
+                sides = found[0]["jumps"]["servo/action"]
+                if law != "constant_speed":
+                    self.close(sides["before"], 58.86, 1e-3, where)
+                    self.close(sides["after"], -58.86, 1e-3, where)
+                self.assertIn("friction of 'g' reverses at time = 1.04 s\n", done.stderr, where)
+                self.assertIn(f"(from 0 to 1,{rests} from 1.08 to 2 s, ", done.stderr, where)
+
+    def test_that_turns_round_three_times_is_seen(self) -> None:
+        for steps in (1, 12, 24, 25, 31, 72, 197):
+            done = program.call("motion", "-", text=THREE_TURNS % steps)
+            found = Motion(program.report(done)).events("friction_reversal", "e")
+            self.assertEqual(len(found), 3, f"{steps} steps: {found} {done.stderr}")
+            for place, expected in zip(found, (-1.0, 0.0, 1.0)):
+                self.assertAlmostEqual(place, expected, delta=1e-6, msg=f"{steps} steps")
 
     def test_just_beside_a_rest_is_seen(self) -> None:
         for begin, end in (("20", "180.1"), ("179.9", "340")):

@@ -13,7 +13,7 @@
 #include "studies/motion/task/columns/column_detail.hpp"
 #include "studies/motion/task/columns/reaction_columns.hpp"
 #include "studies/motion/task/figures/motion_steps.hpp"
-#include "studies/motion/task/friction_turns.hpp"
+#include "studies/motion/task/friction_sliding.hpp"
 
 namespace kinestat {
 

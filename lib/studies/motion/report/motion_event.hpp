@@ -47,17 +47,18 @@ struct MotionEvent {
   bool is_jump_of(std::size_t column) const;
 };
 
-/// The rows before and behind; one between the two rests. The same at an end.
-struct RowsAround {
-  std::size_t before = 0;
-  std::size_t after = 0;
+/// Places before and behind: in steps, or in a table where between the rows, as of an event. What
+/// lies between the two rests. The same at an end.
+struct PlacesAround {
+  double before = 0.0;
+  double after = 0.0;
 };
 
 /// Friction that turns round with the sliding of its coupling.
 struct FrictionTurn {
   std::string coupling;
-  std::size_t friction = 0;       ///< into Mechanism::frictions
-  std::vector<RowsAround> turns;  ///< at least one
+  std::size_t friction = 0;         ///< into Mechanism::frictions
+  std::vector<PlacesAround> turns;  ///< at least one
 };
 
 }  // namespace kinestat

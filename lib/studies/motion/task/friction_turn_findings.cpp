@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -16,8 +18,7 @@ namespace {
 const MotionEvent* first_event(const FrictionTurn& turn, const MotionTable& table) {
   const auto event = std::ranges::find_if(table.events, [&](const MotionEvent& one) {
     return one.kind == kFrictionReversalEvent && one.element == turn.coupling &&
-           one.row >= static_cast<double>(turn.turns.front().before) &&
-           one.row <= static_cast<double>(turn.turns.front().after);
+           one.row >= turn.turns.front().before && one.row <= turn.turns.front().after;
   });
   return event == table.events.end() ? nullptr : &*event;
 }
@@ -28,10 +29,13 @@ std::string turn_place(const FrictionTurn& turn, const MotionTable& table) {
     return "at " + event_place(table, *event);
   }
   const auto [before, after] = turn.turns.front();
-  const std::string from = row_place(table, table.rows[before]);
+  const auto place_of = [&](double row) {
+    return row_place(table, table.rows[static_cast<std::size_t>(row)]);
+  };
   return before == after
-             ? fmt::format("at {}", from)
-             : fmt::format("between {} and {}", from, row_place(table, table.rows[after]));
+             ? fmt::format("at {}", place_of(before))
+             : fmt::format(
+                   "between {} and {}", place_of(std::floor(before)), place_of(std::ceil(after)));
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <iterator>
 #include <utility>
 
-#include "cases/case_status.hpp"
 #include "core/tolerance.hpp"
 #include "mechanism/label_kind.hpp"
 #include "studies/motion/followed_configurations.hpp"
@@ -23,7 +22,7 @@
 #include "studies/motion/task/figures/reversal_events.hpp"
 #include "studies/motion/task/figures/unbounded_quotients.hpp"
 #include "studies/motion/task/figures/values_between.hpp"
-#include "studies/motion/task/friction_turns.hpp"
+#include "studies/motion/task/friction_watch.hpp"
 #include "studies/motion/task/idle_rates.hpp"
 #include "studies/motion/task/motion_events.hpp"
 #include "studies/motion/task/position_findings.hpp"
@@ -56,10 +55,10 @@ class TableMaker {
         plan_(motion.plan),
         scope_(scope),
         found_(found),
-        counts_(drive_counts(description, topology_, plan_)) {}
+        counts_(drive_counts(description, topology_, plan_)),
+        friction_(description, mechanism, motion) {}
 
-  /// Empty if the steps must be divided into more parts.
-  std::optional<MotionTable> run(bool may_divide) {
+  MotionTable run() {
     table_.end = end_of(solution_.status);
     table_.label =
         plan_.which < 0 ? "" : mechanism_.cases[static_cast<std::size_t>(plan_.which)].label;
@@ -72,10 +71,7 @@ class TableMaker {
     table_.length_unit = units_.text(QuantityKind::length);
     table_.angle_unit = units_.text(QuantityKind::angle);
     add_drives();
-    add_rows(may_divide);
-    if (parts_ > 1) {
-      return std::nullopt;
-    }
+    add_rows();
     add_events();
     add_column_figures();
     quotients_.leave_out_unbounded(readings_, table_.drives.size(), steps_, table_);
@@ -85,8 +81,6 @@ class TableMaker {
     add_assembly(solution_.assembly, mechanism_, units_, table_);
     return std::move(table_);
   }
-
-  int parts() const { return parts_; }
 
  private:
   QuantityKind kind_of(const PlannedDrive& drive) const {
@@ -130,7 +124,7 @@ class TableMaker {
     column.is_named = plan_.report.chosen && is_among(plan_.report.chosen->named, column.name());
   }
 
-  void add_rows(bool may_divide) {
+  void add_rows() {
     if (solution_.position_count() == 0) {
       return;
     }
@@ -160,27 +154,19 @@ class TableMaker {
       const auto row = static_cast<std::size_t>(p);
       const MotionPosition position =
           positions.at(configuration, solution_.shares[row], time_of_row(motion_, row));
-      judge(position, positions.moved());
+      said_.push_back(judge_position(description_,
+                                     plan_,
+                                     position,
+                                     positions.moved(),
+                                     said_.empty() ? nullptr : &said_.back()));
       add_crossing_cables(
           description_, mechanism_, motion_, configuration, position.state.poses, said_.back());
       add_row(p, position);
       table_.rows.back().status = status_of(p, position, positions.moved());
     }
-    FollowedConfigurations configurations(mechanism_, motion_.network, solution_);
-    const SlidingBetween sliding_between = [&](double row) {
-      const double share = share_at_step(motion_, row);
-      const std::optional<Configuration> there = configurations.at(share);
-      return there ? sliding_at(mechanism_, plan_, positions.at(*there, share)) : FrictionSliding{};
-    };
-    parts_ = may_divide ? parts_for_friction(mechanism_, sliding_, sliding_between) : 1;
-    if (parts_ > 1) {
-      return;
-    }
-    find_friction_turns(mechanism_, sliding_, sliding_between, table_);
-    for (std::size_t r = 0; r < said_.size(); ++r) {
-      const double drive = table_.rows[r].values.front().value_or(0.0);
-      found_.add(r, drive, told_of_row(said_[r], sliding_[r], table_.rows[r], table_));
-    }
+    friction_.look_between(said_, positions);
+    friction_.find_turns(positions, table_);
+    friction_.tell(said_, table_, found_);
     table_.columns.push_back(
         {.element = "", .quantity = std::string(kClosureErrorColumn), .unit = ""});
     tell_named(table_.columns.back());
@@ -191,26 +177,6 @@ class TableMaker {
         table_.worst_closure = closure;
         table_.worst_step = table_.rows[r].step;
       }
-    }
-  }
-
-  // What was said of the row before is not worded again.
-  void judge(const MotionPosition& position, const Mechanism& moved) {
-    if (!position.solved) {
-      said_.emplace_back();
-      return;
-    }
-    const std::optional<ShiftAnalysis> no_shift;
-    const JudgedFile file = {.description = description_, .mechanism = moved, .shift = no_shift};
-    const auto is_reported = [this](std::string_view code, SourceRange where) {
-      return !said_.empty() &&
-             std::ranges::any_of(said_.back().items(), [&](const CaseFinding& one) {
-               return one.code == code && one.where == where;
-             });
-    };
-    said_.push_back(find_case_findings(file, *position.solved, is_reported));
-    if (plan_.report.efficiency) {
-      add_efficiency_findings(mechanism_, *position.solved, said_.back());
     }
   }
 
@@ -238,7 +204,7 @@ class TableMaker {
     steps_.push_back(step_of_row(motion_, static_cast<std::size_t>(p)));
     quotients_.look(readings_, position, steps_.back(), has_drive_at_rest(plan_, position));
     rates_.push_back(position.state.rates);
-    sliding_.push_back(sliding_at(mechanism_, plan_, position));
+    friction_.add_row(steps_.back(), sliding_at(mechanism_, plan_, position));
     coast_flanks_.push_back(position.solved ? std::optional(position.solved->coast_flanks)
                                             : std::nullopt);
     springs_.push_back(position.solved ? position.solved->springs : std::vector<SpringState>());
@@ -257,13 +223,7 @@ class TableMaker {
     if (p + 1 == solution_.position_count() && solution_.status == MotionStatus::limit) {
       return std::string(kLimitEvent);
     }
-    if (position.state.is_singular) {
-      return std::string(kSingularEvent);
-    }
-    const MotionReport& asked = plan_.report;
-    return position.solved ? std::string(case_status(
-                                 moved, *position.solved, asked.has_powers(), asked.efficiency))
-                           : "solved";
+    return status_of_position(plan_, position, moved);
   }
 
   std::vector<double> drives_at(double share) const {
@@ -412,8 +372,8 @@ class TableMaker {
         mechanism_,
         motion_,
         detail_,
-        {.sliding = sliding_,
-         .turns = table_.friction_turns,
+        {.sliding = friction_.places(),
+         .turns = friction_.turns(),
          .springs = springs_,
          .coast_flanks = coast_flanks_,
          .poles = poles_at_,
@@ -439,7 +399,11 @@ class TableMaker {
     add_figures(
         solution_.shares, steps_, corners.view(), columns, between, where_at, share_at, table_);
     add_reversals(
-        motion_, corners.reversals, [this](double share) { return drives_at(share); }, table_);
+        motion_,
+        corners.reversals,
+        steps_,
+        [this](double share) { return drives_at(share); },
+        table_);
   }
 
   const MechanismDescription& description_;
@@ -455,13 +419,12 @@ class TableMaker {
   MotionDetail detail_;
   std::optional<OverallEfficiency> overall_;
   std::vector<MotionReading> readings_;
-  std::vector<int> driven_;               // of each reading the drive whose position it is, or -1
-  std::vector<FreedomRates> rates_;       // of each row
-  std::vector<FrictionSliding> sliding_;  // likewise
+  std::vector<int> driven_;  // of each reading the drive whose position it is, or -1
+  FrictionWatch friction_;
+  std::vector<FreedomRates> rates_;                            // of each row
   std::vector<std::vector<SpringState>> springs_;              // likewise
   std::vector<std::optional<std::vector<int>>> coast_flanks_;  // likewise
   std::vector<CaseFindings> said_;                             // likewise
-  int parts_ = 1;  // of each step, for the turns of frictions
   UnboundedQuotients quotients_;
   std::vector<double> steps_;     // at which the rows stand
   std::vector<double> poles_at_;  // in steps
@@ -476,19 +439,15 @@ MotionTable make_motion_table(const MechanismDescription& description,
                               const MotionScope& scope,
                               PositionFindings& found) {
   const bool has_figures = !scope.columns || !scope.columns->empty() || scope.overall_efficiency;
-  for (int times = 1;;) {
-    const std::optional<FinerMotion> finer =
-        has_figures ? divide_steps(mechanism, motion, times) : std::nullopt;
-    found.keep(finer ? finer->rows : std::vector<std::size_t>());
-    TableMaker maker(description, mechanism, finer ? finer->motion : motion, scope, found);
-    if (std::optional<MotionTable> table = maker.run(has_figures && times == 1)) {
-      if (finer) {
-        keep_rows(*finer, motion.plan.steps, *table);
-      }
-      return *std::move(table);
-    }
-    times = maker.parts();
+  const std::optional<FinerMotion> finer =
+      has_figures ? divide_steps(mechanism, motion) : std::nullopt;
+  found.keep(finer ? finer->rows : std::vector<std::size_t>());
+  MotionTable table =
+      TableMaker(description, mechanism, finer ? finer->motion : motion, scope, found).run();
+  if (finer) {
+    keep_rows(*finer, motion.plan.steps, table);
   }
+  return table;
 }
 
 }  // namespace kinestat

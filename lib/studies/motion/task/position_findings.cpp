@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -11,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "cases/case_efficiency.hpp"
+#include "cases/case_status.hpp"
 #include "core/text.hpp"
 #include "core/tolerance.hpp"
 #include "report/number_format.hpp"
@@ -41,14 +42,11 @@ bool is_said(const CaseFinding& one,
 
 }  // namespace
 
-PositionFindings::Place PositionFindings::place_of(std::size_t row, double drive) const {
-  return {.row = row,
-          .drive = drive,
-          .is_kept = kept_.empty() || std::ranges::binary_search(kept_, row)};
-}
-
-void PositionFindings::add(std::size_t row, double drive, const CaseFindings& found) {
-  const Place place = place_of(row, drive);
+void PositionFindings::add(const FoundPlace& where, const CaseFindings& found) {
+  const bool is_kept =
+      where.row && (kept_.empty() || std::ranges::binary_search(kept_, *where.row));
+  const Place place{
+      .count = count_++, .drive = where.drive, .time = where.time, .is_kept = is_kept};
   for (const CaseFinding& one : found.items()) {
     const auto same = std::ranges::find_if(
         held_, [&](const Held& held) { return says_the_same(held.worst, one); });
@@ -56,7 +54,7 @@ void PositionFindings::add(std::size_t row, double drive, const CaseFindings& fo
       held_.push_back({.worst = one, .worst_at = place, .places = {place}});
       continue;
     }
-    if (same->places.back().row != row) {
+    if (same->places.back().count != place.count) {
       same->places.push_back(place);
     }
     same->varies = same->varies || one.size < same->worst.size * (1.0 - kSameValue);
@@ -74,36 +72,24 @@ bool PositionFindings::has_errors() const {
 }
 
 // Of the first drive, or in time where it dwells or comes back; without a unit.
-std::string PositionFindings::position_text(const MotionTable& table, const Place& place) const {
-  if (!is_told_by_time(table)) {
-    return format_short(place.drive);
-  }
-  if (kept_.empty()) {
-    return format_short(time_at_row(table, static_cast<double>(place.row)).value_or(0.0));
-  }
-  const auto behind = std::ranges::lower_bound(kept_, place.row);
-  const auto count = static_cast<double>(behind - kept_.begin());
-  const bool is_between = *behind != place.row && behind != kept_.begin();
-  const double part = is_between ? static_cast<double>(*behind - place.row) /
-                                       static_cast<double>(*behind - *std::prev(behind))
-                                 : 0.0;
-  return format_short(time_at_row(table, count - part).value_or(0.0));
+std::string PositionFindings::text_of(const Place& place, const MotionTable& table) {
+  return format_short(is_told_by_time(table) ? place.time.value_or(0.0) : place.drive);
 }
 
 // "M from 40 to 60 deg, 3 of 7 positions"
 std::string PositionFindings::brackets_text(std::span<const Place> places,
-                                            const MotionTable& table) const {
+                                            const MotionTable& table) {
   const bool is_in_time = is_told_by_time(table);
   const DriveTravel& drive = table.drives.front();
   const std::string& unit = is_in_time ? table.time_unit : drive.unit;
   std::vector<std::string> brackets;
   for (std::size_t first = 0; first < places.size();) {
     std::size_t last = first;
-    while (last + 1 < places.size() && places[last + 1].row == places[last].row + 1) {
+    while (last + 1 < places.size() && places[last + 1].count == places[last].count + 1) {
       ++last;
     }
-    const std::string from = position_text(table, places[first]);
-    const std::string to = position_text(table, places[last]);
+    const std::string from = text_of(places[first], table);
+    const std::string to = text_of(places[last], table);
     brackets.push_back(from == to ? "at " + from : fmt::format("from {} to {}", from, to));
     first = last + 1;
   }
@@ -122,11 +108,9 @@ std::string PositionFindings::brackets_text(std::span<const Place> places,
 
 void PositionFindings::tell(const MotionTable& table, Diagnostics& found) const {
   const std::size_t said = found.items().size();
-  const auto rows = static_cast<std::ptrdiff_t>(table.rows.size());
   for (const Held& held : held_) {
     // A dimension that friction lacks, W0604, it lacks everywhere.
-    const bool is_everywhere = std::ranges::count(held.places, true, &Place::is_kept) == rows ||
-                               held.worst.code == "W0604";
+    const bool is_everywhere = held.places.size() == count_ || held.worst.code == "W0604";
     if (is_everywhere && is_said(held.worst, table.label, found.items().first(said))) {
       continue;
     }
@@ -134,9 +118,43 @@ void PositionFindings::tell(const MotionTable& table, Diagnostics& found) const 
     one.message += fmt::format(
         " ({}{})",
         brackets_text(held.places, table),
-        held.varies ? ", the worst at " + position_text(table, held.worst_at) : std::string());
+        held.varies ? ", the worst at " + text_of(held.worst_at, table) : std::string());
     kinestat::add(one, found);
   }
+}
+
+CaseFindings judge_position(const MechanismDescription& description,
+                            const MotionPlan& plan,
+                            const MotionPosition& position,
+                            const Mechanism& moved,
+                            const CaseFindings* before) {
+  if (!position.solved) {
+    return CaseFindings();
+  }
+  const std::optional<ShiftAnalysis> no_shift;
+  const JudgedFile file = {.description = description, .mechanism = moved, .shift = no_shift};
+  const auto is_reported = [before](std::string_view code, SourceRange where) {
+    return before != nullptr && std::ranges::any_of(before->items(), [&](const CaseFinding& one) {
+             return one.code == code && one.where == where;
+           });
+  };
+  CaseFindings said = find_case_findings(file, *position.solved, is_reported);
+  if (plan.report.efficiency) {
+    add_efficiency_findings(moved, *position.solved, said);
+  }
+  return said;
+}
+
+std::string status_of_position(const MotionPlan& plan,
+                               const MotionPosition& position,
+                               const Mechanism& moved) {
+  if (position.state.is_singular) {
+    return std::string(kSingularEvent);
+  }
+  return position.solved
+             ? std::string(case_status(
+                   moved, *position.solved, plan.report.has_powers(), plan.report.efficiency))
+             : "solved";
 }
 
 void add_efficiency_findings(const Mechanism& mechanism,

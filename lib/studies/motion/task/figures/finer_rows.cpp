@@ -177,11 +177,8 @@ int parts_of_step(const Mechanism& mechanism, const MotionPlan& plan, int steps)
   return steps > 0 ? std::max(1, static_cast<int>(std::ceil(wanted / steps - kSameStep))) : 1;
 }
 
-std::optional<FinerMotion> divide_steps(const Mechanism& mechanism,
-                                        const FoundMotion& motion,
-                                        int times) {
-  const int parts =
-      times * parts_of_step(mechanism, motion.plan, motion.solution.position_count() - 1);
+std::optional<FinerMotion> divide_steps(const Mechanism& mechanism, const FoundMotion& motion) {
+  const int parts = parts_of_step(mechanism, motion.plan, motion.solution.position_count() - 1);
   return parts > 1 ? StepDivider(mechanism, motion, parts).run() : std::nullopt;
 }
 
@@ -225,8 +222,8 @@ void keep_rows(const FinerMotion& finer, int steps, MotionTable& table) {
     corner *= static_cast<double>(steps) / finer.motion.plan.steps;
   }
   for (FrictionTurn& turn : table.friction_turns) {
-    for (RowsAround& one : turn.turns) {
-      one = {.before = kept.before(one.before), .after = kept.behind(one.after)};
+    for (PlacesAround& one : turn.turns) {
+      one = {.before = kept.place_of(one.before), .after = kept.place_of(one.after)};
     }
   }
   table.worst_step = static_cast<int>(kept.before(static_cast<std::size_t>(table.worst_step)));

@@ -20,11 +20,9 @@ struct FinerMotion {
 /// within one, and nothing is seen of what rises and falls again.
 int parts_of_step(const Mechanism& mechanism, const MotionPlan& plan, int steps);
 
-/// Into so many times the parts that they need. Empty where the steps are fine enough, or the
-/// motion cannot be followed to their parts.
-std::optional<FinerMotion> divide_steps(const Mechanism& mechanism,
-                                        const FoundMotion& motion,
-                                        int times);
+/// Into the parts that they need. Empty where the steps are fine enough, or the motion cannot be
+/// followed to their parts.
+std::optional<FinerMotion> divide_steps(const Mechanism& mechanism, const FoundMotion& motion);
 
 /// Leaves only the rows of the motion that was divided in its table; places between the finer rows
 /// become places between these.

@@ -71,8 +71,13 @@ class CornerFinder {
       steps_.push_back(step);
     }
     for (const FrictionTurn& turn : special_.turns) {
-      for (const RowsAround& rows : turn.turns) {
-        add_reversal(turn, rows, found);
+      for (const PlacesAround& about : turn.turns) {
+        add_reversal(turn, about, found);
+      }
+    }
+    for (const FrictionPlace& one : special_.sliding) {
+      if (!one.row) {
+        add_place(one.step, found.places, {.of = {}, .is_for_peaks = true});
       }
     }
     std::ranges::sort(steps_);
@@ -207,11 +212,13 @@ class CornerFinder {
         row + 1.0);
   }
 
-  void add_place(double step, std::vector<FigurePlace>& corners, double weight = 0.0) {
+  // What is not known of it yet is read there.
+  void add_place(double step, std::vector<FigurePlace>& corners, FigurePlace place = {}) {
     if (const auto position = position_at(step, reading_)) {
-      const double share = share_at_step(motion_, step);
-      corners.push_back(
-          {.step = step, .share = share, .of = values_at_(*position, share), .weight = weight});
+      place.step = step;
+      place.share = share_at_step(motion_, step);
+      place.of = values_at_(*position, place.share);
+      corners.push_back(std::move(place));
     }
   }
 
@@ -223,7 +230,7 @@ class CornerFinder {
     }
     const std::vector<double> breaks = motion_.plan.schedule->breaks();
     for (const double time : motion_.plan.schedule->corners()) {
-      const double step = at_row(time * motion_.plan.steps);
+      const double step = nearest_row(time * motion_.plan.steps);
       if (step >= motion_.solution.position_count() - 1.0 || corners.size() > kMostCorners) {
         return;
       }
@@ -257,8 +264,8 @@ class CornerFinder {
       }
     }
     for (const FrictionTurn& turn : special_.turns) {
-      for (const RowsAround& rows : turn.turns) {
-        if (const std::optional<Rest> rest = rest_of(turn, rows)) {
+      for (const PlacesAround& about : turn.turns) {
+        if (const std::optional<Rest> rest = rest_of(turn, about)) {
           all.insert(all.end(), {rest->begin, rest->end});
         }
       }
@@ -270,15 +277,11 @@ class CornerFinder {
         all.push_back(std::min(time * motion_.plan.steps, last_step()));
       }
     }
-    std::ranges::transform(all, all.begin(), at_row);
+    std::ranges::transform(all, all.begin(), nearest_row);
     std::ranges::sort(all);
     const auto is_same = [](double a, double b) { return b - a < kSameStep; };
     all.erase(std::unique(all.begin(), all.end(), is_same), all.end());
     return all;
-  }
-
-  static double at_row(double step) {
-    return std::abs(step - std::round(step)) < kSameStep ? std::round(step) : step;
   }
 
   // Where a friction turns round, in steps: at one place, or with a rest of its drive between.
@@ -287,38 +290,34 @@ class CornerFinder {
     double end = 0.0;
   };
 
-  // Of two rows between which it slides one way and then the other, or of a row that it rests in.
+  // Of two places between which it slides one way and then the other, or of one that it rests at.
   void add_friction_turns(std::size_t friction, std::vector<double>& steps) {
-    const auto sliding = [&](std::size_t row) {
-      const std::vector<Vec3>& rates = special_.sliding[row].rates;
-      return rates.empty() ? Vec3(Vec3::Zero()) : rates[friction];
-    };
-    for (std::size_t row = 0; row + 1 < special_.sliding.size(); ++row) {
-      const Vec3 here = sliding(row);
-      const Vec3 next = sliding(row + 1);
-      if (here.isZero(0.0) != next.isZero(0.0)) {
-        steps.push_back(static_cast<double>(here.isZero(0.0) ? row : row + 1));
-      } else if (here.dot(next) < 0.0) {
-        const Rest rest = *rest_between(friction, {.before = row, .after = row + 1});
+    for (std::size_t p = 0; p + 1 < special_.sliding.size(); ++p) {
+      const FrictionPlace& here = special_.sliding[p];
+      const FrictionPlace& next = special_.sliding[p + 1];
+      const bool slides = here.sliding.slides(friction);
+      if (slides != next.sliding.slides(friction)) {
+        steps.push_back(slides ? next.step : here.step);
+      } else if (slides && here.sliding.rates[friction].dot(next.sliding.rates[friction]) < 0.0) {
+        const Rest rest = *rest_between(friction, {.before = here.step, .after = next.step});
         steps.insert(steps.end(), {rest.begin, rest.end});
       }
     }
   }
 
   // Sought once for the places beside it and for its event.
-  std::optional<Rest> rest_between(std::size_t friction, const RowsAround& rows) {
-    const auto [at, is_new] = rests_.try_emplace(std::pair(friction, rows.before));
+  std::optional<Rest> rest_between(std::size_t friction, const PlacesAround& about) {
+    const auto [at, is_new] = rests_.try_emplace(std::pair(friction, about.before));
     if (is_new) {
-      at->second = find_rest(friction, rows);
+      at->second = find_rest(friction, about);
     }
     return at->second;
   }
 
   // How long a friction rests that reverses there: while a drive dwells; else it only turns round,
-  // where a drive does, between two rows or in the one between them.
-  std::optional<Rest> find_rest(std::size_t friction, const RowsAround& rows) {
-    const double before = step_of_row(motion_, rows.before);
-    const double after = step_of_row(motion_, rows.after);
+  // where a drive does, between two places or at the one between them.
+  std::optional<Rest> find_rest(std::size_t friction, const PlacesAround& about) {
+    const auto [before, after] = about;
     const Vec3 first = sliding_at(friction, before).value_or(Vec3::Zero());
     const auto stands_at = [&](double step) {
       const std::optional<Vec3> there = sliding_at(friction, step);
@@ -327,18 +326,20 @@ class CornerFinder {
     std::optional<Rest> rest;
     for (const double time :
          motion_.plan.schedule ? motion_.plan.schedule->turns() : std::vector<double>()) {
-      const double step = at_row(time * motion_.plan.steps);
+      const double step = nearest_row(time * motion_.plan.steps);
       if (before < step && step < after && stands_at(step)) {
         const bool dwells = rest && stands_at(std::midpoint(rest->end, step));
         rest = {.begin = dwells ? rest->begin : step, .end = step};
       }
     }
-    if (rest || rows.after > rows.before + 2) {
+    const auto behind =
+        std::ranges::upper_bound(special_.sliding, before, {}, &FrictionPlace::step);
+    const auto end = std::ranges::lower_bound(special_.sliding, after, {}, &FrictionPlace::step);
+    if (rest || end - behind > 1) {
       return rest;
     }
-    const double step = rows.after == rows.before + 2
-                            ? static_cast<double>(rows.before) + 1.0
-                            : at_row(find_turn(friction, first, before, after));
+    const double step =
+        end - behind == 1 ? behind->step : nearest_row(find_turn(friction, first, before, after));
     return Rest{.begin = step, .end = step};
   }
 
@@ -359,16 +360,14 @@ class CornerFinder {
     return root_between(along, before, after);
   }
 
-  std::optional<Rest> rest_of(const FrictionTurn& turn, const RowsAround& rows) {
-    if (rows.before != rows.after) {
-      return rest_between(turn.friction, rows);
-    }
-    const double step = step_of_row(motion_, rows.before);
-    return Rest{.begin = step, .end = step};
+  std::optional<Rest> rest_of(const FrictionTurn& turn, const PlacesAround& about) {
+    return about.before == about.after
+               ? std::optional(Rest{.begin = about.before, .end = about.before})
+               : rest_between(turn.friction, about);
   }
 
-  void add_reversal(const FrictionTurn& turn, const RowsAround& rows, Corners& found) {
-    const std::optional<Rest> rest = rest_of(turn, rows);
+  void add_reversal(const FrictionTurn& turn, const PlacesAround& about, Corners& found) {
+    const std::optional<Rest> rest = rest_of(turn, about);
     if (!rest) {
       return;
     }
@@ -411,7 +410,7 @@ class CornerFinder {
     found.pieces = find_time_pieces(mechanism_.topology, motion_.plan, last_step(), steps_);
     for (const TimePiece& piece : found.pieces) {
       for (const TimePoint& point : piece.points) {
-        add_place(point.step, found.places, point.weight);
+        add_place(point.step, found.places, {.of = {}, .weight = point.weight});
       }
     }
   }
@@ -473,8 +472,8 @@ class CornerFinder {
   std::vector<double> steps_;
   std::vector<double> rows_;   // at which a curve is at one of its points
   std::vector<double> jumps_;  // of springs
-  std::map<std::pair<std::size_t, std::size_t>, std::optional<Rest>>
-      rests_;  // by friction and row before
+  std::map<std::pair<std::size_t, double>, std::optional<Rest>>
+      rests_;  // by friction and place before
 };
 
 }  // namespace

@@ -11,7 +11,7 @@
 #include "studies/motion/followed_configurations.hpp"
 #include "studies/motion/task/figures/motion_figures.hpp"
 #include "studies/motion/task/figures/sharp_bends.hpp"
-#include "studies/motion/task/friction_turns.hpp"
+#include "studies/motion/task/friction_sliding.hpp"
 #include "studies/motion/task/motion_position.hpp"
 
 namespace kinestat {
@@ -21,8 +21,9 @@ using ValuesAt = std::function<FigureValues(const MotionPosition& position, doub
 
 /// What is special between the steps and at them.
 struct SpecialSteps {
-  std::span<const FrictionSliding> sliding;  ///< of each row: where friction turns round it jumps
-  std::span<const FrictionTurn> turns;       ///< those that are events
+  std::span<const FrictionPlace> sliding;  ///< at each row, and between them where it is otherwise:
+                                           ///< where friction turns round it jumps
+  std::span<const FrictionTurn> turns;     ///< those that are events, in steps
   std::span<const std::vector<SpringState>> springs;  ///< of each row: those that act one way alone
                                                       ///< begin and cease to
   std::span<const std::optional<std::vector<int>>> coast_flanks;  ///< of each row that is solved,

@@ -5,6 +5,8 @@
 #include <iterator>
 #include <vector>
 
+#include "core/motion_tolerance.hpp"
+
 namespace kinestat {
 
 double step_of_row(const FoundMotion& motion, std::size_t row) {
@@ -38,6 +40,10 @@ double step_at_share(const FoundMotion& motion, double share) {
     return motion.plan.schedule->time_at(share) * motion.plan.steps;
   }
   return row_at(motion.solution.shares, share);
+}
+
+double nearest_row(double step) {
+  return std::abs(step - std::round(step)) < kSameStep ? std::round(step) : step;
 }
 
 double row_at(std::span<const double> steps, double step) {

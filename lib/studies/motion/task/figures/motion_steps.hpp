@@ -23,6 +23,9 @@ double step_of_row(const FoundMotion& motion, std::size_t row);
 /// between two steps.
 std::optional<double> time_of_row(const FoundMotion& motion, std::size_t row);
 
+/// What falls on a row but for rounding is at the row.
+double nearest_row(double step);
+
 /// Where between rows, which stand at those steps, a step is.
 double row_at(std::span<const double> steps, double step);
 

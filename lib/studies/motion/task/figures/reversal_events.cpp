@@ -33,6 +33,7 @@ void level_sides(const MotionTable& table, MotionEvent& event) {
 
 void add_reversals(const FoundMotion& motion,
                    std::span<const FrictionReversal> reversals,
+                   std::span<const double> steps,
                    const std::function<std::vector<double>(double share)>& drives_at,
                    MotionTable& table) {
   for (const FrictionReversal& one : reversals) {
@@ -40,8 +41,9 @@ void add_reversals(const FoundMotion& motion,
     std::vector<double> drive = drives_at(share_at_step(motion, one.step));
     const double apart = drives_at(share_at_step(motion, beside)).front() - drive.front();
     drive.front() = zero_within_bound(drive.front(), std::abs(apart));
+    const double row = row_at(steps, one.step);
     const auto behind = std::ranges::find_if(
-        table.events, [&](const MotionEvent& event) { return event.row > one.step; });
+        table.events, [&](const MotionEvent& event) { return event.row > row; });
     const auto event =
         table.events.insert(behind,
                             {.kind = std::string(kFrictionReversalEvent),
@@ -49,7 +51,7 @@ void add_reversals(const FoundMotion& motion,
                              .step = std::max(static_cast<int>(std::ceil(one.step)) - 1, 0),
                              .drive = drive,
                              .uncertainty = std::abs(apart),
-                             .row = one.step,
+                             .row = row,
                              .places = {},
                              .before = one.before,
                              .after = one.after});
