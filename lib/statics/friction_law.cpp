@@ -152,8 +152,9 @@ PressingPartOf<Scalar> tension_part(const SlidingOf<Scalar>& s,
   return result;
 }
 
-// Cables hold back a pulley by the difference of their tensions, that behind being the k-th part of
-// that ahead (Eytelwein: k = exp(μ θ)).
+// Cables hold back a pulley by a part of their tensions. That behind is the k-th part of that ahead
+// where they slip (Eytelwein: k = exp(μ θ)), and on a pulley that nothing else turns. Over its
+// radius, one that the cable drives gives off ahead/k - behind, one that drives k behind - ahead.
 template <class Scalar>
 void add_cables(const SlidingOf<Scalar>& s, FrictionLawOf<Scalar>& law) {
   const double rate = value_of(s.twist.angular.dot(s.unit.angular));
@@ -161,14 +162,18 @@ void add_cables(const SlidingOf<Scalar>& s, FrictionLawOf<Scalar>& law) {
     const bool runs_on = rate * cable.radius > 0.0;
     const std::optional<CouplingId>& ahead = runs_on ? cable.leaves : cable.arrives;
     const std::optional<CouplingId>& behind = runs_on ? cable.arrives : cable.leaves;
-    const double share = ahead ? 1.0 - 1.0 / cable.ratio : cable.ratio - 1.0;
-    PressingPartOf<Scalar> part =
-        tension_part(s, ahead ? *ahead : *behind, Scalar(std::abs(cable.radius) * share));
-    if (ahead && behind) {
-      part.slack = behind;
-      part.slack_share = 1.0 / cable.ratio;
+    const double radius = std::abs(cable.radius);
+    if (ahead) {
+      law.parts.push_back(tension_part(s, *ahead, Scalar(radius * (1.0 - 1.0 / cable.ratio))));
     }
-    law.parts.push_back(part);
+    if (ahead && behind && cable.slips) {
+      law.parts.back().slack = behind;
+      law.parts.back().slack_share = 1.0 / cable.ratio;
+    } else if (behind) {
+      law.parts.push_back(tension_part(s, *behind, Scalar(radius * (cable.ratio - 1.0))));
+      law.parts.back().is_instead = ahead.has_value();
+      law.parts.back().is_signed = ahead.has_value();
+    }
   }
 }
 

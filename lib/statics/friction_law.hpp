@@ -12,8 +12,9 @@
 namespace kinestat {
 
 /// A part of a reaction that presses the surfaces together: its share of the friction is a weight
-/// times |part · wrench|. A part with one component may have another weight if it is negative.
-/// `Scalar` is double or Dual.
+/// times |part · wrench|. A part with one component may have another weight if it is negative. Of
+/// parts that press instead of each other, the one with the largest share counts alone. `Scalar` is
+/// double or Dual.
 template <class Scalar>
 struct PressingPartOf {
   std::optional<CouplingId> of;  ///< the coupling whose wrench presses; empty: the law's own
@@ -22,7 +23,9 @@ struct PressingPartOf {
   Scalar weight = 0.0;
   Scalar weight_if_negative = 0.0;  ///< of the first component, the others being zero
   bool is_signed = false;           ///< whether weight_if_negative counts
-  std::optional<CouplingId> slack;  ///< of a cable on a pulley: the segment with the lower tension,
+  bool is_instead = false;          ///< presses instead of the part before it where its share is
+                                    ///< larger: the other strand of a cable on a pulley
+  std::optional<CouplingId> slack;  ///< of a cable that slips: the segment with the lower tension,
                                     ///< which is `slack_share` times the tension that presses
   double slack_share = 0.0;
 };

@@ -173,20 +173,33 @@ class Hoists(ReferenceTest):
                 self.near(cases["raising"]["ratio"], -advantage, "ratio", advantage)
 
     def test_raising_with_losses(self) -> None:
-        """W = T_2 + T_3, T_3 = s T_2; F R l + T_3 r m = T_2 R: the small drum gives m of it."""
+        """W = T_2 + T_3, T_3 = s T_2. The shaft drives: hand and small drum together give it the
+        1/l-th part of T_2 R that the large drum asks for, F R + T_3 r m = T_2 R/l."""
         for large, small in self.RADII:
             for first, sheave, last in ((0.95, 1, 1), (1, 0.9, 1), (1, 1, 0.8), (0.95, 0.9, 0.8)):
                 with self.subTest(large=large, small=small, losses=(first, sheave, last)):
                     case = program.run("analyze", "-", text=hoist(
                         large, small, (first, sheave, last)))["cases"]["raising"]
                     up = 100 / (1 + sheave)
-                    force = up * (large - small * last * sheave) / (large * first)
+                    force = up * (large / first - small * last * sheave) / large
                     actions = case["statics"]["actions"]
                     self.near(actions["chain_2.F"], up, "T_2", 100.0)
                     self.near(actions["chain_3.F"], up * sheave, "T_3", 100.0)
                     self.near(actions["hand"], -force, "hand", 100.0)
                     efficiency = 100 * (large - small) / (2 * large) / force
                     self.near(case["power"]["efficiency"]["friction"], efficiency, "efficiency")
+
+    def test_loaded_chain_rubs_alike_up_and_down(self) -> None:
+        """What the hand feels of the large drum alone is about the loss of half the load."""
+        for large, small in self.RADII:
+            with self.subTest(large=large, small=small):
+                cases = program.run("analyze", "-", text=hoist(
+                    large, small, (0.98, 1, 1)))["cases"]
+                ideal = 50 * (large - small) / large
+                up, down = (-cases[label]["statics"]["actions"]["hand"]
+                            for label in ("raising", "lowering"))
+                self.near(up - ideal, 50 * 0.02 / 0.98, "raising", 50.0)
+                self.near(ideal - down, 50 * 0.02, "lowering", 50.0)
 
     def test_lowering_with_losses(self) -> None:
         """The tension is larger where the chain runs to: T_2 = s T_3; F R = T_2 R l - T_3 r/m."""

@@ -77,11 +77,12 @@ void declare_slip(Mapping<CableStation>& m) {
         "tensions have this ratio, divided by 'eta' if that is given.")
       .may(&CableStation::friction, not_negative(), "0.3")
       .usual("0");
-  m.key("eta",
-        "Efficiency of the pulley, above 0 and at most 1: the couple lost is 1 - eta times the "
-        "tension ahead times the radius. On a pulley without a torque, the tension behind is eta "
-        "times that ahead, in the direction in which the cable runs relative to what it turns or "
-        "slips on.")
+  m.key(
+       "eta",
+       "Efficiency of the pulley, above 0 and at most 1: on a pulley without a torque, the tension "
+       "behind is eta times that ahead, in the direction in which the cable runs relative to what "
+       "it turns or slips on. One that drives its cable takes 1/eta of the torque, one that is "
+       "driven gives eta times the tension ahead, less that behind.")
       .may(&CableStation::eta, efficiency(), "0.95")
       .usual("1");
 }

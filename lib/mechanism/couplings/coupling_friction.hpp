@@ -19,13 +19,15 @@ struct CountedCoupling {
   double sign = 1.0;
 };
 
-/// The friction of a cable on a pulley: the tension of the segment towards which the cable runs is
-/// `ratio` times that of the other. On a drum there is only one segment.
+/// The friction of a cable on a pulley, on which no other couple acts: the tension of the segment
+/// towards which the cable runs is `ratio` times that of the other. On a drum there is only one
+/// segment.
 struct CableFriction {
   std::optional<CouplingId> arrives;  ///< the segment before the pulley in the order of the cable
   std::optional<CouplingId> leaves;   ///< the segment after it
   double radius = 0.0;  ///< [m] signed: speed of the cable onwards over the rate of the coupling
   double ratio = 1.0;   ///< exp(μ θ) of a cable that slips, divided by the efficiency η
+  bool slips = false;   ///< whether the coupling is the slip, and not that on which a pulley turns
 };
 
 /// The name, in an expression for `tau`, of the absolute value of the relative angular velocity.
@@ -38,8 +40,11 @@ inline constexpr std::string_view kSpeedOfFriction = "speed";
 /// - helical: couple |Ra| (r tan(λ ± φ) ∓ h) with tan λ = h / r, tan φ = μ; and tau + c |ω|;
 /// - prismatic: force μ R, R being the force across the axis or, with a length, the two forces at
 ///   the ends of the guide; μ / r times the couple about the axis; and c |v|;
-/// - a revolute under a pulley: couple |r| (1 - 1/k) T, T being the tension ahead and k the ratio
-///   of the cable (Eytelwein); for a drum that winds up, |r| (k - 1) T;
+/// - a revolute under a pulley: the larger of the couples |r| (1 - 1/k) T, T being the tension
+///   ahead and k the ratio of the cable, and |r| (k - 1) T', T' being that behind. They are equal
+///   where nothing else turns the pulley; one that drives its cable loses the second, one that it
+///   drives the first, a drum that of its only strand. Of a cable that slips it is the first
+///   (Eytelwein);
 /// - contacts of surfaces or teeth: force μ N against the sliding;
 /// - open clutches and brakes: couple tau + c |ω|;
 /// - torque converters: the couple by `converter`, which need not oppose the motion.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <utility>
 
 #include "core/tolerance.hpp"
@@ -11,6 +12,51 @@
 namespace kinestat {
 
 namespace {
+
+// What presses, and its share of the friction: weight · |pressing|.
+struct Share {
+  const PressingForce* force = nullptr;
+  Vec3 pressing = Vec3::Zero();
+  double size = 0.0;
+  double weight = 0.0;
+
+  double value() const { return weight * size; }
+};
+
+double weight_of(const PressingPart& part, const Vec3& pressing) {
+  return part.is_signed && pressing.x() < 0.0 ? part.weight_if_negative : part.weight;
+}
+
+double largest_weight(const PressingPart& part) {
+  return part.is_signed ? std::max(part.weight, part.weight_if_negative) : part.weight;
+}
+
+Share share_of(const PressingForce& force, const VecX& f) {
+  const Vec3 pressing = force.constant + force.slopes * f;
+  return {.force = &force,
+          .pressing = pressing,
+          .size = pressing.norm(),
+          .weight = weight_of(*force.part, pressing)};
+}
+
+// The number of forces from there on of which one alone presses: one or two.
+std::size_t rivals(const FrictionFunction& function, std::size_t first) {
+  std::size_t end = first + 1;
+  while (end < function.forces.size() && function.forces[end].part->is_instead) {
+    ++end;
+  }
+  return end - first;
+}
+
+// The one that presses among so many.
+Share largest_share(std::span<const PressingForce> rivals, const VecX& f) {
+  Share largest = share_of(rivals.front(), f);
+  for (const PressingForce& force : rivals.subspan(1)) {
+    const Share other = share_of(force, f);
+    largest = other.value() > largest.value() ? other : largest;
+  }
+  return largest;
+}
 
 // The magnitude, with its gradient.
 struct Evaluated {
@@ -23,16 +69,16 @@ Evaluated evaluate(const FrictionFunction& function, const VecX& f) {
   Evaluated result{.value = function.constant,
                    .terms = std::abs(function.constant),
                    .gradient = VecX::Zero(f.size())};
-  for (const PressingForce& force : function.forces) {
-    const Vec3 v = force.constant + force.slopes * f;
-    const double size = v.norm();
-    const bool is_negative = force.part->is_signed && v.x() < 0.0;
-    const double weight = is_negative ? force.part->weight_if_negative : force.part->weight;
-    if (size > 0.0) {
-      result.value += weight * size;
-      result.terms +=
-          weight * (force.constant.norm() + force.slopes.colwise().norm().dot(f.cwiseAbs()));
-      result.gradient += (weight / size) * (force.slopes.transpose() * v);
+  const std::span<const PressingForce> forces(function.forces);
+  for (std::size_t i = 0; i < forces.size();) {
+    const std::size_t count = rivals(function, i);
+    const Share one = largest_share(forces.subspan(i, count), f);
+    i += count;
+    if (one.size > 0.0) {
+      result.value += one.value();
+      result.terms += one.weight * (one.force->constant.norm() +
+                                    one.force->slopes.colwise().norm().dot(f.cwiseAbs()));
+      result.gradient += (one.weight / one.size) * (one.force->slopes.transpose() * one.pressing);
     }
   }
   return result;
@@ -120,14 +166,33 @@ bool is_contraction(const std::vector<FrictionFunction>& functions) {
   const auto count = static_cast<Eigen::Index>(functions.size());
   MatX system = MatX::Identity(count, count);
   for (Eigen::Index r = 0; r < count; ++r) {
-    for (const PressingForce& force : functions[static_cast<std::size_t>(r)].forces) {
-      const double negative = force.part->is_signed ? force.part->weight_if_negative : 0.0;
-      const double weight = std::max(force.part->weight, negative);
-      system.row(r) -= weight * force.slopes.colwise().norm();
+    const FrictionFunction& function = functions[static_cast<std::size_t>(r)];
+    for (std::size_t i = 0; i < function.forces.size();) {
+      VecX largest = VecX::Zero(count);
+      for (const std::size_t end = i + rivals(function, i); i < end; ++i) {
+        const PressingForce& force = function.forces[i];
+        const VecX change = largest_weight(*force.part) * force.slopes.colwise().norm().transpose();
+        largest = largest.cwiseMax(change);
+      }
+      system.row(r) -= largest.transpose();
     }
   }
   const std::optional<VecX> x = solve_dense(system, VecX(VecX::Ones(count)));
   return x && (x->array() > 0.0).all();
+}
+
+// Of one or two, the one that presses; reversed the other one, or the only one the other way.
+Share chosen_share(std::span<const PressingForce> rivals, const VecX& f, bool is_reversed) {
+  Share one = largest_share(rivals, f);
+  if (!is_reversed) {
+    return one;
+  }
+  if (rivals.size() > 1) {
+    return share_of(one.force == &rivals.front() ? rivals.back() : rivals.front(), f);
+  }
+  one.pressing = -one.pressing;
+  one.weight = weight_of(*one.force->part, one.pressing);
+  return one;
 }
 
 // The frictions with what presses going on in its direction, some of it reversed: a linear system.
@@ -136,19 +201,21 @@ std::optional<VecX> solve_reversed(const std::vector<FrictionFunction>& function
                                    std::uint32_t reversed) {
   MatX system = MatX::Identity(f.size(), f.size());
   VecX right = VecX::Zero(f.size());
-  int part = 0;
+  unsigned choice = 0;
   for (Eigen::Index r = 0; r < f.size(); ++r) {
     const FrictionFunction& function = functions[static_cast<std::size_t>(r)];
+    const std::span<const PressingForce> forces(function.forces);
     right[r] = function.constant;
-    for (const PressingForce& force : function.forces) {
-      const Vec3 v = force.constant + force.slopes * f;
-      const double sense = ((reversed >> static_cast<unsigned>(part)) & 1U) != 0U ? -1.0 : 1.0;
-      const Vec3 direction = v.isZero(0.0) ? Vec3::Zero() : Vec3(sense * v.normalized());
-      const bool is_negative = force.part->is_signed && direction.x() < 0.0;
-      const double weight = is_negative ? force.part->weight_if_negative : force.part->weight;
-      right[r] += weight * direction.dot(force.constant);
-      system.row(r) -= weight * (direction.transpose() * force.slopes);
-      ++part;
+    for (std::size_t i = 0; i < forces.size(); ++choice) {
+      const std::size_t count = rivals(function, i);
+      const Share one =
+          chosen_share(forces.subspan(i, count), f, ((reversed >> choice) & 1U) != 0U);
+      i += count;
+      if (one.size > 0.0) {
+        const Vec3 direction = (one.weight / one.size) * one.pressing;
+        right[r] += direction.dot(one.force->constant);
+        system.row(r) -= direction.transpose() * one.force->slopes;
+      }
     }
   }
   return solve_dense(system, right);
@@ -165,13 +232,15 @@ std::optional<VecX> find_other_friction(const std::vector<FrictionFunction>& fun
   if (is_contraction(functions)) {
     return std::nullopt;
   }
-  int parts = 0;
+  unsigned parts = 0;
   for (const FrictionFunction& function : functions) {
-    parts += static_cast<int>(function.forces.size());
+    for (std::size_t i = 0; i < function.forces.size(); i += rivals(function, i)) {
+      ++parts;
+    }
   }
   // All choices of a few, of more at least those in which a few of the first are reversed.
-  constexpr int kMostReversed = 8;
-  const std::uint32_t choices = 1U << static_cast<unsigned>(std::min(parts, kMostReversed));
+  constexpr unsigned kMostReversed = 8;
+  const std::uint32_t choices = 1U << std::min(parts, kMostReversed);
   const Continuation search(functions);
   for (std::uint32_t reversed = 1; reversed < choices; ++reversed) {
     const std::optional<VecX> start = solve_reversed(functions, f, reversed);

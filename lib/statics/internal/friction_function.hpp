@@ -9,7 +9,8 @@
 
 namespace kinestat {
 
-/// |constant + Σ f_j slopes_j| times a weight.
+/// |constant + Σ f_j slopes_j| times a weight; the largest of those that press instead of each
+/// other.
 struct PressingForce {
   Vec3 constant = Vec3::Zero();
   Eigen::Matrix<double, 3, Eigen::Dynamic> slopes;
@@ -28,8 +29,9 @@ std::optional<VecX> follow_friction(const std::vector<FrictionFunction>& functio
 
 /// Another solution of f = functions(f) than that one, if a search finds it. There is none where
 /// frictions change each other by less than they change, however they press. Sought are those in
-/// which some of what presses in the first presses the other way; of a single friction none is
-/// missed, for it is a convex function of itself.
+/// which some of what presses in the first presses the other way, or of a cable on a pulley the
+/// other strand; of a single friction none is missed, for it is a convex function of itself, but
+/// one in which the strand ahead would push.
 std::optional<VecX> find_other_friction(const std::vector<FrictionFunction>& functions,
                                         const VecX& f);
 

@@ -126,6 +126,7 @@ class ContactBinder {
     // Friction acts where the cable slips; elsewhere it is a limit.
     drag.radius = pulley.radius;
     drag.ratio = (slips ? held : 1.0) / eta;
+    drag.slips = slips.has_value();
     if (drag.ratio > 1.0) {
       add_friction(station, pulley, slips, drag);
     }
