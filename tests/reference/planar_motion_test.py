@@ -168,7 +168,7 @@ class FourBars(MotionTest):
         text = text.replace("drive: motor", "drive: load").replace("{motor: 2 rad/s}", "{load: 1}")
         limits = [CAZANGI.rocker(t) for t in CAZANGI.rocker_dead_points()]
         for to, expected in ((3.0, max(limits)), (-3.0, min(limits))):
-            motion = run(text.replace("to: 1.0", f"to: {to}"), status=5)
+            motion = run(text.replace("to: 1.0", f"to: {to}"))
             self.assertEqual(motion.report["status"], "limited")
             self.close(motion.events("limit")[0], expected, DEAD_POINT, "limit of the rocker")
             self.assertLessEqual(motion.report["closure"]["largest"], CLOSURE)
@@ -180,7 +180,7 @@ class FourBars(MotionTest):
         for sign in (1, -1):
             stop = [linkage.crank_at(7.0, s) for s in (1, -1)]
             expected = max(stop) if sign > 0 else min(stop)
-            motion = run(FOUR_BAR.format(linkage, 0.0, 3.0 * sign, 60), status=5)
+            motion = run(FOUR_BAR.format(linkage, 0.0, 3.0 * sign, 60))
             self.close(motion.events("limit")[0], expected, DEAD_POINT, "limit of the crank")
 
     def test_reach_what_lies_just_before_a_limit(self) -> None:
@@ -213,7 +213,7 @@ motion: {drive: slider, from: %r mm, to: %r mm, steps: %d, report: [a.wz]}
         motion = run(text % (0.0, 40.0, 4))
         self.assertEqual(motion.rows[-1][-1], "singular")
         self.close(motion["a.wz/position"][-1], -drawn, 1e-7, "at the limit")
-        motion = run(text % (0.0, 59.9985, 3), status=5)
+        motion = run(text % (0.0, 59.9985, 3))
         self.assertEqual([row[0] for row in motion.rows], [0, 1, 2, 3])
         self.close(motion["a.wz/position"][2], math.acos(0.99999) - drawn, 1e-12, "before")
         self.close(motion.events("limit")[0], 40.0, DEAD_POINT, "limit")
@@ -254,7 +254,7 @@ motion: {drive: slider, from: %r mm, to: %r mm, steps: %d, report: [a.wz]}
         b = crank * cmath.exp(-1j * math.radians(2))
         linkage = FourBar(0j, b, dyad(b, complex(ground), coupler, rocker, (0, 1, 1j)),
                           complex(ground))
-        motion = run(FOUR_BAR.format(linkage, 0.0, math.pi, 6), status=5)
+        motion = run(FOUR_BAR.format(linkage, 0.0, math.pi, 6))
         reach = crank + coupler
         at_a = math.acos((reach ** 2 + ground ** 2 - rocker ** 2) / (2 * reach * ground))
         found = motion.events("dead_point", "d.wz")
@@ -321,7 +321,7 @@ class SliderCranks(MotionTest):
 
     def test_stop_where_a_short_rod_stands_across(self) -> None:
         """The rod of 13 is across the slider's path when the crank's 15 sin(t) is 13."""
-        motion = run(SLIDER_CRANK.format(c=14, to=90, steps=90), status=5)
+        motion = run(SLIDER_CRANK.format(c=14, to=90, steps=90))
         expected = math.degrees(math.asin(13 / 15) - cmath.phase(9 + 12j))
         self.close(math.radians(motion.events("limit")[0] - expected), 0.0, DEAD_POINT, "limit")
         self.assertLessEqual(motion.report["closure"]["largest"], CLOSURE)

@@ -49,12 +49,12 @@ constexpr auto kStudyCodes = std::to_array<Code>({
      "three together; the gaps show by how much lengths would have to change."},
     {"E0505",
      no_answer,
-     "motion reaches a limit",
-     "A drive of 'motion' cannot reach the end of its range: links are stretched or folded in "
-     "line, where the motion would have to reverse. The report goes up to the limit, which the "
-     "message gives and the report brackets. End the motion earlier, drive another coupling, or "
-     "change lengths; in a four-bar a crank turns fully if it is the shortest link and the "
-     "shortest and longest together are shorter than the other two."},
+     "limit before a motion begins",
+     "A drive of 'motion' reaches a limit before its range begins, or in the drawn position, or "
+     "drives hold each other, so that there are no positions: links are stretched or folded in "
+     "line, where the motion would have to reverse. The same where one position is asked for that "
+     "lies beyond a limit. Let the range begin before the limit, which the message gives, drive "
+     "another coupling, or change lengths. A limit on the way is W0518."},
     {"E0506",
      no_answer,
      "motion cannot be followed",

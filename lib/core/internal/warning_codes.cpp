@@ -253,6 +253,16 @@ constexpr auto kWarningCodes = std::to_array<Code>({
      "position, and where the case gives the speed of something that hardly moves while other "
      "parts run. The bound is the worst that rounding can do; the values are mostly far better. "
      "Move a little away from such a position, or give the speed of a coupling that moves more."},
+    {"W0518",
+     done,
+     "motion ends at a limit",
+     "A drive of 'motion' cannot reach the end of its range: links are stretched or folded in "
+     "line, where the motion would have to reverse. The report goes up to the limit, which the "
+     "message gives and the report brackets; extremes are those of this way, and there are no "
+     "means. Where the limit is what is sought write 'to: limit', which tells the means, too. "
+     "Otherwise end the motion earlier, drive another coupling, or change lengths: in a four-bar a "
+     "crank turns fully if it is the shortest link and the shortest and longest together are "
+     "shorter than the other two."},
     {"W0601",
      done,
      "actions are statically indeterminate",

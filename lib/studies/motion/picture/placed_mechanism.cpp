@@ -137,7 +137,7 @@ class Placer {
                                        .extremes = std::vector<std::string>()},
                                       of_positions);
     const int errors_before = found_.error_count();
-    add_motion_findings(*motion, description_, mechanism_, found_);
+    add_motion_findings(*motion, description_, mechanism_, found_, EndOfMotion::must_be_reached);
     if (found_.error_count() > errors_before || motion->solution.position_count() == 0) {
       return false;
     }

@@ -13,7 +13,6 @@
 #include "core/text.hpp"
 #include "core/utf8.hpp"
 #include "expression/file_units.hpp"
-#include "power/ratio.hpp"
 #include "report/number_format.hpp"
 
 namespace kinestat {
@@ -35,12 +34,14 @@ class Findings {
   Findings(const FoundMotion& motion,
            const FileUnits& units,
            const Mechanism& mechanism,
+           EndOfMotion end,
            Diagnostics& found)
       : motion_(motion),
         table_(motion.table),
         topology_(mechanism.topology),
         mechanism_(mechanism),
         units_(units),
+        end_(end),
         found_(found) {}
 
   void add_all() {
@@ -299,22 +300,32 @@ class Findings {
                    "another coupling");
       return;
     }
-    found_.error(
-        "E0505",
-        place_of_drive(),
+    std::string message =
         fmt::format("the motion reaches its limit {}, before {} = {}",
                     has_begun ? reached_text()
                               : fmt::format("at {}, on the way to where it begins",
                                             drives_text(table_.events.back().drive)),
                     drive.name,
-                    with_unit(has_begun ? drive.to : drive.from, drive.unit)),
-        has_begun && !table_.rows.empty()
-            ? fmt::format("the report goes up to there; end the motion earlier{}, or drive another "
-                          "coupling",
-                          table_.drives.size() > 1 || table_.duration ? ""
-                          : drive.to < drive.from ? ", or at the limit with 'to: -limit'"
-                                                  : ", or at the limit with 'to: limit'")
-            : "let the motion begin and end before that, or drive another coupling");
+                    with_unit(has_begun ? drive.to : drive.from, drive.unit));
+    if (end_ == EndOfMotion::may_be_a_limit && table_.rows.size() > 1) {
+      const bool takes_limit = table_.drives.size() == 1 && !table_.duration;
+      found_.warning(
+          kEndsAtLimit,
+          place_of_drive(),
+          std::move(message),
+          fmt::format("the report goes up to there{}; otherwise end the motion earlier, or drive "
+                      "another coupling",
+                      !takes_limit            ? ""
+                      : drive.to < drive.from ? ": if that is meant, write 'to: -limit'"
+                                              : ": if that is meant, write 'to: limit'"));
+      return;
+    }
+    found_.error("E0505",
+                 place_of_drive(),
+                 std::move(message),
+                 end_ == EndOfMotion::must_be_reached
+                     ? "ask for a position before that, or drive another coupling"
+                     : "let the motion begin and end before that, or drive another coupling");
   }
 
   void add_lift_off() const {
@@ -381,74 +392,11 @@ class Findings {
   const Topology& topology_;
   const Mechanism& mechanism_;
   const FileUnits& units_;
+  EndOfMotion end_;
   Diagnostics& found_;
 };
 
 }  // namespace
-
-bool check_report(const MotionPlan& plan,
-                  const Mechanism& mechanism,
-                  Diagnostics& found,
-                  CasePlace place) {
-  const MotionReport& report = plan.report;
-  const bool needs_ends = report.ratio || report.transmission_angle || report.mechanical_advantage;
-  const bool needs_motion =
-      report.velocity || report.acceleration || report.power || report.efficiency || needs_ends;
-  const bool needs_action = report.action || report.reaction || report.power || report.efficiency ||
-                            report.dynamics || !report.actions.empty();
-  if (plan.which < 0) {
-    if (!needs_motion && !needs_action) {
-      return true;
-    }
-    const std::string label =
-        mechanism.cases.empty() ? "LABEL" : printable(mechanism.cases.front().label);
-    found.error(
-        "E0303",
-        plan.where,
-        "'motion' reports more than positions and therefore needs the key 'case'",
-        fmt::format(
-            "{}: case: {}{}",
-            mechanism.cases.empty() ? "add a case that gives the speed of the drive, and name it"
-                                    : "name the case whose speeds and loads apply",
-            label,
-            place == CasePlace::sweep ? fmt::format(", or cases: [{}] under 'sweep'", label) : ""));
-    return false;
-  }
-  const Case& which = mechanism.cases[static_cast<std::size_t>(plan.which)];
-  const auto refuse = [&](std::string_view what, std::string_view why, std::string hint) {
-    found.error(
-        "E0303",
-        which.where,
-        fmt::format("'motion' reports {}, but case '{}' {}", what, printable(which.label), why),
-        std::move(hint));
-    return false;
-  };
-  if (needs_ends && !has_ratio_ends(which)) {
-    MissingEnds missing = missing_ratio_ends(mechanism, which);
-    return refuse("what passes from input to output", missing.what, std::move(missing.hint));
-  }
-  if (report.efficiency && !which.names_both_ends()) {
-    return refuse("the efficiency",
-                  "does not name both ends",
-                  "add input: NAME and output: NAME, actuators or loads of the case");
-  }
-  if ((report.velocity || report.acceleration) && which.motions.empty() && !plan.schedule) {
-    return refuse(
-        "velocities", "lacks 'motion'", "add motion: {DRIVE: SPEED}, the speed of the drive");
-  }
-  if (report.dynamics && !which.has_inertia()) {
-    return refuse(
-        "the effects of inertia",
-        "lacks 'acceleration'",
-        "add acceleration: {}, or acceleration: {DRIVE: NUMBER} of a drive that speeds up; or "
-        "report something else, --report position");
-  }
-  if (needs_action && !which.asks_actions) {
-    return refuse(
-        "actions", "lacks 'action'", "add action: {NAME: VALUE}, what is known of the actions");
-  }
-  return true;
-}
 
 bool check_movable(const FoundMotion& motion, const Mechanism& mechanism, Diagnostics& found) {
   std::set<std::pair<int, MotionObstacle>> refused;
@@ -491,8 +439,9 @@ bool check_ranges(const FoundMotion& motion, const Mechanism& mechanism, Diagnos
 void add_motion_findings(const FoundMotion& motion,
                          const MechanismDescription& description,
                          const Mechanism& mechanism,
-                         Diagnostics& found) {
-  Findings(motion, description.units, mechanism, found).add_all();
+                         Diagnostics& found,
+                         EndOfMotion end) {
+  Findings(motion, description.units, mechanism, end, found).add_all();
 }
 
 }  // namespace kinestat

@@ -1,6 +1,8 @@
 // What became of a finite motion, as diagnostics.
 #pragma once
 
+#include <string_view>
+
 #include "core/diagnostic.hpp"
 #include "studies/motion/task/found_motion.hpp"
 
@@ -28,11 +30,21 @@ bool check_movable(const FoundMotion& motion, const Mechanism& mechanism, Diagno
 /// Ranges of drives that would take hours: E0305. False iff there are any.
 bool check_ranges(const FoundMotion& motion, const Mechanism& mechanism, Diagnostics& found);
 
+/// A limit on the way, which is an answer.
+inline constexpr std::string_view kEndsAtLimit = "W0518";
+
+/// What a limit on the way to the end is.
+enum class EndOfMotion {
+  may_be_a_limit,  ///< an answer, W0518
+  must_be_reached  ///< none, E0505: only the end is asked for
+};
+
 /// What stopped the motion, and what it passed.
 void add_motion_findings(const FoundMotion& motion,
                          const MechanismDescription& description,
                          const Mechanism& mechanism,
-                         Diagnostics& found);
+                         Diagnostics& found,
+                         EndOfMotion end = EndOfMotion::may_be_a_limit);
 
 /// Why rows have no velocities or accelerations, beside what is found of the case in each position;
 /// nothing where all rows have what was asked for.

@@ -77,7 +77,8 @@ class SpeedFindings {
       return row.lacks_velocities && row.status == kSingularEvent;
     };
     const MotionRow* first = first_of(holds);
-    const bool is_named = is_reported("W0503") || is_reported("E0505") || is_reported("E0506");
+    const bool is_named = is_reported("W0503") || is_reported("E0505") ||
+                          is_reported(kEndsAtLimit) || is_reported("E0506");
     if (first != nullptr && !is_named) {
       found_.warning(
           "W0507",

@@ -8,6 +8,7 @@
 
 #include "cases/case_status.hpp"
 #include "studies/motion/task/find_motion.hpp"
+#include "studies/motion/task/motion_findings.hpp"
 #include "studies/sweep/report/sweep_status.hpp"
 
 namespace kinestat {
@@ -143,7 +144,9 @@ std::string StateMotion::find_figures(const MechanismDescription& description,
   Diagnostics found;
   add_findings(motion, description, mechanism, {}, found);
   const MotionTable& table = motion.table;
-  if (found.has_errors()) {
+  const bool ends_early = std::ranges::any_of(
+      found.items(), [](const Diagnostic& one) { return one.code == kEndsAtLimit; });
+  if (found.has_errors() || ends_early) {
     return std::string(word_of(table.end));
   }
   // Where nothing is open but the direction of friction, and at the limit to which it goes, figures
