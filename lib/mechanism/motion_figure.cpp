@@ -39,7 +39,7 @@ std::span<const std::string> motion_figure_words() {
 }
 
 std::optional<MotionFigureName> motion_figure_of(std::string_view name) {
-  const std::size_t dot = name.rfind('.');
+  const std::size_t dot = name.find_last_of("./");
   const std::string_view last = dot == std::string_view::npos ? name : name.substr(dot + 1);
   const auto words = motion_figure_words();
   const auto at = std::ranges::find(words, last);

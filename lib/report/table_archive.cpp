@@ -57,6 +57,7 @@ bool TableArchive::begin(const Property& property) {
         path_.push_back(property.table_quantity);
       } else {
         element_ = property.key;
+        names_elements_ = true;
       }
       break;
     case TableRole::cases:
@@ -111,6 +112,8 @@ void TableArchive::element(std::string_view name, std::string_view status) {
     case_ = outer.empty() ? std::string(name) : fmt::format("{}.{}", outer, name);
   } else if (names_parameters_) {
     parameter_ = name;
+  } else if (!open_.empty() && !open_.back().elements_of.empty()) {
+    element_ = fmt::format("{}/{}", open_.back().elements_of, name);
   } else if (!element_keys_.empty() || (!open_.empty() && !open_.back().element.empty())) {
     if (std::exchange(open_.back().names_path, true)) {
       path_.pop_back();
@@ -234,12 +237,17 @@ const Shape* TableArchive::next_shape() const {
 void TableArchive::open(Open::Kind kind) {
   const Shape* shape = next_shape();
   const bool is_item = begin_item();
+  // Of what has quantities of its own; of plain numbers the names are those of quantities.
+  const bool names_elements = std::exchange(names_elements_, false) && kind != Open::Kind::object &&
+                              shape != nullptr && !shape->items.empty() &&
+                              shape->items.front().record != nullptr;
   open_.push_back({.kind = kind,
                    .next = 0,
                    .is_item = is_item,
                    .element = element_,
                    .own_status = own_status_,
                    .outer_case = case_,
+                   .elements_of = names_elements ? element_ : std::string(),
                    .reference = {},
                    .shape = shape,
                    .properties = properties_.size()});
@@ -258,6 +266,10 @@ bool TableArchive::begin_item() {
   }
   Open& list = open_.back();
   const auto index = static_cast<std::size_t>(list.next++);
+  if (!list.elements_of.empty()) {
+    element_ = fmt::format("{}/{}", list.elements_of, index);
+    return false;
+  }
   path_.push_back(list.shape == nullptr ? std::to_string(index)
                                         : component_name(*list.shape, index));
   return true;

@@ -18,8 +18,10 @@ inline constexpr std::string_view kCsvHeader =
 enum class MissingNumber { empty_cell, no_row };
 
 /// One row a number: `quantity` is its path below the element, `value` is empty where it is null.
-/// `status` is that of the table, unless the element has one of its own. Names below an element,
-/// those in its maps or of a key that is one, are part of the quantity: no two rows have one name.
+/// `status` is that of the table, unless the element has one of its own. The names of the map or
+/// the numbers of the list of a key that is an element are elements themselves, "dyads/0", where
+/// each has quantities of its own; names below these are part of the quantity: no two rows have one
+/// name.
 class TableArchive : public Archive {
  public:
   /// `mechanism` stands in the first cell of every row. What is below the key `parameters` has its
@@ -53,13 +55,14 @@ class TableArchive : public Archive {
   // A value that is open.
   struct Open {
     enum class Kind { object, map, cases, list } kind = Kind::object;
-    int next = 0;                  // of a list: the number of its next item
-    bool is_item = false;          // it is itself an item of a list
-    std::string element;           // of what contains it
-    std::string own_status;        // likewise
-    std::string outer_case;        // of cases: the one that contains them
-    bool names_path = false;       // the name of its element ends the path
-    std::string reference;         // the unit for one of which its rates and actions are
+    int next = 0;             // of a list: the number of its next item
+    bool is_item = false;     // it is itself an item of a list
+    std::string element;      // of what contains it
+    std::string own_status;   // likewise
+    std::string outer_case;   // of cases: the one that contains them
+    std::string elements_of;  // the key whose items or names are elements: "dyads" of "dyads/0"
+    bool names_path = false;  // the name of its element ends the path
+    std::string reference;    // the unit for one of which its rates and actions are
     const Shape* shape = nullptr;  // its own; null where the record says none
     std::size_t properties = 0;    // that were open before
   };
@@ -93,6 +96,7 @@ class TableArchive : public Archive {
   std::string parameter_;
   bool names_parameters_ = false;  // the map that is open
   bool names_cases_ = false;       // the next map or list
+  bool names_elements_ = false;    // likewise
   bool reads_status_ = false;      // the next text
 };
 

@@ -147,12 +147,18 @@ class TableReader {
     return row.cells[columns_.at(column)];
   }
 
-  // The quantity is a path already.
+  // The element may be a path, as of "dyads/0", and the quantity is one.
   std::string place_of(const CsvRow& row) const {
     std::string place = columns_.contains("file") ? place_below("", cell(row, "file")) : "";
     place = place_below(place, compared_name(cell(row, kMechanismColumn)));
-    for (const char* column : {"case", "pass", "element"}) {
+    for (const char* column : {"case", "pass"}) {
       place = place_below(place, cell(row, column));
+    }
+    const std::string& element = cell(row, "element");
+    for (std::size_t at = 0; at <= element.size();) {
+      const std::size_t end = std::min(element.find('/', at), element.size());
+      place = place_below(place, element.substr(at, end - at));
+      at = end + 1;
     }
     if (columns_.contains("parameter")) {
       place = place_below(place + "/by", cell(row, "parameter"));
