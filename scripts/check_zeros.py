@@ -207,8 +207,8 @@ DECISIONS: dict[str, dict[str, str]] = {
     "lib/studies/motion/task/figures/column_means.cpp": {
         "returns": "search: whether values go on at the end as they began",
     },
-    "lib/studies/motion/task/figures/motion_corners.cpp": {
-        "find_rest": "search: whether friction stands where a drive turns back or stops",
+    "lib/studies/motion/task/figures/friction_rests.cpp": {
+        "find": "search: whether friction stands where a drive turns back or stops",
     },
     "lib/studies/motion/task/figures/motion_figures.cpp": {
         "samples_with_jumps": "search: whether a column jumps at a place",

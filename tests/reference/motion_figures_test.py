@@ -384,6 +384,63 @@ motion:
 """
 
 
+# From 1.02 on the couple is 10 u (1 - u), u the share of the way to 1.06: 2.5 at 1.04.
+BEHIND_POINTS = """\
+kinestat: 1
+space: planar
+ground: f
+bodies: [c]
+couplings: {a: {type: revolute, bodies: [f, c], at: [0, 0]}}
+actuators: {M: {coupling: a}}
+curves:
+  rise: {over: M, points: [[0, 0 N*m], [1.02, 0 N*m], [1.06, 10 N*m]]}
+  fall: {over: M, points: [[0, 1], [1.02, 1], [1.06, 0]]}
+loads: {L: {body: c, couple: -rise*fall}}
+cases: {c: {motion: {M: 1}, action: {}}}
+motion: {drive: M, to: END, case: c, report: [M/action]}
+"""
+
+# The curve has one of its points twice, at the end of a period and at the begin of the next.
+BEHIND_A_PERIOD = """\
+kinestat: 1
+space: planar
+ground: f
+bodies: [c, r, s]
+couplings:
+  a: {type: revolute, bodies: [f, c], at: [0, 0]}
+  b: {type: revolute, bodies: [c, r], at: [0.1, 0]}
+  c: {type: revolute, bodies: [r, s], at: [0.4, 0]}
+  d: {type: prismatic, bodies: [f, s], at: [0.4, 0], axis: x}
+actuators: {M: {coupling: a}}
+curves: {cv: {over: M, period: 1.25, points: [[0, 0 N*m], [0.625, 1 N*m], [1.0, 0.5 N*m]]}}
+loads: {L: {body: c, couple: cv}}
+cases: {c: {motion: {M: 1}, action: {}}}
+motion: {drive: M, to: 1.29, case: c, report: [d.vx/velocity]}
+"""
+
+
+class BehindTheLastPoint(FiguresTest):
+    def test_of_a_curve_a_peak_before_the_end_is_seen(self) -> None:
+        for end in (1.042, 1.05, 1.06):
+            for steps in (1, 4, 12, 23, 24, 25, 30, 100):
+                text = BEHIND_POINTS.replace("END", str(end))
+                found = self.figures(run(text, "--steps", str(steps)), "M/action")
+                self.assertLess(abs(found["greatest"] - 2.5), VALUE, (end, steps))
+
+    def test_of_a_period_a_peak_before_the_end_is_seen(self) -> None:
+        def speed(turn: float) -> float:
+            s, c = 0.1 * math.sin(turn), 0.1 * math.cos(turn)
+            return -s - s * c / math.sqrt(0.09 - s * s)
+
+        low, high = 1.25, 1.29
+        for _ in range(100):
+            a, b = low + 0.4 * (high - low), low + 0.6 * (high - low)
+            low, high = (low, b) if speed(a) < speed(b) else (a, high)
+        for steps in (1, 5, 12, 24, 25, 30, 100):
+            found = self.figures(run(BEHIND_A_PERIOD, "--steps", str(steps)), "d.vx/velocity")
+            self.assertLess(abs(found["least"] - speed(low)), VALUE, steps)
+
+
 class SharpTurns(FiguresTest):
     def test_a_force_that_turns_sharply_within_the_last_step_is_seen(self) -> None:
         """hypot(0.5 N, (t - 90 deg) 10 / 9 N / deg), one degree before the end."""

@@ -93,6 +93,7 @@ void PeakClimb::aim() {
 // A parabola whose vertex is as far as where it was looked for two trials ago comes no nearer.
 void PeakClimb::aim_at_vertex() {
   constexpr double kGolden = 0.3819660112501051;
+  constexpr double kFar = 0.01;
   promise_.reset();
   const PeakSample& before = by_[0];
   const PeakSample& middle = by_[1];
@@ -109,8 +110,8 @@ void PeakClimb::aim_at_vertex() {
   if (vertex && is_inside(*vertex) && (way_before_ == 0.0 || way < 0.5 * way_before_)) {
     if (way >= kSameValue * width) {
       promise_ = vertex;
-    } else if (trials_ == 0) {
-      // Steps of one height beside a top may be so by chance: a look aside tells.
+    } else if (trials_ == 0 || last_way_ > kFar * width) {
+      // Two of one height beside a top may be so by chance: a look aside tells.
       promise_ = {.share = std::lerp(middle.share, behind.share, kGolden), .value = middle.value};
     }
     return;

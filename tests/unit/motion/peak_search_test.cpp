@@ -109,7 +109,6 @@ TEST(PeakSearch, FindsATopThatNoStepShows) {
   }
 }
 
-// Straight on both sides: no parabola comes there, the lines do.
 // The steps beside the one in the middle are of one height, and the cubic is highest aside of it.
 TEST(PeakSearch, FindsATopBetweenStepsOfOneHeight) {
   for (const double skew : {0.5, -0.5, 0.01}) {
@@ -127,6 +126,23 @@ TEST(PeakSearch, FindsATopBetweenStepsOfOneHeight) {
   }
 }
 
+// Two steps of one height, and a third look that happens to be in their middle: there the vertex is
+// at that look itself.
+TEST(PeakSearch, LooksAsideOfALookInTheMiddle) {
+  const auto value = [](double t) { return (t + 1.0) * (1.0 - t) * (2.0 + t); };
+  PeakSearch search(0.0, std::nullopt);
+  search.add_run(
+      PeakTriple{PeakSample{-1.5, value(-1.5)}, PeakSample{-1.0, 0.0}, PeakSample{1.0, 0.0}});
+  while (const std::optional<double> share = search.next()) {
+    search.take(value(*share));
+  }
+  // The slope 1 - 4 t - 3 t^2 is zero.
+  const double t = (std::sqrt(7.0) - 2.0) / 3.0;
+  ASSERT_TRUE(search.better());
+  EXPECT_NEAR(search.better()->value, value(t), 1e-12);
+}
+
+// Straight on both sides: no parabola comes there, the lines do.
 TEST(PeakSearch, GoesToAKink) {
   for (double kink = 0.4001; kink < 0.6; kink += 0.013) {
     const Found found = search(

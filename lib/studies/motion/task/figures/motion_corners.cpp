@@ -4,7 +4,6 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <map>
 #include <numeric>
 #include <utility>
 
@@ -12,6 +11,7 @@
 #include "core/tolerance.hpp"
 #include "math/dense/root_search.hpp"
 #include "studies/motion/task/figures/approach_limits.hpp"
+#include "studies/motion/task/figures/friction_rests.hpp"
 #include "studies/motion/task/figures/motion_steps.hpp"
 
 namespace kinestat {
@@ -34,7 +34,10 @@ class CornerFinder {
         values_at_(values_at),
         seeking_(mechanism, motion.plan, motion.network, motion.drawn, seeking_detail(mechanism)),
         reading_(mechanism, motion.plan, motion.network, motion.drawn, detail),
-        configurations_(configurations) {}
+        configurations_(configurations),
+        rests_(mechanism, motion, special.sliding, [this](double step) {
+          return position_at(step, seeking_);
+        }) {}
 
   Corners find() {
     const int count = motion_.solution.position_count();
@@ -58,6 +61,8 @@ class CornerFinder {
       add_contacts(i);
     }
     add_flank_changes();
+    std::ranges::sort(steps_);
+    drop_doubles(steps_);
     Corners found;
     for (const double step : steps_) {
       add_place(step, found.places);
@@ -82,6 +87,7 @@ class CornerFinder {
     }
     std::ranges::sort(steps_);
     add_time_pieces(found);
+    add_middles(found);
     add_sharp_bends(found.places);
     std::ranges::stable_sort(found.places, {}, &FigurePlace::step);
     found.steps = std::move(steps_);
@@ -265,7 +271,7 @@ class CornerFinder {
     }
     for (const FrictionTurn& turn : special_.turns) {
       for (const PlacesAround& about : turn.turns) {
-        if (const std::optional<Rest> rest = rest_of(turn, about)) {
+        if (const std::optional<FrictionRest> rest = rests_.of(turn, about)) {
           all.insert(all.end(), {rest->begin, rest->end});
         }
       }
@@ -279,16 +285,15 @@ class CornerFinder {
     }
     std::ranges::transform(all, all.begin(), nearest_row);
     std::ranges::sort(all);
-    const auto is_same = [](double a, double b) { return b - a < kSameStep; };
-    all.erase(std::unique(all.begin(), all.end(), is_same), all.end());
+    drop_doubles(all);
     return all;
   }
 
-  // Where a friction turns round, in steps: at one place, or with a rest of its drive between.
-  struct Rest {
-    double begin = 0.0;
-    double end = 0.0;
-  };
+  // In order; those of two curves, or of a period that ends and begins anew.
+  static void drop_doubles(std::vector<double>& steps) {
+    const auto is_same = [](double a, double b) { return b - a < kSameStep; };
+    steps.erase(std::unique(steps.begin(), steps.end(), is_same), steps.end());
+  }
 
   // Of two places between which it slides one way and then the other, or of one that it rests at.
   void add_friction_turns(std::size_t friction, std::vector<double>& steps) {
@@ -299,75 +304,15 @@ class CornerFinder {
       if (slides != next.sliding.slides(friction)) {
         steps.push_back(slides ? next.step : here.step);
       } else if (slides && here.sliding.rates[friction].dot(next.sliding.rates[friction]) < 0.0) {
-        const Rest rest = *rest_between(friction, {.before = here.step, .after = next.step});
+        const FrictionRest rest =
+            *rests_.between(friction, {.before = here.step, .after = next.step});
         steps.insert(steps.end(), {rest.begin, rest.end});
       }
     }
   }
 
-  // Sought once for the places beside it and for its event.
-  std::optional<Rest> rest_between(std::size_t friction, const PlacesAround& about) {
-    const auto [at, is_new] = rests_.try_emplace(std::pair(friction, about.before));
-    if (is_new) {
-      at->second = find_rest(friction, about);
-    }
-    return at->second;
-  }
-
-  // How long a friction rests that reverses there: while a drive dwells; else it only turns round,
-  // where a drive does, between two places or at the one between them.
-  std::optional<Rest> find_rest(std::size_t friction, const PlacesAround& about) {
-    const auto [before, after] = about;
-    const Vec3 first = sliding_at(friction, before).value_or(Vec3::Zero());
-    const auto stands_at = [&](double step) {
-      const std::optional<Vec3> there = sliding_at(friction, step);
-      return there && there->norm() <= kSameStep * first.norm();
-    };
-    std::optional<Rest> rest;
-    for (const double time :
-         motion_.plan.schedule ? motion_.plan.schedule->turns() : std::vector<double>()) {
-      const double step = nearest_row(time * motion_.plan.steps);
-      if (before < step && step < after && stands_at(step)) {
-        const bool dwells = rest && stands_at(std::midpoint(rest->end, step));
-        rest = {.begin = dwells ? rest->begin : step, .end = step};
-      }
-    }
-    const auto behind =
-        std::ranges::upper_bound(special_.sliding, before, {}, &FrictionPlace::step);
-    const auto end = std::ranges::lower_bound(special_.sliding, after, {}, &FrictionPlace::step);
-    if (rest || end - behind > 1) {
-      return rest;
-    }
-    const double step =
-        end - behind == 1 ? behind->step : nearest_row(find_turn(friction, first, before, after));
-    return Rest{.begin = step, .end = step};
-  }
-
-  std::optional<Vec3> sliding_at(std::size_t friction, double step) {
-    const std::optional<MotionPosition> position = position_at(step, seeking_);
-    return position && has_motion(*position)
-               ? std::optional(sliding_of(mechanism_.topology,
-                                          mechanism_.frictions[friction].coupling,
-                                          position->state.rates))
-               : std::nullopt;
-  }
-
-  double find_turn(std::size_t friction, const Vec3& first, double before, double after) {
-    const auto along = [&](double step) {
-      const std::optional<Vec3> sliding = sliding_at(friction, step);
-      return sliding ? sliding->dot(first) : std::numeric_limits<double>::quiet_NaN();
-    };
-    return root_between(along, before, after);
-  }
-
-  std::optional<Rest> rest_of(const FrictionTurn& turn, const PlacesAround& about) {
-    return about.before == about.after
-               ? std::optional(Rest{.begin = about.before, .end = about.before})
-               : rest_between(turn.friction, about);
-  }
-
   void add_reversal(const FrictionTurn& turn, const PlacesAround& about, Corners& found) {
-    const std::optional<Rest> rest = rest_of(turn, about);
+    const std::optional<FrictionRest> rest = rests_.of(turn, about);
     if (!rest) {
       return;
     }
@@ -412,6 +357,27 @@ class CornerFinder {
       for (const TimePoint& point : piece.points) {
         add_place(point.step, found.places, {.of = {}, .weight = point.weight});
       }
+    }
+  }
+
+  // Of what lies between two corners, or one and the end, within a step: else nothing shows what is
+  // greatest between them.
+  void add_middles(Corners& found) {
+    constexpr double kShort = 0.25;  // what corners show themselves
+    std::vector<double> ends = steps_;
+    ends.push_back(last_step());
+    double begin = 0.0;
+    for (const double end : ends) {
+      const double middle = std::midpoint(begin, end);
+      const bool is_within_step = std::floor(begin) + 1.0 >= end;
+      const bool is_step = begin == std::floor(begin) && end == std::floor(end);
+      if (is_within_step && !is_step && end - begin > kShort &&
+          std::ranges::none_of(found.pieces, [middle](const TimePiece& one) {
+            return one.begin < middle && middle < one.end;
+          })) {
+        add_place(middle, found.places, {.of = {}, .is_for_peaks = true});
+      }
+      begin = end;
     }
   }
 
@@ -472,8 +438,7 @@ class CornerFinder {
   std::vector<double> steps_;
   std::vector<double> rows_;   // at which a curve is at one of its points
   std::vector<double> jumps_;  // of springs
-  std::map<std::pair<std::size_t, double>, std::optional<Rest>>
-      rests_;  // by friction and place before
+  FrictionRests rests_;
 };
 
 }  // namespace
