@@ -121,6 +121,25 @@ std::variant<std::vector<SpringState>, SpringObstacle> spring_states(
   return states;
 }
 
+std::optional<PlacedSpring> placed_spring(const Spring& spring, const LoadState& place) {
+  const bool follows_position = spring.damping == 0.0 && spring.force.law == nullptr;
+  if (spring.is_of_freedom()) {
+    if (!place.positions[at(spring.freedom)]) {
+      return std::nullopt;
+    }
+    const SpringState state = state_of_freedom(spring, place, spring.force.value);
+    return PlacedSpring{.position = state.position,
+                        .force = follows_position ? std::optional(state.force) : std::nullopt};
+  }
+  const Ends ends = ends_of(spring, place);
+  PlacedSpring found{.position = (ends.to - ends.from).norm()};
+  if (follows_position && !(spring.gas && is_past_stroke(*spring.gas, found.position))) {
+    found.force =
+        tension_of(numbers_of(spring, spring.force.value), spring.acts, found.position, 0.0);
+  }
+  return found;
+}
+
 double stored_energy(const Spring& spring, double position) {
   double stretch = position - spring.free;
   if (!spring.is_of_freedom()) {

@@ -88,6 +88,15 @@ struct SpringObstacle {
 std::variant<std::vector<SpringState>, SpringObstacle> spring_states(
     const Mechanism& drawn, const LoadState& place, std::span<const double> forces);
 
+/// What a spring does in a position of which no speeds are known.
+struct PlacedSpring {
+  double position = 0.0;             ///< as of a SpringState
+  std::optional<double> force = {};  ///< empty where it follows speeds or curves, or has none there
+};
+
+/// Empty of a freedom without a position.
+std::optional<PlacedSpring> placed_spring(const Spring& spring, const LoadState& place);
+
 /// What the stiffness or the gas of a spring holds at that length or position [J]; none where they
 /// act not.
 double stored_energy(const Spring& spring, double position);

@@ -146,5 +146,50 @@ motion: {drive: Tin, from: %s deg, to: %s deg, steps: 1, case: one,
         return quarters if end > start else quarters[::-1]
 
 
+SPRINGS_TO_A_LIMIT = """\
+kinestat: 1
+space: planar
+ground: frame
+bodies: [crank, coupler, rocker]
+couplings:
+  a: {type: revolute, bodies: [frame, crank], at: [0, 0]}
+  b: {type: revolute, bodies: [crank, coupler], at: [0.03, 0.04]}
+  c: {type: revolute, bodies: [coupler, rocker], at: [0.07, 0.06]}
+  d: {type: revolute, bodies: [frame, rocker], at: [0.12, 0]}
+springs:
+  q: {coupling: d, stiffness: 2, damping: DAMPING}
+  p: {bodies: [frame, rocker], at: {frame: [0.2, 0.1], rocker: [0.07, 0.06]}, stiffness: 100}
+actuators: {motor: {coupling: a}}
+cases: {run: {motion: {motor: 1}, action: {}}}
+motion: {drive: motor, to: limit, steps: %d, case: run, report: [spring.q, spring.p, motor/action]}
+"""
+
+
+class SpringsAtALimit(MotionTest):
+    def test_have_their_lengths_and_what_follows_from_these_alone(self) -> None:
+        """Where coupler and rocker are in line nobody knows speeds, and a damper has no force."""
+        crank, coupler, rocker = 0.05, math.hypot(0.04, 0.02), math.hypot(0.05, 0.06)
+        along = coupler + rocker
+        turn = math.acos((0.12 ** 2 + crank ** 2 - along ** 2) / (2 * 0.12 * crank))
+        line = complex(crank * math.cos(turn) - 0.12, crank * math.sin(turn)) / along
+        joint = 0.12 + rocker * line
+        angle = math.atan2(line.imag, line.real) - math.atan2(0.06, -0.05)
+        length = abs(0.2 + 0.1j - joint)
+        for damping in (0, 0.01):
+            for steps in (1, 5, 24, 80):
+                motion = run(SPRINGS_TO_A_LIMIT.replace("DAMPING", str(damping)) % steps)
+                self.assertEqual(motion["status"][-1], "limit")
+                where = f"damping {damping}, {steps} steps"
+                self.close(motion["spring.q/angle"][-1], angle, 1e-12, where)
+                self.close(motion["spring.p/length"][-1], length, 1e-12, where)
+                self.close(motion["spring.p/force"][-1], 100 * (length - math.hypot(0.13, 0.04)),
+                           1e-10, where)
+                couple = motion["spring.q/couple"][-1]
+                if damping:
+                    self.assertIsNone(couple, where)
+                else:
+                    self.close(couple, -2 * angle, 1e-12, where)
+
+
 if __name__ == "__main__":
     motion_case.main()
