@@ -64,16 +64,20 @@ struct Bases {
   CoordinateBasis action;
 };
 
-// Where a cable does not slip, the couple of an actuator holds it: its size is an action.
+// Where a cable does not slip, the couple of an actuator holds it: its size is an action. A pulley
+// that stands with a cable that may slip has none of its own.
 bool is_held(const Mechanism& mechanism, const CouplingFriction& friction) {
   const bool is_cable_alone = !friction.cables.empty() && friction.mu == 0.0 &&
                               friction.tau == 0.0 && friction.viscous == 0.0;
   const Topology& topology = mechanism.topology;
+  const bool may_slip = std::ranges::all_of(
+      friction.cables, [](const CableFriction& cable) { return cable.unless_slip.has_value(); });
   return is_cable_alone &&
-         std::ranges::any_of(topology.actuators, [&](const ActuatorTopology& actuator) {
-           const auto freedom = static_cast<std::size_t>(actuator.freedom);
-           return topology.freedoms[freedom].coupling == friction.coupling;
-         });
+         (may_slip ||
+          std::ranges::any_of(topology.actuators, [&](const ActuatorTopology& actuator) {
+            const auto freedom = static_cast<std::size_t>(actuator.freedom);
+            return topology.freedoms[freedom].coupling == friction.coupling;
+          }));
 }
 
 // The frictions of a case, and the couplings where it has no direction.

@@ -159,6 +159,9 @@ template <class Scalar>
 void add_cables(const SlidingOf<Scalar>& s, FrictionLawOf<Scalar>& law) {
   const double rate = value_of(s.twist.angular.dot(s.unit.angular));
   for (const CableFriction& cable : s.friction.cables) {
+    if (cable.unless_slip && s.slips(*cable.unless_slip)) {
+      continue;
+    }
     const bool runs_on = rate * cable.radius > 0.0;
     const std::optional<CouplingId>& ahead = runs_on ? cable.leaves : cable.arrives;
     const std::optional<CouplingId>& behind = runs_on ? cable.arrives : cable.leaves;
@@ -305,6 +308,14 @@ FrictionLaw law_at_rest(FrictionLaw law) {
   return law;
 }
 
+// Whether nothing but cables would rub there, and they slip instead.
+bool slips_instead(const CouplingFriction& friction, const std::function<bool(CouplingId)>& slips) {
+  return friction.mu == 0.0 && friction.tau == 0.0 && !friction.cables.empty() &&
+         std::ranges::all_of(friction.cables, [&](const CableFriction& cable) {
+           return cable.unless_slip && slips(*cable.unless_slip);
+         });
+}
+
 // Whether a clutch or brake is known to hold.
 bool engages_any(const Topology& topology, std::span<const Primary> motions) {
   return std::ranges::any_of(motions, [&](const Primary& known) {
@@ -365,6 +376,10 @@ std::vector<std::optional<FrictionLaw>> find_friction_laws(const Mechanism& mech
                                                            const KinematicSolution& motion) {
   std::vector<std::optional<FrictionLaw>> laws;
   const Geometry& geometry = mechanism.geometry;
+  const auto slips = [&](CouplingId link) {
+    const int freedom = mechanism.topology.coupling(link).first_freedom;
+    return !motion.knows_rate(freedom) || bounded_rate(motion, freedom).zeroed() != 0.0;
+  };
   for (const CouplingFriction& friction : mechanism.frictions) {
     const auto e = static_cast<std::size_t>(friction.coupling.value);
     const int freedom = mechanism.topology.couplings[e].first_freedom;
@@ -377,7 +392,8 @@ std::vector<std::optional<FrictionLaw>> find_friction_laws(const Mechanism& mech
         .at = geometry.points[e],
         .unit_action = [&](int a) { return geometry.actions[static_cast<std::size_t>(a)]; },
         .converter =
-            is_fluid ? converter_turns(mechanism, motion, friction) : ConverterTurnsOf<double>{}});
+            is_fluid ? converter_turns(mechanism, motion, friction) : ConverterTurnsOf<double>{},
+        .slips = slips});
     if (is_fluid) {
       laws.push_back(law.has_value ? std::optional(law) : std::nullopt);
       continue;
@@ -390,7 +406,8 @@ std::vector<std::optional<FrictionLaw>> find_friction_laws(const Mechanism& mech
     if (moves) {
       laws.push_back(law.has_value ? std::optional(law) : std::nullopt);
     } else {
-      const bool is_nothing = is_free_at_rest(mechanism.topology, which.motions, friction);
+      const bool is_nothing = is_free_at_rest(mechanism.topology, which.motions, friction) ||
+                              slips_instead(friction, slips);
       laws.push_back(is_nothing ? std::optional(law_at_rest(law)) : std::nullopt);
     }
   }

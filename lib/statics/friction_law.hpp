@@ -91,6 +91,7 @@ struct SlidingOf {
   Vec3Of<Scalar> at;                                      ///< of the coupling
   std::function<WrenchOf<Scalar>(int)> unit_action = {};  ///< the screw of an action
   ConverterTurnsOf<Scalar> converter = {};                ///< of a torque converter
+  std::function<bool(CouplingId)> slips = {};  ///< whether a cable does on that virtual link
 };
 
 /// Makes the law of a coupling whose friction is analysed. The friction opposes the motion, however

@@ -385,6 +385,18 @@ simulation: {{action: {{hand: {-force}}}, time: 1 s, steps: 4, tolerance: 1e-11,
             self.check_tackle(found, force, eta)
             self.conserves(found)
 
+    def test_tackle_whose_rope_may_slip_but_does_not(self) -> None:
+        """Then sheaves lose what they do without slip, from rest on."""
+        for slipping in (1, 2, 4):
+            text = TACKLE.replace("radius: 0.05", "radius: 0.05, eta: 0.95")
+            text = text.replace("eta: 0.95", "eta: 0.95, slip: true, friction: 1", slipping)
+            found = Simulation(text + """
+simulation: {action: {hand: -330}, time: 1 s, steps: 2, tolerance: 1e-11,
+             report: [position, acceleration, action, energy]}
+""")
+            self.check_tackle(found, 330.0, 0.95)
+            self.conserves(found)
+
     def test_drum_with_an_efficiency(self) -> None:
         """Winding up, it takes 1/eta of what the rope asks for."""
         found = Simulation(HOIST.replace("radius: 0.2", "radius: 0.2, eta: 0.9")

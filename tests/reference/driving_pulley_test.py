@@ -212,6 +212,42 @@ cases: {{one: {{motion: {{motor: {-15 * turns}}}, action: {{left: -100, right: -
                 self.near(case["power"]["losses"]["actuators"]["motor"], -turns * lossy,
                           "lossy")
 
+# The pulley turns with its cable, which may slip but does not.
+MAY_SLIP = "slip: true, friction: 1.5"
+
+
+class Gripped(ReferenceTest):
+    def grip(self, case: str, eta: float, friction: float = 1.5) -> dict:
+        machines = MACHINES.replace("}}\n", "}, grip: {coupling: rope_wheel}}\n")
+        done = program.call("analyze", "-", text=sheave(
+            f"{machines}cases: {{one: {{{case}}}}}",
+            f"slip: true, friction: {friction}, eta: {eta}"))
+        self.assertEqual(done.stderr, "")
+        return program.report(done)["cases"]["one"]
+
+    def test_couple_of_a_sheave(self) -> None:
+        for eta, (left, right), turns in itertools.product((0.9, 0.6), TENSIONS[1:-1], (-1, 1)):
+            with self.subTest(eta=eta, left=left, right=right, turns=turns):
+                case = self.grip(f"motion: {{motor: {3 * turns}, grip: 0}}, "
+                                 f"action: {{left: {-left}, right: {-right}}}", eta)["statics"]
+                ahead, behind = (right, left) if turns < 0 else (left, right)
+                self.near(case["actions"]["motor"] * turns, couple(eta, ahead, behind, 0.1),
+                          "motor", 10.0)
+                self.near(case["actions"]["grip"], 0.1 * (right - left), "grip", 10.0)
+                self.near_all([one["couple"] for one in case["friction"].values()],
+                              [loss(eta, ahead, behind, 0.1)])
+
+    def test_slip_takes_the_loss_instead(self) -> None:
+        """Also of a pulley that turns; on one that stands, nothing else rubs."""
+        for turns in (0.0, 4.0):
+            with self.subTest(turns=turns):
+                ratio = math.exp(0.2 * math.pi) / 0.9
+                case = self.grip(f"motion: {{motor: {turns}, grip: 2}}, "
+                                 "action: {left: -100, grip: 0}", 0.9, 0.2)["statics"]
+                self.near(case["actions"]["rope_2.F"], 100 / ratio, "tension", 100.0)
+                self.near(case["actions"]["motor"], -10 * (1 - 1 / ratio), "motor", 10.0)
+
+
 MASSES = ("{left: {mass: 2, centre_of_mass: [-0.1, -5]}, "
           "right: {mass: 3, centre_of_mass: [0.1, -5]}, wheel: {inertia: 0.04}}")
 
@@ -289,6 +325,44 @@ simulation: {{action: {{motor: rising}}, time: 1 s, steps: 2, tolerance: 1e-11}}
                 ahead, behind = (2 * G, 3 * G) if sense > 0 else (3 * G, 2 * G)
                 self.assertLessEqual(abs(5 * found.events[1]["time"] -
                                          couple(eta, ahead, behind, radius)), 1e-8)
+
+    def test_wheel_that_its_cable_does_not_slip_on(self) -> None:
+        eta = 0.9
+        found = simulations.Simulation(sheave(f"""\
+gravity: [0, -9.81]
+actuators: {{motor: {{coupling: W}}}}
+simulation: {{action: {{motor: 0}}, time: 1 s, steps: 2, tolerance: 1e-11, report: [acceleration]}}""",
+                                              f"{MAY_SLIP}, eta: {eta}", MASSES))
+        up = G * (3 * eta - 2) / (3 * eta + 2 + 4)
+        self.assertLessEqual(abs(found.last()["L.vy/acceleration"] - up), 1e-9 * G)
+
+    def test_cable_that_begins_to_slip_on_a_wheel_that_drives(self) -> None:
+        """Until then the wheel loses what it does without slip, from then on the slip does."""
+        eta, radius, mu = 0.9, 0.1, 0.2
+        found = simulations.Simulation(sheave("""\
+gravity: [0, -9.81]
+actuators: {motor: {coupling: W}}
+curves: {rising: {over: time, points: [[0 s, 0 N*m], [1 s, 5 N*m]], between: linear}}
+simulation: {action: {motor: rising}, start: {motor: {speed: 30}}, time: 0.7 s, steps: 70,
+             tolerance: 1e-11, report: [acceleration, action]}""",
+                                              f"slip: true, friction: {mu}, eta: {eta}", MASSES))
+        ratio = math.exp(mu * math.pi) / eta
+        ends = G * (2 * ratio - 3) / (2 * ratio + 3)  # the right rises, and the left sinks, by this
+        slips = [one["time"] for one in found.events if one["kind"] == "slip"]
+        inertia = 0.04 / radius ** 2
+        self.assertEqual(len(slips), 1)
+        self.assertLessEqual(abs(5 * slips[0] / radius - couple(eta, 2 * (G - ends), 3 * (G + ends))
+                                 - inertia * ends), 1e-6)
+        for i, time in enumerate(found.columns["time"]):
+            at = {name: values[i] for name, values in found.columns.items()}
+            rise, spin = at["R.vy/acceleration"], at["W.wz/acceleration"]
+            ahead, behind = 2 * (G - rise), 3 * (G + rise)
+            if time < slips[0]:
+                expected = couple(eta, ahead, behind, radius)
+            else:
+                self.assertLessEqual(abs(rise - ends), 1e-7)
+                expected = radius * (behind - ahead)
+            self.assertLessEqual(abs(5 * time - 0.04 * spin - expected), 1e-7)
 
 
 if __name__ == "__main__":

@@ -108,7 +108,7 @@ void add_held_cables(const JudgedFile& file, const CaseAnalysis& one, CaseFindin
         std::ranges::find(file.mechanism.contacts, std::optional(coupling), &CableContact::slips);
     if (contact == file.mechanism.contacts.end()) {
       held.push_back(name);
-    } else if (contact->efficiency < 1.0) {
+    } else if (contact->efficiency < 1.0 && !contact->turns) {
       gripped.push_back(name);
     }
   }
@@ -126,8 +126,9 @@ void add_held_cables(const JudgedFile& file, const CaseAnalysis& one, CaseFindin
         fmt::format("{} on {}",
                     one.motion ? "the cable does not slip" : "nothing says whether the cable slips",
                     quoted_list(gripped)),
-        "remove 'slip' where the pulley turns with its cable: 'eta' then acts where the pulley "
-        "turns");
+        "let the pulley turn on a revolute coupling at its centre, or the cable slip by a very "
+        "small "
+        "speed in the direction of the coming motion");
   }
   if (!held.empty()) {
     warn(fmt::format("the drum or pulley on {} {}",

@@ -20,6 +20,7 @@ struct CableContact {
       wrap;  ///< contact angle θ with full turns [rad]; empty if the sense is not known
   std::optional<double> friction;  ///< coefficient μ
   double efficiency = 1.0;         ///< η of the pulley
+  bool turns = false;  ///< whether η acts where the pulley turns, unless the cable slips
   SourceRange where;
 };
 

@@ -28,6 +28,8 @@ struct CableFriction {
   double radius = 0.0;  ///< [m] signed: speed of the cable onwards over the rate of the coupling
   double ratio = 1.0;   ///< exp(μ θ) of a cable that slips, divided by the efficiency η
   bool slips = false;   ///< whether the coupling is the slip, and not that on which a pulley turns
+  std::optional<CouplingId> unless_slip = {};  ///< of a cable that may slip, on the coupling on
+                                               ///< which its pulley turns: not while that one slips
 };
 
 /// The name, in an expression for `tau`, of the absolute value of the relative angular velocity.

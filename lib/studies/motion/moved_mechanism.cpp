@@ -85,7 +85,7 @@ class MechanismMover {
     for (std::size_t f = 0; f < moved.frictions.size(); ++f) {
       for (std::size_t r = 0; r < moved.frictions[f].cables.size(); ++r) {
         CableFriction& cable = moved.frictions[f].cables[r];
-        if (cable.arrives == drawn.arrives && cable.leaves == drawn.leaves) {
+        if (cable.slips && cable.arrives == drawn.arrives && cable.leaves == drawn.leaves) {
           cable.ratio = mechanism_.frictions[f].cables[r].ratio *
                         capstan_ratio(*drawn.friction, arc - *drawn.wrap);
         }

@@ -97,6 +97,7 @@ class ReducedSystem {
   void add_inertia();
   void set_speeds(std::span<const double> speeds, std::span<const double> accelerations);
   bool add_friction(VecX& accelerations);
+  bool slides(CouplingId id) const;
   std::optional<ActingFriction> acting_friction(std::size_t i);
   std::optional<std::vector<ActingFriction>> acting_frictions();
   std::optional<VecX> friction_magnitudes(const std::vector<ActingFriction>& acting,

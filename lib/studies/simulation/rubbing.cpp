@@ -113,6 +113,14 @@ bool Rubbing::is_dry() const {
          friction.tau_of_speed || friction.mu_static;
 }
 
+bool Rubbing::is_of_gripped() const {
+  const bool is_of_cables = !gear && !friction.cables.empty() && friction.mu == 0.0 &&
+                            friction.tau == 0.0 && !friction.tau_of_speed && !friction.mu_static;
+  return is_of_cables && std::ranges::all_of(friction.cables, [](const CableFriction& cable) {
+           return cable.unless_slip.has_value();
+         });
+}
+
 std::vector<Rubbing> find_rubbing(const Mechanism& mechanism) {
   std::vector<Rubbing> all;
   for (const CouplingFriction& one : mechanism.frictions) {

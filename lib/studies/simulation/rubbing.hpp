@@ -35,6 +35,12 @@ struct Rubbing {
   /// Whether some of it is there however slow it slides: it sticks and slips.
   bool is_dry() const;
 
+  /// Whether it is that of a cable on the virtual link on which it slips.
+  bool is_slip() const { return !friction.cables.empty() && friction.cables.front().slips; }
+
+  /// Whether it is that of nothing but cables that may slip instead.
+  bool is_of_gripped() const;
+
   /// Whether it is more at rest.
   bool has_more_at_rest() const { return friction.mu_static.value_or(friction.mu) > friction.mu; }
 };

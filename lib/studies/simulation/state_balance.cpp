@@ -101,7 +101,8 @@ void StateBalance::add_pair(int freedom, double magnitude, std::vector<BodyWrenc
 FrictionLaw StateBalance::law_of(std::size_t friction,
                                  double sense,
                                  double rate,
-                                 bool at_rest) const {
+                                 bool at_rest,
+                                 const std::function<bool(CouplingId)>& slips) const {
   const Rubbing& one = (at_rest ? resting_ : sliding_)[friction];
   const Twist& unit = moved_.geometry.motions[at(one.slides.front().freedom)];
   // Never so slow that it has no sense.
@@ -118,7 +119,8 @@ FrictionLaw StateBalance::law_of(std::size_t friction,
       .unit = unit,
       .twist = {.angular = sense * size * unit.angular, .linear = sense * size * unit.linear},
       .at = moved_.geometry.points[at(one.coupling.value)],
-      .unit_action = [&](int a) { return moved_.geometry.actions[at(a)]; }});
+      .unit_action = [&](int a) { return moved_.geometry.actions[at(a)]; },
+      .slips = slips});
 }
 
 BodyPair StateBalance::rubbed_bodies(const FrictionLaw& law) const {

@@ -1,6 +1,7 @@
 // The equilibrium of a mechanism in a state, forces of inertia and all that acts among its loads.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -30,8 +31,12 @@ class StateBalance {
   void add_pair(int freedom, double magnitude, std::vector<BodyWrench>& loads) const;
 
   /// Of a dry friction, its sliding having that sense and speed; `at_rest` with the coefficient of
-  /// rest. Without what is viscous.
-  FrictionLaw law_of(std::size_t friction, double sense, double rate, bool at_rest) const;
+  /// rest. Without what is viscous. `slips` tells of a virtual link whether its cable does.
+  FrictionLaw law_of(std::size_t friction,
+                     double sense,
+                     double rate,
+                     bool at_rest,
+                     const std::function<bool(CouplingId)>& slips) const;
 
   /// On which it acts.
   BodyPair rubbed_bodies(const FrictionLaw& law) const;

@@ -130,6 +130,12 @@ class ContactBinder {
     if (drag.ratio > 1.0) {
       add_friction(station, pulley, slips, drag);
     }
+    if (slips && eta < 1.0) {
+      drag.ratio = 1.0 / eta;
+      drag.slips = false;
+      drag.unless_slip = slips;
+      add_gripped(station, pulley, drag);
+    }
   }
 
   std::optional<double> number(const std::optional<Value>& value) {
@@ -164,7 +170,7 @@ class ContactBinder {
   void add_friction(const CableStation& station,
                     const CableStationGeometry& pulley,
                     const std::optional<CouplingId>& slips,
-                    CableFriction drag) {
+                    const CableFriction& drag) {
     const std::vector<CouplingId> bearings =
         slips ? std::vector<CouplingId>{*slips} : find_bearings(station, pulley);
     if (bearings.size() > 1) {
@@ -186,9 +192,31 @@ class ContactBinder {
           "add the coupling on which it turns, or remove 'eta'");
       return;
     }
-    const CouplingId coupling = bearings.front();
+    add_drag(station, pulley, bearings.front(), drag);
+  }
+
+  // Of a cable that may slip: what holds the pulley back where it turns with its cable. A pulley
+  // that turns on nothing, or nobody knows on what, is a post.
+  void add_gripped(const CableStation& station,
+                   const CableStationGeometry& pulley,
+                   const CableFriction& drag) {
+    if (station.body.text == description_.ground.text) {
+      return;
+    }
+    const std::vector<CouplingId> bearings = find_bearings(station, pulley);
+    if (bearings.size() == 1) {
+      add_drag(station, pulley, bearings.front(), drag);
+      mechanism_.contacts.back().turns = true;
+    }
+  }
+
+  void add_drag(const CableStation& station,
+                const CableStationGeometry& pulley,
+                CouplingId coupling,
+                CableFriction drag) {
     const CouplingTopology& turns_on = mechanism_.topology.coupling(coupling);
-    const bool is_head = slips || mechanism_.topology.body(turns_on.head).name == station.body.text;
+    const bool is_head =
+        drag.slips || mechanism_.topology.body(turns_on.head).name == station.body.text;
     const double along = axis_of(turns_on).dot(pulley.axis);
     drag.radius *= (along > 0.0 ? 1.0 : -1.0) * (is_head ? 1.0 : -1.0);
     auto& frictions = mechanism_.frictions;

@@ -8,9 +8,9 @@ namespace kinestat {
 
 /// Fills mechanism.contacts, in the order of the cables and of their stations, and adds the
 /// friction of cables to mechanism.frictions: where a cable slips with `friction` or `eta`, to the
-/// coupling of its virtual link; where a pulley has `eta` and no slip, to the revolute coupling on
-/// which it turns, whose lack is an error. The cables must be right and expanded, the couplings
-/// bound.
+/// coupling of its virtual link; where a pulley has `eta`, to the revolute coupling on which it
+/// turns, whose lack is an error if the cable cannot slip. The cables must be right and expanded,
+/// the couplings bound.
 void bind_contacts(const MechanismDescription& description,
                    Evaluator& evaluator,
                    Diagnostics& found,

@@ -70,6 +70,16 @@ void ReducedSystem::add_held(std::span<const double> held, std::vector<BodyWrenc
   }
 }
 
+// What is tried for whether it would slides only if it does.
+bool ReducedSystem::slides(CouplingId id) const {
+  const auto found = std::ranges::find(frictions_, id, &Rubbing::coupling);
+  if (found == frictions_.end()) {
+    return false;
+  }
+  const FrictionSense& one = senses_[static_cast<std::size_t>(found - frictions_.begin())];
+  return one.sense != 0 && !one.at_rest;
+}
+
 std::optional<ActingFriction> ReducedSystem::acting_friction(std::size_t i) {
   const auto free = static_cast<Eigen::Index>(free_count_);
   const CouplingId id = frictions_[i].coupling;
@@ -78,10 +88,12 @@ std::optional<ActingFriction> ReducedSystem::acting_friction(std::size_t i) {
   for (const SlidingTerm& term : frictions_[i].slides) {
     rate += term.factor * state_.rates[at(term.freedom)].value_or(0.0);
   }
-  ActingFriction one{.index = i,
-                     .law = balance_->law_of(i, sense, rate, senses_[i].at_rest),
-                     .rate = sense * rate,
-                     .work = -sense * direction_of(frictions_[i].slides)};
+  ActingFriction one{
+      .index = i,
+      .law = balance_->law_of(
+          i, sense, rate, senses_[i].at_rest, [this](CouplingId link) { return slides(link); }),
+      .rate = sense * rate,
+      .work = -sense * direction_of(frictions_[i].slides)};
   if (!one.law.has_value) {
     obstacle_ = {.kind = frictions_[i].gear ? SimulationObstacle::Kind::no_loss
                                             : SimulationObstacle::Kind::open_friction,

@@ -298,7 +298,8 @@ void Simulator::note_borne(const std::vector<std::optional<double>>& borne) {
     if (rests(friction)) {
       continue;
     }
-    const FrictionLaw law = balance_.law_of(friction, 1.0, 0.0, false);
+    const FrictionLaw law =
+        balance_.law_of(friction, 1.0, 0.0, false, [](CouplingId) { return false; });
     for (const IgnoredReaction& one : ignored_reactions(balance_.moved(), law, borne)) {
       const auto known = std::ranges::find_if(result_.ignored, [&](const IgnoredReaction& other) {
         return other.coupling == one.coupling && other.reaction == one.reaction;

@@ -47,8 +47,8 @@ class Simulator : private StateInTime {
 
   // What moves a friction, by unit speeds of the free coordinates in radians and sizes.
   VecX direction_in_sizes(std::size_t friction) const;
+  VecX direction_at_rest(std::size_t friction) const;
   std::vector<VecX> directions_of(const std::vector<StuckGroup>& groups) const;
-
   bool is_joint(std::size_t friction) const;      // of the tree, so that it can be held
   double no_sliding(std::size_t friction) const;  // what counts as none
 

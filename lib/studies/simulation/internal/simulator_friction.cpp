@@ -15,7 +15,7 @@ namespace kinestat {
 namespace {
 
 // So many groups that come to rest at one time are tried in all ways.
-constexpr std::size_t kMostGroups = 4;
+constexpr std::size_t kMostGroups = 5;
 
 // All ways in which groups stick (0) or slide, those with most that stick first.
 std::vector<std::vector<int>> patterns_of(std::size_t groups) {
@@ -127,13 +127,37 @@ VecX Simulator::direction_in_sizes(std::size_t friction) const {
   return direction;
 }
 
+// Its direction among those that do not slide. A pulley that only cables hold, each unless it
+// slips, counts with the cables that stick: by what is left of its direction without their slip.
+VecX Simulator::direction_at_rest(std::size_t friction) const {
+  VecX direction = direction_in_sizes(friction);
+  if (!frictions_[friction].is_of_gripped()) {
+    return direction;
+  }
+  std::vector<VecX> slips;
+  for (const std::size_t i : dry_) {
+    if (senses_[i].sense != 0 || !frictions_[i].is_slip()) {
+      continue;
+    }
+    VecX slip = direction_in_sizes(i);
+    for (const VecX& other : slips) {
+      slip -= other.dot(slip) * other;
+    }
+    if (slip.norm() > kIndependentJoint) {
+      slips.push_back(slip.normalized());
+      direction -= slips.back().dot(direction) * slips.back();
+    }
+  }
+  return direction;
+}
+
 // Of frictions that do not slide those that could, by what moves them; the first of each is a joint
 // of the tree where one is. What nothing moves rests by other means.
 std::vector<Simulator::StuckGroup> Simulator::groups_at_rest() const {
   std::vector<StuckGroup> groups;
   std::vector<VecX> directions;
   for (const std::size_t i : dry_) {
-    VecX direction = direction_in_sizes(i);
+    VecX direction = direction_at_rest(i);
     if (senses_[i].sense != 0 || !(direction.norm() > kIndependentJoint)) {
       continue;
     }
