@@ -247,6 +247,19 @@ class Gripped(ReferenceTest):
                 self.near(case["actions"]["rope_2.F"], 100 / ratio, "tension", 100.0)
                 self.near(case["actions"]["motor"], -10 * (1 - 1 / ratio), "motor", 10.0)
 
+    def test_arc_that_grows(self) -> None:
+        """It changes what friction could hold, and not what the sheave loses."""
+        found = motion_case.run(sheave("""\
+actuators: {left: {coupling: L}, right: {coupling: R}, grip: {coupling: rope_wheel}}
+cases: {one: {motion: {left: -1, grip: 0}, action: {right: -100}}}
+motion: {drives: [{drive: left, to: -3}, {drive: grip, to: 0}], steps: 6, case: one,
+         report: [action, reaction]}""", f"{MAY_SLIP}, eta: 0.9").replace(
+             "frame, left], at: [-0.1, -5], axis: y", "frame, left], at: [-1, -5], axis: x").replace(
+             "body: left, at: [-0.1, -5]", "body: left, at: [-1, -5]"))
+        # The hand pulls the rope over the wheel.
+        self.near_all(found["rope_1.F/action"], [100 / 0.9] * 7)
+        self.near_all(found["W/friction"], [loss(0.9, 100 / 0.9, 100, 0.1)] * 7)
+
 
 MASSES = ("{left: {mass: 2, centre_of_mass: [-0.1, -5]}, "
           "right: {mass: 3, centre_of_mass: [0.1, -5]}, wheel: {inertia: 0.04}}")
