@@ -14,6 +14,7 @@ from __future__ import annotations
 import itertools
 import json
 import math
+import random
 import sys
 import unittest
 
@@ -108,6 +109,28 @@ class Statics(ReferenceTest):
                         f"eta: {eta}"))["cases"]["one"]["statics"]["actions"]
                     self.near(found["rope_1.F"], behind, "behind", 100.0 / eta)
                     self.near(found["rope_2.F"], ahead, "ahead", 100.0 / eta)
+
+    def test_row_of_sheaves_some_of_which_drive(self) -> None:
+        """Tensions follow from strand to strand, from either end, and there is no other answer."""
+        draw = random.Random(5)
+        for count, runs_right, at_left in itertools.product(
+                (2, 3, 5, 7), (False, True), (False, True)):
+            etas = [draw.choice(ETAS) for _ in range(count)]
+            tensions = [draw.uniform(50.0, 150.0) for _ in range(count + 1)]
+            couples = []
+            for eta, left, right in zip(etas, tensions, tensions[1:]):
+                ahead, behind = (right, left) if runs_right else (left, right)
+                couples.append(couple(eta, ahead, behind, 0.1))
+            ends_above = count % 2 == 1
+            known = (f"left: {-tensions[0]!r}" if at_left
+                     else f"right: {-tensions[-1] if ends_above else tensions[-1]!r}")
+            with self.subTest(etas=etas, runs_right=runs_right, at_left=at_left):
+                done = program.call("analyze", "-", text=row_of_sheaves(
+                    etas, couples, known, runs_right))
+                self.assertEqual(done.stderr, "")
+                actions = program.report(done)["cases"]["one"]["statics"]["actions"]
+                for i, tension in enumerate(tensions):
+                    self.near(actions[f"rope_{i + 1}.F"], tension, f"strand {i}", 1e5)
 
     def test_slack_strand_is_none(self) -> None:
         """A drum of a single strand, winding up and letting out, is the limit without tension."""
@@ -211,6 +234,31 @@ cases: {{one: {{motion: {{motor: {-15 * turns}}}, action: {{left: -100, right: -
                 lossy = wheel / 5 / 0.98 if drives else wheel / 5 * 0.98
                 self.near(case["power"]["losses"]["actuators"]["motor"], -turns * lossy,
                           "lossy")
+
+def row_of_sheaves(etas: list[float], couples: list[float], known: str, runs_right: bool) -> str:
+    """In turn above and below, a motor on each; the ends hang down or stand up."""
+    last = 0.2 * len(etas)
+    sense = 1 if runs_right else -1
+    lines = ["kinestat: 1", "space: planar", "ground: frame", "couplings:",
+             "  L: {type: prismatic, bodies: [frame, left], at: [0, 2.5], axis: y}",
+             f"  R: {{type: prismatic, bodies: [frame, right], at: [{last}, 2.5], axis: y}}"]
+    stations, motors, actions = [], [], []
+    for i, eta in enumerate(etas):
+        above = i % 2 == 0
+        lines.append(f"  W{i}: {{type: revolute, bodies: [frame, w{i}], "
+                     f"at: [{0.2 * i + 0.1}, {5 if above else 0}]}}")
+        stations.append(f"      - {{pulley: w{i}, radius: 0.1, eta: {eta}, "
+                        f"wrap: {'' if above else 'counter'}clockwise}}")
+        motors.append(f"m{i}: {{coupling: W{i}}}")
+        actions.append(f"m{i}: {(-sense if above else sense) * couples[i]!r}")
+    return "\n".join([
+        *lines, f"bodies: [left, right, {', '.join(f'w{i}' for i in range(len(etas)))}]",
+        "cables:", "  rope:", "    over:", "      - {body: left, at: [0, 2.5]}", *stations,
+        f"      - {{body: right, at: [{last}, 2.5]}}",
+        f"actuators: {{left: {{coupling: L}}, right: {{coupling: R}}, {', '.join(motors)}}}",
+        f"cases: {{one: {{motion: {{left: {sense}}}, action: {{{known}, {', '.join(actions)}}}}}}}",
+        ""])
+
 
 # The pulley turns with its cable, which may slip but does not.
 MAY_SLIP = "slip: true, friction: 1.5"
