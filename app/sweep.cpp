@@ -41,6 +41,9 @@ void add_sharing(CLI::App& command, SweepOptions& options) {
 // "efficiency, smallest abs(ratio - 4)"
 BestChoice read_pareto(const std::string& text) {
   std::optional<BestChoice> front = read_front(text);
+  if (const std::string guess = guess_of_order(text); !guess.empty()) {
+    throw WrongValue("--pareto", text, guess);
+  }
   if (!front) {
     throw WrongValue("--pareto",
                      text,

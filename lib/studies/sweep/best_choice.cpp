@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "core/text.hpp"
+
 namespace kinestat {
 
 namespace {
@@ -50,6 +52,27 @@ std::string_view word_of(RankOrder order) {
 
 std::string Criterion::text() const {
   return fmt::format("{} {}", word_of(order), by);
+}
+
+std::string guess_of_order(std::string_view text) {
+  const std::vector<std::string> words = {std::string(word_of(RankOrder::largest)),
+                                          std::string(word_of(RankOrder::smallest))};
+  for (bool is_through = false; !is_through;) {
+    const std::size_t end = end_of_formula(text);
+    const std::string_view one = without_blanks(text.substr(0, end));
+    const std::string first(one.substr(0, one.find_first_of(kBlanks)));
+    const std::string_view rest = without_blanks(one.substr(first.size()));
+    const bool goes_on = !rest.empty() && std::string_view("+-*/^<>=!)").find(rest.front()) ==
+                                              std::string_view::npos;
+    if (goes_on && std::ranges::find(words, first) == words.end()) {
+      if (std::string guess = did_you_mean(first, words); !guess.empty()) {
+        return guess;
+      }
+    }
+    is_through = end == text.size();
+    text.remove_prefix(is_through ? end : end + 1);
+  }
+  return {};
 }
 
 std::optional<BestChoice> read_front(std::string_view text) {

@@ -41,4 +41,8 @@ struct BestChoice {
 /// not two to kMostCriteria.
 std::optional<BestChoice> read_front(std::string_view text);
 
+/// Which word is meant where a criterion begins with one that is nearly `largest` or `smallest` and
+/// goes on, which no formula does: "did you mean 'smallest'?". Empty if none does.
+std::string guess_of_order(std::string_view text);
+
 }  // namespace kinestat
