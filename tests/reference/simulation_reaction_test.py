@@ -66,6 +66,14 @@ class ReactionTest(simulations.SimulationCase):
             # All that the frame bears upwards is the weight, and what lifts the rod.
             self.near(at["a.Ry/action"] + at["d.Ry/action"], 7.5 * G + rise(time), 1e-7, f"{time}")
 
+    def test_a_tray_that_is_tilted_next_to_nothing_bears_as_much(self) -> None:
+        """Along the tray the part has an equation of the tilt alone, by which rounding is divided."""
+        for tilt in ("1e-14", "1e-13", "5e-13", "1e-12", "1e-11", "-3e-11", "9e-11"):
+            text = TRAY.replace("axis: xFRICTION", f"axis: [1, {tilt}]").replace("SPEED", "10")
+            found = Simulation(text.replace("START", "start: {e.v: {speed: 0}}"))
+            for force in found.columns["e.R/action"]:
+                self.near(abs(force), 1.5 * G, 1e-9, tilt)
+
     def test_what_slides_on_a_tray_is_braked_by_its_weight(self) -> None:
         found = tray(", friction: {mu: 0.1}", 10, "start: {e.vx: {speed: 5}}")
         for force in found.columns["e/friction"]:

@@ -50,6 +50,28 @@ void drop_rounding(Wrench& unit) {
   }
 }
 
+// An equation of a body in which all actions on it are next to nothing, as along a guide that is
+// tilted by so little, says nothing of them that rounding does not: others determine them.
+void drop_idle_equations(const Topology& topology, std::vector<Wrench>& units) {
+  std::vector<Vec3> largest(topology.bodies.size(), Vec3::Zero());
+  const auto for_ends = [&](const auto& act) {
+    for (const CouplingTopology& coupling : topology.couplings) {
+      for (int a = coupling.first_action; a < coupling.first_action + coupling.action_count; ++a) {
+        act(at(coupling.tail.value), units[at(a)].force);
+        act(at(coupling.head.value), units[at(a)].force);
+      }
+    }
+  };
+  for_ends([&](std::size_t body, const Vec3& force) {
+    largest[body] = largest[body].cwiseMax(force.cwiseAbs());
+  });
+  for_ends([&](std::size_t body, Vec3& force) {
+    for (Eigen::Index axis = 0; body != 0 && axis < force.size(); ++axis) {
+      force[axis] = largest[body][axis] <= kRankZero ? 0.0 : force[axis];
+    }
+  });
+}
+
 }  // namespace
 
 StateBalance::StateBalance(const Mechanism& mechanism,
@@ -84,6 +106,7 @@ void StateBalance::place(const Configuration& configuration,
   for (const Primary& one : idle_) {
     moved_.geometry.actions[at(one.index)] = {};
   }
+  drop_idle_equations(moved_.topology, moved_.geometry.actions);
   load_coast_flanks(coast_, moved_.geometry);
 }
 
