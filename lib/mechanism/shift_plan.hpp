@@ -77,6 +77,9 @@ struct SlipPlan {
   SourceRange where_capacity = {};
 };
 
+/// The name of the combination that engages no element; others are joined from theirs: "C1+B2".
+inline constexpr std::string_view kNothingEngaged = "none";
+
 struct ShiftPlan {
   std::vector<ShiftInput> inputs;
   std::vector<int> outputs;  ///< actuators

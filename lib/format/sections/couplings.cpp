@@ -124,7 +124,8 @@ constexpr auto kRows = std::to_array<KeyRow>({
      [](Key key) { key.may(&Coupling::pressure_angle, called(angle(), "{0}"), "20 deg"); }},
     {CouplingKey::helix_angle,
      "helix_angle",
-     "Helix angle of the teeth, positive if the tail is right-handed.",
+     "Helix angle of the teeth, positive if the tail is right-handed. Axis x tangent then points "
+     "from the axis of the tail to the teeth.",
      [](Key key) { key.may(&Coupling::helix_angle, called(angle(), "{0}"), "15 deg").usual("0"); }},
     {CouplingKey::internal,
      "internal",

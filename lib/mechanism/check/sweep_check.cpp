@@ -10,6 +10,7 @@
 #include "mechanism/check/report_name_check.hpp"
 #include "mechanism/check/section_checks.hpp"
 #include "mechanism/gears/planet_question.hpp"
+#include "mechanism/shift_plan.hpp"
 
 namespace kinestat {
 
@@ -283,7 +284,7 @@ class SweepCheck {
         requirement.where, requirement.text_column, requirement.condition.text(), offset, length);
   }
 
-  // A case, a labelled gear, or a combination of elements such as C1+B2.
+  // A case, a labelled gear, or a combination of elements such as C1+B2, or of none.
   void check_state(const Name& label) {
     if (context_.names.states.contains(label.text) || is_combination(label.text)) {
       return;
@@ -294,6 +295,9 @@ class SweepCheck {
   bool is_combination(std::string_view text) const {
     if (!context_.description.shift || text.empty()) {
       return false;
+    }
+    if (text == kNothingEngaged) {
+      return true;
     }
     const std::vector<Name>& elements = context_.description.shift->elements;
     std::size_t begin = 0;

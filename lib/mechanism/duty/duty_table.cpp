@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 #include <utility>
 #include <variant>
@@ -24,6 +25,11 @@ struct Column {
   std::size_t actuator = 0;
   DutySide side = DutySide::motion;
   double factor = 1.0;  ///< SI per unit
+
+  /// Whatever their units.
+  bool holds_same(const Column& other) const {
+    return holds == other.holds && actuator == other.actuator && side == other.side;
+  }
 };
 
 class TableReader {
@@ -51,7 +57,7 @@ class TableReader {
     for (const std::string& cell : head->cells) {
       columns_.push_back(column_of(cell));
     }
-    check_columns();
+    check_columns(head->cells);
     std::optional<double> begin;
     while (!is_refused_) {
       const std::optional<CsvRow> row = reader.next();
@@ -76,12 +82,31 @@ class TableReader {
     return std::ranges::find(columns_, what, &Column::holds) != columns_.end();
   }
 
-  void check_columns() {
-    if (!is_refused_ && has(Column::Holds::duration) == has(Column::Holds::time)) {
+  void check_columns(std::span<const std::string> heads) {
+    for (std::size_t i = 0; i < columns_.size() && !is_refused_; ++i) {
+      const auto same = std::ranges::find_if(
+          columns_, [&](const Column& one) { return one.holds_same(columns_[i]); });
+      if (const auto first = static_cast<std::size_t>(same - columns_.begin()); first < i) {
+        refuse(1,
+               "E0307",
+               fmt::format("columns '{}' and '{}' hold the same quantity",
+                           printable(heads[first]),
+                           printable(heads[i])),
+               "keep one of them");
+      }
+    }
+    if (is_refused_) {
+      return;
+    }
+    const bool has_both = has(Column::Holds::duration) && has(Column::Holds::time);
+    if (has_both || (!has(Column::Holds::duration) && !has(Column::Holds::time))) {
       refuse(1,
-             "E0303",
-             "the table needs one of the columns 'duration' and 'time'",
-             "name it with its unit: 'duration [s]', or 'time [s]' for when each line begins");
+             has_both ? "E0307" : "E0303",
+             has_both ? "the table has both columns 'duration' and 'time'"
+                      : "the table needs one of the columns 'duration' and 'time'",
+             has_both ? "keep one of them: 'time' is when each line begins"
+                      : "name it with its unit: 'duration [s]', or 'time [s]' for when each line "
+                        "begins");
     }
   }
 

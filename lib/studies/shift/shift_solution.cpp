@@ -23,7 +23,7 @@ std::string joined_names(const Topology& topology,
     const int actuator = plan.elements[static_cast<std::size_t>(e)].actuator;
     name += (name.empty() ? "" : "+") + topology.actuators[static_cast<std::size_t>(actuator)].name;
   }
-  return name.empty() ? "none" : name;
+  return name.empty() ? std::string(kNothingEngaged) : name;
 }
 
 // The next combination of `count` elements of the same size, in order; false after the last.

@@ -19,7 +19,7 @@ struct ShiftOptions {
 };
 
 struct NamedShiftState {
-  std::string name;          ///< the label, or the elements joined with '+'; "none" without any
+  std::string name;          ///< the label, or the elements joined with '+', or kNothingEngaged
   std::vector<int> engaged;  ///< indices into ShiftPlan::elements, ascending
   SourceRange where;         ///< of the label, or of the section
   ShiftState state;

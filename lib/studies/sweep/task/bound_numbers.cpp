@@ -76,10 +76,14 @@ double number_of(const SweepInput& input, const Mechanism& mechanism) {
   return 0.0;
 }
 
+bool has_same_parts(const Mechanism& a, const Mechanism& b) {
+  return has_same_magnitudes(a.topology, b.topology) &&
+         a.lossy_meshes.size() == b.lossy_meshes.size() &&
+         a.geometry.other_flanks.size() == b.geometry.other_flanks.size();
+}
+
 BoundNumbers::BoundNumbers(const Mechanism& recorded, std::span<const Mechanism> samples)
-    : topology_(&recorded.topology),
-      lossy_meshes_(recorded.lossy_meshes.size()),
-      other_flanks_(recorded.geometry.other_flanks.size()) {
+    : recorded_(&recorded) {
   for (const SweepInput& input : all_inputs(recorded)) {
     const double value = number_of(input, recorded);
     const bool is_kept = std::ranges::all_of(
@@ -97,10 +101,8 @@ bool BoundNumbers::moves(const SweepInput& input) const {
 }
 
 bool BoundNumbers::are_kept_by(const Mechanism& mechanism) const {
-  const bool has_all = mechanism.lossy_meshes.size() == lossy_meshes_ &&
-                       mechanism.geometry.other_flanks.size() == other_flanks_;
   const bool has_more = !mechanism.frictions.empty() || !mechanism.contacts.empty();
-  return has_same_magnitudes(mechanism.topology, *topology_) && has_all && !has_more &&
+  return has_same_parts(mechanism, *recorded_) && !has_more &&
          std::ranges::all_of(
              kept_, [&](const Kept& one) { return number_of(one.input, mechanism) == one.value; });
 }

@@ -12,12 +12,16 @@ namespace kinestat {
 /// What an input that is no parameter is in this mechanism.
 double number_of(const SweepInput& input, const Mechanism& mechanism);
 
+/// Whether a mechanism has the freedoms, actions, lossy meshes and flanks of another, each at the
+/// same place. Where the axes of two wheels coincide, their teeth have no other flank.
+bool has_same_parts(const Mechanism& a, const Mechanism& b);
+
 /// The numbers of one sweep whose states are bound as a whole: those that move, and those that are
 /// the same in all samples. A state in which one of the latter is another has no tape.
 class BoundNumbers {
  public:
   /// `recorded` is the mechanism with the parameters of the file, which must outlive it; samples
-  /// have the same freedoms and actions.
+  /// have the same parts.
   BoundNumbers(const Mechanism& recorded, std::span<const Mechanism> samples);
 
   bool moves(const SweepInput& input) const;
@@ -34,9 +38,7 @@ class BoundNumbers {
 
   std::vector<SweepInput> moving_;
   std::vector<Kept> kept_;
-  const Topology* topology_;  // of the recorded mechanism
-  std::size_t lossy_meshes_ = 0;
-  std::size_t other_flanks_ = 0;
+  const Mechanism* recorded_;
 };
 
 }  // namespace kinestat

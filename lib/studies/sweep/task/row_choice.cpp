@@ -102,10 +102,26 @@ class ChoiceSearch {
     return [this](const std::string& name) { return names_.slot_of(name); };
   }
 
+  static ExpressionError two_meanings(const Expression& formula,
+                                      const Node& node,
+                                      std::string_view other) {
+    return {.offset = node.offset,
+            .length = node.length,
+            .code = "E0306",
+            .message = fmt::format("'{}' is {} and a quantity that the rows hold",
+                                   printable(formula.text_of(node)),
+                                   other),
+            .hint = "give the actuator or the parameter another name"};
+  }
+
   // The first name that nothing has, or two things have. Evaluation does not see all names: it
   // stops where a condition is decided.
   std::optional<ExpressionError> find_wrong_name(const Expression& formula) const {
     for (const Node& node : formula.nodes()) {
+      if (node.kind == NodeKind::unit &&
+          names_.quantity_slot(std::string(formula.text_of(node))) >= 0) {
+        return two_meanings(formula, node, "a unit");
+      }
       const std::string name(node.kind == NodeKind::name ? formula.text_of(node) : "");
       const int slot = name.empty() ? 0 : names_.slot_of(name);
       if (slot < 0) {
@@ -118,12 +134,7 @@ class ChoiceSearch {
       }
       const int quantity = name.empty() ? -1 : names_.quantity_slot(name);
       if (quantity >= 0 && quantity != slot) {
-        return ExpressionError{
-            .offset = node.offset,
-            .length = node.length,
-            .code = "E0306",
-            .message = fmt::format("'{}' is a parameter and a quantity that the rows hold", name),
-            .hint = "give the actuator or the parameter another name"};
+        return two_meanings(formula, node, "a parameter");
       }
     }
     return std::nullopt;

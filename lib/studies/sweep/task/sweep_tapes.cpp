@@ -172,7 +172,7 @@ std::optional<SweepTapes> record_tapes(const SweepTask& task) {
       Rebinder::make(task.description, task.mechanism, varying_parameters(task.plan));
   const std::vector<SweepSample> samples = find_samples(task);
   if (std::ranges::any_of(samples, [&](const SweepSample& one) {
-        return !has_same_magnitudes(one.mechanism.topology, task.mechanism.topology);
+        return !has_same_parts(one.mechanism, task.mechanism);
       })) {
     return std::nullopt;
   }

@@ -28,11 +28,14 @@ std::optional<int> find_element(std::string_view name,
   return std::nullopt;
 }
 
-// "C1+B2"
+// "C1+B2", or none
 std::optional<std::vector<int>> elements_of(std::string_view label,
                                             const Topology& topology,
                                             const ShiftPlan& plan) {
   std::vector<int> engaged;
+  if (label == kNothingEngaged && !find_element(label, topology, plan)) {
+    return engaged;
+  }
   while (true) {
     const std::size_t plus = label.find('+');
     const std::optional<int> element = find_element(label.substr(0, plus), topology, plan);

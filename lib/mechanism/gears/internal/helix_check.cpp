@@ -1,0 +1,65 @@
+#include "mechanism/gears/internal/helix_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/motion_tolerance.hpp"
+
+namespace kinestat {
+
+namespace {
+
+// axis x tangent, from the line of action cos(alpha) tangent + sin(alpha) axis x tangent across the
+// axis.
+Vec3 outwards(const CouplingGeometry& geometry, double alpha) {
+  const Vec3& axis = geometry.axis.direction;
+  const Vec3& line = geometry.line_of_action;
+  return std::cos(alpha) * axis.cross(line) + std::sin(alpha) * (line - line.dot(axis) * axis);
+}
+
+}  // namespace
+
+bool has_helix_by_tangent(const CouplingDescription& coupling) {
+  return coupling.helix_angle && coupling.tangent && coupling.pressure_angle;
+}
+
+void check_hand(const CouplingDescription& coupling,
+                const CouplingGeometry& geometry,
+                BodyId tail,
+                std::span<const HingeLine> lines,
+                const Evaluator& evaluator,
+                Diagnostics& found) {
+  const auto is_of_tail = [&](const HingeLine& line) {
+    return std::ranges::find(line.bodies, tail) != line.bodies.end();
+  };
+  const auto line = std::ranges::find_if(lines, is_of_tail);
+  Diagnostics said_before;
+  const std::optional<double> beta =
+      evaluator.complaining_to(said_before).number(*coupling.helix_angle, QuantityKind::angle);
+  const std::optional<double> alpha =
+      evaluator.complaining_to(said_before).number(*coupling.pressure_angle, QuantityKind::angle);
+  if (line == lines.end() || std::ranges::count_if(lines, is_of_tail) > 1 || !beta ||
+      *beta == 0.0 || !alpha) {
+    return;
+  }
+  const Vec3 from_axis =
+      (geometry.at - line->point).cross(line->direction).cross(line->direction) * -1.0;
+  const Vec3 normal = outwards(geometry, *alpha);
+  if (normal.dot(from_axis) >= -kSlackInCarrier * normal.norm() * from_axis.norm()) {
+    return;
+  }
+  found.error(
+      "E0305",
+      coupling.tangent->where,
+      fmt::format(
+          "axis x tangent of coupling '{}' points to the axis of its tail '{}', so that its helix "
+          "would be of the other hand",
+          coupling.name.text,
+          coupling.tail.text),
+      "reverse 'tangent': a negative action of the teeth then is the force against it");
+}
+
+}  // namespace kinestat
