@@ -207,9 +207,6 @@ DECISIONS: dict[str, dict[str, str]] = {
         "holds_at_twice": "consistency: whether actions go with the square of speed",
         "solve": "bound: what polynomials leave of the function itself",
     },
-    "lib/studies/motion/task/figures/column_means.cpp": {
-        "returns": "search: whether values go on at the end as they began",
-    },
     "lib/studies/motion/task/figures/friction_rests.cpp": {
         "find": "search: whether friction stands where a drive turns back or stops",
     },

@@ -121,21 +121,22 @@ std::variant<std::vector<SpringState>, SpringObstacle> spring_states(
   return states;
 }
 
-std::optional<PlacedSpring> placed_spring(const Spring& spring, const LoadState& place) {
+PlacedSpring placed_spring(const Spring& spring, const LoadState& place) {
   const bool follows_position = spring.damping == 0.0 && spring.force.law == nullptr;
+  PlacedSpring found;
   if (spring.is_of_freedom()) {
-    if (!place.positions[at(spring.freedom)]) {
-      return std::nullopt;
+    if (place.positions[at(spring.freedom)]) {
+      const SpringState state = state_of_freedom(spring, place, spring.force.value);
+      found.position = state.position;
+      found.force = follows_position ? std::optional(state.force) : std::nullopt;
     }
-    const SpringState state = state_of_freedom(spring, place, spring.force.value);
-    return PlacedSpring{.position = state.position,
-                        .force = follows_position ? std::optional(state.force) : std::nullopt};
+    return found;
   }
   const Ends ends = ends_of(spring, place);
-  PlacedSpring found{.position = (ends.to - ends.from).norm()};
-  if (follows_position && !(spring.gas && is_past_stroke(*spring.gas, found.position))) {
-    found.force =
-        tension_of(numbers_of(spring, spring.force.value), spring.acts, found.position, 0.0);
+  const double length = (ends.to - ends.from).norm();
+  found.position = length;
+  if (follows_position && !(spring.gas && is_past_stroke(*spring.gas, length))) {
+    found.force = tension_of(numbers_of(spring, spring.force.value), spring.acts, length, 0.0);
   }
   return found;
 }

@@ -88,14 +88,13 @@ struct SpringObstacle {
 std::variant<std::vector<SpringState>, SpringObstacle> spring_states(
     const Mechanism& drawn, const LoadState& place, std::span<const double> forces);
 
-/// What a spring does in a position of which no speeds are known.
+/// What a spring does in a position of which no speeds are known, as of a SpringState.
 struct PlacedSpring {
-  double position = 0.0;             ///< as of a SpringState
-  std::optional<double> force = {};  ///< empty where it follows speeds or curves, or has none there
+  std::optional<double> position;  ///< empty of a freedom without one
+  std::optional<double> force;     ///< empty where it follows speeds or curves, or has none there
 };
 
-/// Empty of a freedom without a position.
-std::optional<PlacedSpring> placed_spring(const Spring& spring, const LoadState& place);
+PlacedSpring placed_spring(const Spring& spring, const LoadState& place);
 
 /// What the stiffness or the gas of a spring holds at that length or position [J]; none where they
 /// act not.

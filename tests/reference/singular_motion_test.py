@@ -191,5 +191,52 @@ class SpringsAtALimit(MotionTest):
                     self.close(couple, -2 * angle, 1e-12, where)
 
 
+IN_LINE = """\
+kinestat: 1
+space: planar
+ground: frame
+bodies: [crank, rod, slider]
+couplings:
+  a: {type: revolute, bodies: [frame, crank], at: [0, 0]}
+  b: {type: revolute, bodies: [crank, rod], at: [0, 2]}
+  c: {type: revolute, bodies: [rod, slider], at: [sqrt(21), 0]}
+  s: {type: prismatic, bodies: [frame, slider], at: [sqrt(21), 0], axis: x}
+actuators: {motor: {coupling: a}, press: {coupling: s}}
+motion: {drive: DRIVE, to: END, steps: %d, report: [position]}
+"""
+
+
+class MeansOverTheWay(MotionTest):
+    def test_to_a_limit_hardly_hang_on_the_steps(self) -> None:
+        """The slider drives the crank, from upright to in line: by parts the mean of its angle is
+        that of the way that is left, over the angle."""
+        def place(angle: float) -> float:
+            return 2 * math.cos(angle) + math.sqrt(25 - (2 * math.sin(angle)) ** 2)
+
+        n = 4000
+        weights = [1 if k in (0, n) else 4 if k % 2 else 2 for k in range(n + 1)]
+        places = [place(math.pi / 2 * k / n) for k in range(n + 1)]
+        area = sum(w * (x - places[0]) for w, x in zip(weights, places)) * math.pi / 6 / n
+        expected = area / (places[0] - places[-1])
+        for steps, least in ((1, 2e-5), (10, 2e-5), (24, 2e-5), (40, 1e-5), (200, 1e-6)):
+            text = IN_LINE.replace("DRIVE", "press").replace("END", "limit") % steps
+            mean = run(text).report["figures"]["a.wz/position"]["mean"]
+            self.close(mean, expected, least, f"{steps} steps")
+
+    def test_of_part_of_a_turn_are_those_of_the_function(self) -> None:
+        """Of the slider over a tenth of a turn: 2 cos a is integrated, of the root Simpson's rule is."""
+        end = math.pi / 2 - 0.2 * math.pi
+        n = 2000
+        weights = [1 if k in (0, n) else 4 if k % 2 else 2 for k in range(n + 1)]
+        roots = [math.sqrt(25 - (2 * math.sin(math.pi / 2 - 0.2 * math.pi * k / n)) ** 2)
+                 for k in range(n + 1)]
+        root = sum(w * one for w, one in zip(weights, roots)) / 3 / n
+        expected = 2 * (1 - math.sin(end)) / (0.2 * math.pi) + root - math.sqrt(21)
+        for steps in (1, 12, 24, 100):
+            text = IN_LINE.replace("DRIVE", "motor").replace("END", "-0.2*pi") % steps
+            mean = run(text).report["figures"]["s.vx/position"]["mean"]
+            self.close(mean, expected, 1e-8, f"{steps} steps")
+
+
 if __name__ == "__main__":
     motion_case.main()

@@ -119,7 +119,7 @@ class Figures(ReferenceTest):
             weights = [1 if k in (0, n) else 4 if k % 2 else 2 for k in range(n + 1)]
             squares = [w * slope(k * math.pi / 2 / n) ** 2 for k, w in enumerate(weights)]
             mean = sum(squares) * math.pi / 6 / n / (place(0.0) - place(math.pi / 2))
-            self.assertAlmostEqual(row["ratio.mean [m/rad]"], -mean, delta=1e-4)  # of 100 steps
+            self.assertAlmostEqual(row["ratio.mean [m/rad]"], -mean, delta=1e-6)  # of 100 steps
             self.assertAlmostEqual(row["ratio.greatest [m/rad]"], 0.0, delta=1e-6)
             steepest = -least_slope(r, l)
             self.assertAlmostEqual(row["a.wz.velocity.greatest [rad/s]"], -1 / steepest, delta=1e-9)

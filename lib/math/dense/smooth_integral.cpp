@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/motion_tolerance.hpp"
 #include "core/tolerance.hpp"
 
 namespace kinestat {
@@ -48,8 +49,13 @@ void SmoothIntegral::place(std::span<const double> nodes) {
   count_ = std::min(nodes.size(), kMost);
   rules_.clear();
   intervals_.clear();
+  has_equal_steps_ = nodes.size() > 1;
+  const double step = nodes.size() > 1
+                          ? (nodes.back() - nodes.front()) / static_cast<double>(nodes.size() - 1)
+                          : 0.0;
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
     Interval here{.first = first_of(i, count_, nodes.size()), .width = nodes[i + 1] - nodes[i]};
+    has_equal_steps_ = has_equal_steps_ && std::abs(here.width - step) <= kSameStep;
     Rule rule;
     for (std::size_t k = 0; k < count_; ++k) {
       rule.nodes[k] = (nodes[here.first + k] - nodes[i]) / here.width;
@@ -75,6 +81,10 @@ void SmoothIntegral::place(std::span<const double> nodes) {
 void SmoothIntegral::look(std::span<const double> values) {
   // Beside a corner of straight lines they have 11/60, sines with eight nodes a period less.
   constexpr double kAgree = 0.125;
+  returns_ = returns(values);
+  if (returns_) {
+    return;
+  }
   const auto integral = [&](const Interval& here, const Weights& weights) {
     return std::inner_product(weights.begin(),
                               weights.begin() + static_cast<std::ptrdiff_t>(count_),
@@ -99,8 +109,43 @@ void SmoothIntegral::look(std::span<const double> values) {
   }
 }
 
+bool SmoothIntegral::returns(std::span<const double> values) const {
+  constexpr std::size_t kLeastTurn = 8;
+  constexpr double kBendsAcross = 4.0;
+  const std::size_t count = intervals_.size();
+  if (!has_equal_steps_ || count < kLeastTurn) {
+    return false;
+  }
+  double size = 0.0;
+  for (const double one : values) {
+    size = std::max(size, std::abs(one));
+  }
+  const double rounding = kSameStep * size;
+  if (std::abs(values.back() - values.front()) > rounding) {
+    return false;
+  }
+  const auto value = [&](std::size_t i) { return values[i % count]; };
+  const auto bend = [&](std::size_t i) {
+    return std::abs(value(i) - 4.0 * value(i + 1) + 6.0 * value(i + 2) - 4.0 * value(i + 3) +
+                    value(i + 4));
+  };
+  double inside = 0.0;
+  double across = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    double& largest = i + 4 <= count ? inside : across;
+    largest = std::max(largest, bend(i));
+  }
+  return across <= kBendsAcross * inside + 16.0 * rounding;
+}
+
 double SmoothIntegral::of(std::span<const double> values, std::span<const double> lines) const {
   double sum = 0.0;
+  for (std::size_t i = 0; returns_ && i < intervals_.size(); ++i) {
+    sum += intervals_[i].width * std::midpoint(values[i], values[i + 1]);
+  }
+  if (returns_) {
+    return sum;
+  }
   for (std::size_t i = 0; i < intervals_.size(); ++i) {
     const Interval& here = intervals_[i];
     const Weights& weights = rules_[here.rule].weights;

@@ -8,14 +8,16 @@
 
 namespace kinestat {
 
-/// Between two nodes, by polynomials through those nearest to them, where these agree.
+/// Between two nodes, by polynomials through those nearest to them, where these agree; with equal
+/// weights where equal steps go on at the end as they began, as along whole turns.
 class SmoothIntegral {
  public:
   /// In order; they differ.
   void place(std::span<const double> nodes);
 
-  /// Finds where the function with these values is smooth: where the polynomial through six nodes,
-  /// or through all where they are fewer, differs little from that through four.
+  /// Finds whether the function with these values returns, and where it is smooth: where the
+  /// polynomial through six nodes, or through all where they are fewer, differs little from that
+  /// through four.
   void look(std::span<const double> values);
 
   /// Over all intervals, of values of which each is what the same formula makes of one of the
@@ -42,7 +44,11 @@ class SmoothIntegral {
     bool is_smooth = false;
   };
 
+  bool returns(std::span<const double> values) const;
+
   std::size_t count_ = 0;  // of the nodes of a rule
+  bool has_equal_steps_ = false;
+  bool returns_ = false;
   std::vector<Rule> rules_;
   std::vector<Interval> intervals_;
 };

@@ -345,6 +345,33 @@ TEST(LaneRecorder, WorksOutConstantsAndNotesEachOperationOnce) {
             recorder.multiply(recorder.multiply(x, half), half));
 }
 
+// Not above the bound a number is an exact zero; where its range leaves no doubt it stays what it
+// is.
+TEST(LaneRecorder, TakesForZeroWhatABoundDoesNotTellFromIt) {
+  LaneRecorder recorder;
+  const TapeNumber value = recorder.input(2.0, {.low = -2.0, .high = 2.0});
+  const TapeNumber bound = recorder.input(0.5, {.low = 0.0, .high = 1.0});
+  const TapeNumber kept = recorder.zero_within(value, bound);
+  EXPECT_EQ(recorder.value(kept), 2.0);
+  EXPECT_EQ(recorder.value(recorder.zero_within(recorder.constant(0.5), recorder.constant(0.5))),
+            0.0);
+  EXPECT_EQ(recorder.value(recorder.zero_within(recorder.constant(-0.75), recorder.constant(0.5))),
+            -0.75);
+  EXPECT_EQ(recorder.zero_within(value, recorder.constant(0.0)), value);
+  const LaneTape tape = recorder.make_tape(std::vector<TapeNumber>{kept});
+  LaneTape::Workspace workspace = tape.make_workspace(1);
+  const auto played = [&](double number, double within) {
+    tape.set_input(workspace, 0, 0, number);
+    tape.set_input(workspace, 1, 0, within);
+    tape.play(workspace);
+    return tape.output(workspace, 0, 0);
+  };
+  EXPECT_EQ(played(-0.25, 0.5), 0.0);
+  EXPECT_EQ(played(-0.5, 0.5), 0.0);
+  EXPECT_EQ(played(-0.75, 0.5), -0.75);
+  EXPECT_EQ(played(1e-300, 0.0), 1e-300);
+}
+
 }  // namespace
 
 }  // namespace kinestat

@@ -57,5 +57,22 @@ TEST(SmoothIntegral, OfTwoNodesIsThatOfALine) {
   EXPECT_DOUBLE_EQ(integral_of({1.0, 3.0}, [](double x) { return x; }), 4.0);
 }
 
+// Of a whole turn in equal steps equal weights are exact up to the harmonic of their number; of a
+// kinked function they are not taken.
+TEST(SmoothIntegral, OfWhatReturnsHasEqualWeights) {
+  std::vector<double> nodes;
+  for (int i = 0; i <= 12; ++i) {
+    nodes.push_back(i);
+  }
+  const auto angle = [](double step) { return step * std::numbers::pi / 6.0; };
+  EXPECT_NEAR(integral_of(nodes,
+                          [&](double x) {
+                            return 2.0 + std::cos(angle(x)) + 0.3 * std::sin(5.0 * angle(x));
+                          }),
+              24.0,
+              1e-13);
+  EXPECT_NEAR(integral_of(nodes, [&](double x) { return (x - 6.0) * (x - 6.0); }), 144.0, 1e-12);
+}
+
 }  // namespace
 }  // namespace kinestat

@@ -33,7 +33,10 @@ constexpr LaneGroup kAllLanes = [] {
 }  // namespace
 
 LaneFollower::LaneFollower(LaneLinkage linkage, LaneQuestion question, const Geometry& geometry)
-    : linkage_(std::move(linkage)), question_(std::move(question)), climbs_(question_) {
+    : linkage_(std::move(linkage)),
+      question_(std::move(question)),
+      means_(question_),
+      climbs_(question_) {
   const auto unknowns = at(linkage_.unknown_count());
   const std::size_t joints = linkage_.joints.size();
   const double way = std::abs(question_.drive.to - question_.drive.from) /
@@ -77,7 +80,6 @@ LaneFollower::LaneFollower(LaneLinkage linkage, LaneQuestion question, const Geo
   for (Groups* one : {&least_, &greatest_}) {
     one->resize(places_.size() + 1);
   }
-  sums_.resize(places_.size());
   counts_.resize(watched_.size());
   in(cosines_[0]) = LaneNumbers{} + 1.0;
   for (std::size_t lane = 0; lane < kMotionLanes; ++lane) {
@@ -215,7 +217,7 @@ void LaneFollower::predict_part(double last, double part) {
 
 void LaneFollower::follow() {
   in(doubts_) = LaneNumbers{};
-  for (std::vector<Group>* one : {&now_.unknowns, &sums_, &counts_}) {
+  for (std::vector<Group>* one : {&now_.unknowns, &counts_}) {
     std::ranges::fill(*one, Group{});
   }
   std::ranges::fill(drive_.numbers, 0.0);
@@ -236,6 +238,7 @@ void LaneFollower::follow() {
     advance(i == parts ? from + way : from + way * i / parts, i > 1);
     keep(i);
   }
+  means_.find();
   if (!watched_.empty()) {
     find_turns();
     go_to_turns();
@@ -265,11 +268,10 @@ void LaneFollower::keep(int part) {
   }
   const std::size_t step = at(part / parts_);
   const bool is_first = part == 0;
-  const double weight = is_first || part == parts_ * question_.steps ? 0.5 : 1.0;
   in(active_) = LaneNumbers{} + 1.0;
   for (std::size_t p = 0; p < places_.size(); ++p) {
     add_value(p, is_first);
-    in(sums_[p]) += weight * in(value_);
+    means_.keep(p, step, value_);
     if (!climbs_.values[p].empty()) {
       climbs_.values[p][step] = value_;
     }
@@ -306,7 +308,7 @@ LaneExtremes LaneFollower::extremes(std::size_t place, std::size_t lane) const {
   const double unit = turns ? 1.0 : all.length;
   return {.least = unit * least_[place].numbers[lane],
           .greatest = unit * greatest_[place].numbers[lane],
-          .mean = unit * sums_[place].numbers[lane] / question_.steps};
+          .mean = unit * means_.of(place, lane)};
 }
 
 int LaneFollower::dead_points(std::size_t watched, std::size_t lane) const {

@@ -8,6 +8,7 @@
 #include "studies/motion/lanes/lane_dead_point.hpp"
 #include "studies/motion/lanes/lane_extreme_targets.hpp"
 #include "studies/motion/lanes/lane_group.hpp"
+#include "studies/motion/lanes/lane_means.hpp"
 #include "studies/motion/lanes/lane_question.hpp"
 
 namespace kinestat {
@@ -136,7 +137,7 @@ class LaneFollower {
   LaneLook turn_;  ///< on the way to a dead point
   Groups least_;   ///< of each place, then of the transmission angle
   Groups greatest_;
-  Groups sums_;
+  LaneMeans means_;
   Groups counts_;    ///< dead points of each watched freedom
   LaneAngle angle_;  ///< of transmission: the last one
   LaneAngle least_angle_;

@@ -22,7 +22,8 @@ struct LaneQuestion {
   std::vector<int> places;   ///< freedoms whose positions are asked for
   std::vector<int> watched;  ///< freedoms whose dead points are looked for; none: of no freedom
   std::vector<LaneSides>
-      sides;  ///< of each place; of one whose dead points are known, none need be
+      sides;                ///< of each place; of one whose dead points are known, none need be
+  std::vector<bool> means;  ///< of each place, whether its mean is asked for
   std::optional<LaneTransmission> transmission;
   LaneSides transmission_sides;
 };
@@ -31,7 +32,7 @@ struct LaneQuestion {
 struct LaneExtremes {
   double least = 0.0;
   double greatest = 0.0;
-  double mean = 0.0;  ///< over the way of the drive, by trapezoids
+  double mean = 0.0;  ///< over the way of the drive, where asked for
 };
 
 }  // namespace kinestat

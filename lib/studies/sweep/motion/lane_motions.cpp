@@ -58,6 +58,7 @@ std::size_t place_in(LaneQuestion& question, int freedom) {
   if (at == question.places.end()) {
     question.places.push_back(freedom);
     question.sides.emplace_back();
+    question.means.push_back(false);
   }
   return place;
 }
@@ -147,6 +148,7 @@ bool LaneMotions::find_sources(const Mechanism& mechanism,
     } else if (const int f = freedom_of(one.column, "/position", topology); f >= 0) {
       const std::size_t place = place_in(question, f);
       source.place = static_cast<int>(place);
+      question.means[place] = question.means[place] || one.figure == MotionFigure::mean;
       // Its dead points are its extremes between the steps.
       if (std::ranges::find(question.watched, f) == question.watched.end()) {
         add_sides(question.sides[place], one.figure);

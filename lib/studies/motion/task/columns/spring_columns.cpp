@@ -14,35 +14,30 @@ std::vector<MotionReading> spring_readings(const FileUnits& units, const Mechani
     const SpringQuantities& quantities = quantities_of(spring, mechanism.topology);
     const auto add = [&](const char* quantity,
                          QuantityKind kind,
-                         const auto& placed,
-                         double SpringState::*at) {
+                         double SpringState::*at,
+                         std::optional<double> PlacedSpring::*at_place) {
       readings.push_back({.column = {.element = std::string(kSpringPrefix) + spring.name,
                                      .quantity = quantity,
                                      .unit = units.text(kind)},
                           .kind = kind,
-                          .value = [i, at, placed, &spring](
+                          .value = [i, at, at_place, &spring](
                                        const MotionPosition& position) -> std::optional<double> {
                             if (position.solved && i < position.solved->springs.size()) {
                               return position.solved->springs[i].*at;
                             }
-                            const auto there = position.state.is_singular
-                                                   ? placed_spring(spring,
-                                                                   {.poses = position.state.poses,
-                                                                    .positions = position.freedoms})
-                                                   : std::nullopt;
-                            return there ? placed(*there) : std::nullopt;
+                            return position.state.is_singular
+                                       ? placed_spring(spring,
+                                                       {.poses = position.state.poses,
+                                                        .positions = position.freedoms}).*
+                                             at_place
+                                       : std::nullopt;
                           }});
     };
-    add(
-        quantities.position,
+    add(quantities.position,
         quantities.position_kind,
-        [](const PlacedSpring& one) { return std::optional(one.position); },
-        &SpringState::position);
-    add(
-        quantities.action,
-        quantities.action_kind,
-        [](const PlacedSpring& one) { return one.force; },
-        &SpringState::force);
+        &SpringState::position,
+        &PlacedSpring::position);
+    add(quantities.action, quantities.action_kind, &SpringState::force, &PlacedSpring::force);
   }
   return readings;
 }

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
-#include <utility>
 #include <vector>
 
 #include "core/motion_tolerance.hpp"
@@ -30,14 +28,12 @@ class MeanMaker {
   using ValueBefore = std::function<std::optional<double>(double, double, double)>;
 
   MeanMaker(std::span<const MeanSample> samples,
-            const std::optional<TimeCourse>& time,
+            const MeanCourse& course,
             const ValueBefore& value_before)
-      : samples_(samples), time_(time), value_before_(value_before) {}
+      : samples_(samples), course_(course), value_before_(value_before) {}
 
   ColumnMeans run() {
-    if (time_) {
-      add_pieces();
-    }
+    add_pieces();
     const MeanSample* before = nullptr;
     for (const MeanSample& one : samples_) {
       if (is_in_whole_piece(one.step)) {
@@ -88,7 +84,7 @@ class MeanMaker {
   // Those in which all points have values.
   void add_pieces() {
     auto first = samples_.begin();
-    for (const TimePiece& piece : time_->pieces) {
+    for (const TimePiece& piece : course_.pieces) {
       first = std::lower_bound(first, samples_.end(), piece.begin, is_before);
       const auto end = std::lower_bound(first, samples_.end(), piece.end, is_before);
       const auto has_value = [](const MeanSample& one) { return one.weight > 0.0 && one.value; };
@@ -127,8 +123,8 @@ class MeanMaker {
   }
 
   bool is_corner(double step) const {
-    const auto behind = std::ranges::lower_bound(time_->corners, step - kSameApproach);
-    return behind != time_->corners.end() && *behind <= step + kSameApproach;
+    const auto behind = std::ranges::lower_bound(course_.corners, step - kSameApproach);
+    return behind != course_.corners.end() && *behind <= step + kSameApproach;
   }
 
   // False where nothing is known of it.
@@ -145,7 +141,7 @@ class MeanMaker {
     if (low.value && high.value) {
       covered_ += width;
       const bool is_beside_piece = width < high.step - low.step;
-      if (!time_ || is_beside_piece || width < kSameApproach) {
+      if (is_beside_piece || width < kSameApproach) {
         end_run();
         const bool is_low = is_beside_piece && is_in_whole_piece(high.step, 0.0);
         const bool is_high = is_beside_piece && is_in_whole_piece(low.step, 0.0);
@@ -162,56 +158,63 @@ class MeanMaker {
       }
       return true;
     }
-    end_run();
+    const bool is_end_of_run = course_.ends_at_limit && low.value && !run_.empty() &&
+                               run_.back() == &low && &high == &samples_.back();
+    if (!is_end_of_run) {
+      end_run();
+    }
     if (!low.value && !high.value) {
       return low.rests && high.rests;
     }
     const std::optional<double> value = width < kSameApproach ? (low.value ? low.value : high.value)
                                         : low.value ? value_before_(low.step, high.step, 0.5)
                                                     : value_before_(high.step, low.step, 0.5);
-    if (value) {
+    if (value && is_end_of_run) {
+      covered_ += width;
+      before_limit_ = value;
+      run_.push_back(&high);
+    } else if (value) {
       covered_ += width;
       add_value(width, *value);
     }
     return value.has_value();
   }
 
-  // Samples that follow each other without a corner between them.
+  // Samples that follow each other without a corner between them. To a limit values go like the
+  // root of the way that is left: they are smooth in that root, in which the weight of the last is
+  // zero, whether it has a value or not.
   void end_run() {
     drop_close_to_ends();
     nodes_.clear();
     values_.clear();
     squares_.clear();
+    const bool is_of_root =
+        course_.ends_at_limit && !run_.empty() && run_.back() == &samples_.back();
     for (const MeanSample* one : run_) {
-      nodes_.push_back(one->step);
-      values_.push_back(*one->value);
-      squares_.push_back(*one->value * *one->value);
+      const double root = is_of_root ? std::sqrt(run_.back()->step - one->step) : 0.0;
+      const double weight = is_of_root ? 2.0 * root : 1.0;
+      const double value = one->value.value_or(0.0);
+      nodes_.push_back(is_of_root ? -root : one->step);
+      values_.push_back(weight * value);
+      squares_.push_back(weight * value * value);
     }
-    run_.clear();
-    // Where values go on at the end as they began, equal steps have equal weights.
-    const bool is_turn = nodes_.size() > 1 && returns();
     lines_.clear();
     lines_of_squares_.clear();
-    for (std::size_t i = 0; i + 1 < nodes_.size(); ++i) {
-      const double width = nodes_[i + 1] - nodes_[i];
-      const double low = values_[i];
-      const double high = values_[i + 1];
-      const double squares = mean_of_line(squares_[i], squares_[i + 1]);
+    for (std::size_t i = 0; i + 1 < run_.size(); ++i) {
+      const double width = run_[i + 1]->step - run_[i]->step;
+      const bool has_value = run_[i + 1]->value.has_value();
+      const double low = has_value ? *run_[i]->value : *before_limit_;
+      const double high = has_value ? *run_[i + 1]->value : *before_limit_;
       sum_.size += width * mean_of_line(std::abs(low), std::abs(high));
-      square_.size += width * squares;
+      square_.size += width * mean_of_line(low * low, high * high);
       lines_.push_back(width * mean_of_line(low, high));
-      lines_of_squares_.push_back(width * (is_turn ? squares : mean_square_of_line(low, high)));
+      lines_of_squares_.push_back(width * mean_square_of_line(low, high));
     }
-    if (is_turn) {
-      sum_.value = std::accumulate(lines_.begin(), lines_.end(), sum_.value);
-      square_.value =
-          std::accumulate(lines_of_squares_.begin(), lines_of_squares_.end(), square_.value);
-    } else {
-      integral_.place(nodes_);
-      integral_.look(values_);
-      sum_.value += integral_.of(values_, lines_);
-      square_.value += integral_.of(squares_, lines_of_squares_);
-    }
+    run_.clear();
+    integral_.place(nodes_);
+    integral_.look(values_);
+    sum_.value += integral_.of(values_, lines_);
+    square_.value += integral_.of(squares_, lines_of_squares_);
   }
 
   // A row says no more than a corner close to it.
@@ -226,46 +229,13 @@ class MeanMaker {
     }
   }
 
-  // Whether values go on at the end as they began, as along whole turns.
-  bool returns() const {
-    const std::size_t count = nodes_.size() - 1;
-    const double step = (nodes_.back() - nodes_.front()) / static_cast<double>(count);
-    for (std::size_t i = 0; i < count; ++i) {
-      if (std::abs(nodes_[i + 1] - nodes_[i] - step) > kSameStep) {
-        return false;
-      }
-    }
-    const auto value = [&](std::size_t i) { return values_[i % count]; };
-    double size = 0.0;
-    for (const double one : values_) {
-      size = std::max(size, std::abs(one));
-    }
-    const double rounding = kSameStep * size;
-    if (count < kLeastTurn || std::abs(values_.back() - value(0)) > rounding) {
-      return false;
-    }
-    const auto bend = [&](std::size_t i) {
-      return std::abs(value(i) - 4.0 * value(i + 1) + 6.0 * value(i + 2) - 4.0 * value(i + 3) +
-                      value(i + 4));
-    };
-    double inside = 0.0;
-    double across = 0.0;
-    for (std::size_t i = 0; i < count; ++i) {
-      const bool is_inside = i + 4 <= count;
-      (is_inside ? inside : across) = std::max(is_inside ? inside : across, bend(i));
-    }
-    return across <= kBendsAcross * inside + 16.0 * rounding;
-  }
-
-  static constexpr std::size_t kLeastTurn = 8;
-  static constexpr double kBendsAcross = 4.0;
-
   std::span<const MeanSample> samples_;
-  const std::optional<TimeCourse>& time_;
+  const MeanCourse& course_;
   const ValueBefore& value_before_;
   std::vector<const TimePiece*> whole_;  // with values at all of their points
   std::vector<const MeanSample*> run_;
-  std::vector<double> nodes_;  // of the run that ends
+  std::optional<double> before_limit_;  // half a step, where the last sample has no value
+  std::vector<double> nodes_;           // of the run that ends
   std::vector<double> values_;
   std::vector<double> squares_;
   std::vector<double> lines_;  // the integrals of straight lines between nodes
@@ -280,10 +250,10 @@ class MeanMaker {
 
 ColumnMeans means_of(
     std::span<const MeanSample> samples,
-    const std::optional<TimeCourse>& time,
+    const MeanCourse& course,
     const std::function<std::optional<double>(double from, double end, double left)>&
         value_before) {
-  return samples.size() < 2 ? ColumnMeans{} : MeanMaker(samples, time, value_before).run();
+  return samples.size() < 2 ? ColumnMeans{} : MeanMaker(samples, course, value_before).run();
 }
 
 }  // namespace kinestat

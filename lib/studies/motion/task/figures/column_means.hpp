@@ -22,20 +22,21 @@ struct ColumnMeans {
   std::optional<double> mean_square;
 };
 
-/// What a motion in time has between its samples; nothing of a motion over the way.
-struct TimeCourse {
-  std::span<const TimePiece> pieces;
-  std::span<const double> corners;  ///< in steps and in order: values are smooth between these
+/// What a motion has between its samples.
+struct MeanCourse {
+  std::span<const TimePiece> pieces;  ///< of a motion in time
+  std::span<const double> corners;    ///< in steps and in order: values are smooth between these
+  bool ends_at_limit = false;         ///< of a drive that runs there steadily
 };
 
-/// Of samples in order. Over the way, along straight lines between them. In time pieces that have
-/// points are integrated by these, and between other corners by polynomials where values are
-/// smooth. Where a sample has no value half of the interval is asked for, by `value_before`: a
-/// value before the step `end` that has none, with that share of the way from the step `from` left.
-/// Empty where both ends have none, but for rests.
+/// Of samples in order: pieces that have points are integrated by these, and what lies between
+/// other corners by polynomials where values are smooth, else along straight lines. Where a sample
+/// has no value half of the interval is asked for, by `value_before`: a value before the step `end`
+/// that has none, with that share of the way from the step `from` left. Empty where both ends have
+/// none, but for rests.
 ColumnMeans means_of(
     std::span<const MeanSample> samples,
-    const std::optional<TimeCourse>& time,
+    const MeanCourse& course,
     const std::function<std::optional<double>(double from, double end, double left)>& value_before);
 
 }  // namespace kinestat

@@ -311,10 +311,11 @@ class FigureMaker {
                            .weight = one.weight});
       }
     }
-    const auto time = table_.duration
-                          ? std::optional(TimeCourse{.pieces = pieces_, .corners = turns_})
-                          : std::nullopt;
-    return means_of(samples, time, [&](double from, double end, double left) {
+    const MeanCourse course{
+        .pieces = pieces_,
+        .corners = turns_,
+        .ends_at_limit = !table_.duration && table_.rows.back().status == kLimitEvent};
+    return means_of(samples, course, [&](double from, double end, double left) {
       return mean_before(column, from, end, left);
     });
   }
