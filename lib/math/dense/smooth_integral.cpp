@@ -45,6 +45,10 @@ std::size_t first_of(std::size_t i, std::size_t count, std::size_t all) {
 }  // namespace
 
 void SmoothIntegral::place(std::span<const double> nodes) {
+  if (std::ranges::equal(nodes, nodes_)) {
+    return;
+  }
+  nodes_.assign(nodes.begin(), nodes.end());
   const auto is_same = [](double a, double b) { return std::abs(a - b) <= kSameValue; };
   count_ = std::min(nodes.size(), kMost);
   rules_.clear();

@@ -12,7 +12,7 @@ namespace kinestat {
 /// weights where equal steps go on at the end as they began, as along whole turns.
 class SmoothIntegral {
  public:
-  /// In order; they differ.
+  /// In order; they differ. Those of last time cost nothing.
   void place(std::span<const double> nodes);
 
   /// Finds whether the function with these values returns, and where it is smooth: where the
@@ -46,6 +46,7 @@ class SmoothIntegral {
 
   bool returns(std::span<const double> values) const;
 
+  std::vector<double> nodes_;
   std::size_t count_ = 0;  // of the nodes of a rule
   bool has_equal_steps_ = false;
   bool returns_ = false;

@@ -22,11 +22,19 @@ std::optional<double> none(double, double, double) {
   return std::nullopt;
 }
 
+ColumnMeans mean_of(
+    std::span<const MeanSample> samples,
+    const MeanCourse& course,
+    const std::function<std::optional<double>(double from, double end, double left)>& before) {
+  SmoothIntegral integral;
+  return means_of(samples, course, before, integral);
+}
+
 TEST(ColumnMeans, AreThoseOfCubicsWhateverTheSteps) {
   for (const int steps : {6, 7, 40}) {
     const auto share = [steps](double step) { return step / steps; };
     const ColumnMeans found =
-        means_of(samples_of(steps, [&](double at) { return std::pow(share(at), 3); }), {}, none);
+        mean_of(samples_of(steps, [&](double at) { return std::pow(share(at), 3); }), {}, none);
     ASSERT_TRUE(found.mean && found.mean_square);
     EXPECT_NEAR(*found.mean, 1.0 / 4.0, 1e-14);
   }
@@ -36,7 +44,7 @@ TEST(ColumnMeans, AreThoseOfCubicsWhateverTheSteps) {
 TEST(ColumnMeans, EndAtCorners) {
   const std::vector<double> corners = {4.0};
   const auto samples = samples_of(12, [](double at) { return std::abs(at / 12.0 - 1.0 / 3.0); });
-  const ColumnMeans found = means_of(samples, {.pieces = {}, .corners = corners}, none);
+  const ColumnMeans found = mean_of(samples, {.pieces = {}, .corners = corners}, none);
   EXPECT_NEAR(*found.mean, 0.5 * (1.0 / 9.0 + 4.0 / 9.0), 1e-15);
   EXPECT_NEAR(*found.mean_square, (1.0 / 27.0 + 8.0 / 27.0) / 3.0, 1e-15);
 }
@@ -46,12 +54,12 @@ TEST(ColumnMeans, ToALimitAreThoseOfItsRoot) {
   const auto root = [](double at) { return std::sqrt(1.0 - at / 24.0); };
   std::vector<MeanSample> samples = samples_of(24, root);
   const MeanCourse course{.pieces = {}, .corners = {}, .ends_at_limit = true};
-  EXPECT_NEAR(*means_of(samples, course, none).mean, 2.0 / 3.0, 1e-12);
+  EXPECT_NEAR(*mean_of(samples, course, none).mean, 2.0 / 3.0, 1e-12);
   samples.back().value.reset();
   const auto before = [&](double from, double end, double left) {
     return std::optional(root(std::lerp(end, from, left)));
   };
-  EXPECT_NEAR(*means_of(samples, course, before).mean, 2.0 / 3.0, 1e-12);
+  EXPECT_NEAR(*mean_of(samples, course, before).mean, 2.0 / 3.0, 1e-12);
 }
 
 // A piece is integrated by its points alone, whatever lies beside them.
@@ -73,7 +81,7 @@ TEST(ColumnMeans, TakePiecesByTheirPoints) {
   samples[4].value = cube(samples[4].step);
   const std::vector<double> corners = {1.0, 3.0};
   const std::vector<TimePiece> pieces = {piece};
-  const ColumnMeans found = means_of(samples, {.pieces = pieces, .corners = corners}, none);
+  const ColumnMeans found = mean_of(samples, {.pieces = pieces, .corners = corners}, none);
   EXPECT_NEAR(*found.mean, 4.0 / 4.0, 1e-14);
 }
 
@@ -84,12 +92,12 @@ TEST(ColumnMeans, LeaveOutRestsAlone) {
     samples[open] = {.step = samples[open].step, .value = {}, .rests = true};
   }
   const auto same = [](double, double, double) { return std::optional(3.0); };
-  EXPECT_EQ(means_of(samples, {}, same).mean, 3.0);
+  EXPECT_EQ(mean_of(samples, {}, same).mean, 3.0);
   for (const std::size_t open : {4UL, 5UL, 6UL}) {
     samples[open].rests = false;
   }
-  EXPECT_FALSE(means_of(samples, {}, same).mean);
-  EXPECT_FALSE(means_of(std::span(samples).first(1), {}, same).mean);
+  EXPECT_FALSE(mean_of(samples, {}, same).mean);
+  EXPECT_FALSE(mean_of(std::span(samples).first(1), {}, same).mean);
 }
 
 }  // namespace

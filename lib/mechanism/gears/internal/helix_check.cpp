@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/motion_tolerance.hpp"
+#include "core/tolerance.hpp"
 
 namespace kinestat {
 
@@ -45,10 +46,14 @@ void check_hand(const CouplingDescription& coupling,
       *beta == 0.0 || !alpha) {
     return;
   }
-  const Vec3 from_axis =
-      (geometry.at - line->point).cross(line->direction).cross(line->direction) * -1.0;
+  // Of teeth on a pitch circle, which the tangent touches; about other lines there is no hand.
+  const Vec3& axis = geometry.axis.direction;
+  const Vec3 radius = axis.cross(geometry.at - line->point).cross(axis);
   const Vec3 normal = outwards(geometry, *alpha);
-  if (normal.dot(from_axis) >= -kSlackInCarrier * normal.norm() * from_axis.norm()) {
+  const double size = normal.norm() * radius.norm();
+  const bool is_radial = normal.cross(radius).norm() <= kSlackInCarrier * size;
+  const bool is_about_axis = line->direction.cross(axis).norm() <= kParallelAxes;
+  if (!is_about_axis || !is_radial || normal.dot(radius) >= 0.0) {
     return;
   }
   found.error(

@@ -7,7 +7,6 @@
 
 #include "core/motion_tolerance.hpp"
 #include "core/tolerance.hpp"
-#include "math/dense/smooth_integral.hpp"
 #include "math/numbers/zero_within_bound.hpp"
 
 namespace kinestat {
@@ -29,8 +28,9 @@ class MeanMaker {
 
   MeanMaker(std::span<const MeanSample> samples,
             const MeanCourse& course,
-            const ValueBefore& value_before)
-      : samples_(samples), course_(course), value_before_(value_before) {}
+            const ValueBefore& value_before,
+            SmoothIntegral& integral)
+      : samples_(samples), course_(course), value_before_(value_before), integral_(integral) {}
 
   ColumnMeans run() {
     add_pieces();
@@ -240,7 +240,7 @@ class MeanMaker {
   std::vector<double> squares_;
   std::vector<double> lines_;  // the integrals of straight lines between nodes
   std::vector<double> lines_of_squares_;
-  SmoothIntegral integral_;
+  SmoothIntegral& integral_;
   Sum sum_;
   Sum square_;
   double covered_ = 0.0;  // without rests in which it is open
@@ -251,9 +251,10 @@ class MeanMaker {
 ColumnMeans means_of(
     std::span<const MeanSample> samples,
     const MeanCourse& course,
-    const std::function<std::optional<double>(double from, double end, double left)>&
-        value_before) {
-  return samples.size() < 2 ? ColumnMeans{} : MeanMaker(samples, course, value_before).run();
+    const std::function<std::optional<double>(double from, double end, double left)>& value_before,
+    SmoothIntegral& integral) {
+  return samples.size() < 2 ? ColumnMeans{}
+                            : MeanMaker(samples, course, value_before, integral).run();
 }
 
 }  // namespace kinestat

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "math/dense/smooth_integral.hpp"
 #include "studies/motion/task/figures/time_pieces.hpp"
 
 namespace kinestat {
@@ -37,6 +38,7 @@ struct MeanCourse {
 ColumnMeans means_of(
     std::span<const MeanSample> samples,
     const MeanCourse& course,
-    const std::function<std::optional<double>(double from, double end, double left)>& value_before);
+    const std::function<std::optional<double>(double from, double end, double left)>& value_before,
+    SmoothIntegral& integral);
 
 }  // namespace kinestat

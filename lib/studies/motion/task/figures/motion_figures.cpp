@@ -293,7 +293,7 @@ class FigureMaker {
   }
 
   // Of a motion that reaches its end; of one in so many of its steps.
-  ColumnMeans means_of_column(std::size_t column, int every = 1) const {
+  ColumnMeans means_of_column(std::size_t column, int every = 1) {
     if (!table_.is_whole() || table_.rows.size() < 2) {
       return {};
     }
@@ -315,9 +315,11 @@ class FigureMaker {
         .pieces = pieces_,
         .corners = turns_,
         .ends_at_limit = !table_.duration && table_.rows.back().status == kLimitEvent};
-    return means_of(samples, course, [&](double from, double end, double left) {
-      return mean_before(column, from, end, left);
-    });
+    return means_of(
+        samples,
+        course,
+        [&](double from, double end, double left) { return mean_before(column, from, end, left); },
+        integral_);
   }
 
   // Near a limit rounding may leave values open, too; they are known farther from it.
@@ -433,6 +435,7 @@ class FigureMaker {
   const std::function<double(double)>& share_at_;
   MotionTable& table_;
   std::vector<Sample> samples_;      // steps and corners, in order
+  SmoothIntegral integral_;          // of means
   std::vector<ColumnExtreme> ends_;  // of the column that is looked at
 };
 
