@@ -86,7 +86,7 @@ TEST(FrictionPlaces, LieBetweenRowsThatBothRest) {
 // and the middle of each stroke.
 TEST(FrictionPlaces, ShowStrokesBetweenTwoRests) {
   MotionPlan plan;
-  plan.drives.push_back({.actuator = 0, .freedom = 0, .from = 0.0, .to = 0.0});
+  plan.drives.push_back({.actuator = 0, .freedom = 0, .from = 0.0, .to = 0.0, .where = {}});
   plan.steps = 5;
   DriveCourse course;
   course.parts = {{.begin = 0.0, .end = 0.64, .from = 0.0, .to = 0.0},

@@ -10,9 +10,7 @@
 namespace kinestat {
 namespace {
 
-using Speed = double (*)(double);
-
-std::vector<FreedomRates> rows_of(int steps, Speed speed) {
+std::vector<FreedomRates> rows_of(int steps, double (*speed)(double)) {
   std::vector<FreedomRates> rows;
   for (int i = 0; i <= steps; ++i) {
     rows.push_back({speed(i)});

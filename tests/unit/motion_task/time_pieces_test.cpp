@@ -12,7 +12,7 @@ namespace {
 // A slide of 1 m in a quarter of the time, between rests.
 MotionPlan plan_of(DriveLaw law, int steps) {
   MotionPlan plan;
-  plan.drives.push_back({.actuator = 0, .freedom = 0, .from = 0.0, .to = 1.0});
+  plan.drives.push_back({.actuator = 0, .freedom = 0, .from = 0.0, .to = 1.0, .where = {}});
   plan.steps = steps;
   DriveCourse course{.from = 0.0, .to = 1.0};
   course.parts = {{.begin = 0.0, .end = 0.25, .from = 0.0, .to = 0.0},
