@@ -15,4 +15,8 @@ inline constexpr double kBeforeEvent = 1e-9;
 /// step, only touches it.
 inline constexpr double kDeepestGraze = 1e-11;
 
+/// Means of the squares of what laws of drives do, by points of Gauss, agree to this share of
+/// themselves: a mean within it of its root mean square may be zero.
+inline constexpr double kMeansAgree = 0x1p-17;
+
 }  // namespace kinestat

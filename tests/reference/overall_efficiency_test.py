@@ -195,6 +195,39 @@ class OverallEfficiency(MotionTest):
         self.assertEqual(motion["overall_efficiency"], motion["dynamics"]["energy"]["efficiency"])
         self.assertTrue(0.0 < motion["overall_efficiency"] < 1.0)
 
+    def test_out_and_back_in_time(self) -> None:
+        """What a constant force takes on the way out it gives on the way back: the motor supplies
+        nothing, or with a drag what that absorbs."""
+        for law in ("cycloidal", "polynomial_345"):
+            for end in (90, 180):
+                for steps in (10, 24, 25, 48):
+                    for drag in (0.0, 0.1):
+                        motion = Motion(program.run("motion", "-", text=f"""\
+kinestat: 1
+space: planar
+units: {{length: mm}}
+ground: f
+bodies: [crank, rod, piston]
+couplings:
+  A: {{type: revolute, bodies: [f, crank], at: [0, 0], friction: {{tau: {drag} N*m}}}}
+  B: {{type: revolute, bodies: [crank, rod], at: [30, 0]}}
+  C: {{type: revolute, bodies: [rod, piston], at: [130, 0]}}
+  D: {{type: prismatic, bodies: [f, piston], at: [130, 0], axis: x}}
+actuators: {{m: {{coupling: A}}, p: {{coupling: D}}}}
+cases: {{c: {{motion: {{}}, action: {{p: 100}}, input: m, output: p}}}}
+motion:
+  drive: m
+  profile: [{{to: {end} deg, time: 1 s, law: {law}}}, {{to: 0 deg, time: 0.7 s, law: {law}}}]
+  case: c
+  steps: {steps}
+""")).report
+                        where = f"{law} {end} {steps} {drag}"
+                        if drag > 0.0:
+                            self.assertEqual(motion["overall_efficiency"], 0, where)
+                        else:
+                            self.assertIsNone(motion["overall_efficiency"], where)
+                            self.assertIn("supply no power", motion["no_overall_efficiency"], where)
+
 
 if __name__ == "__main__":
     motion_case.main()

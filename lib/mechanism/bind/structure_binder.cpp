@@ -238,7 +238,8 @@ class StructureBinder {
         if (!lines) {
           lines = find_hinge_lines(topology_, geometry_);
         }
-        check_hand(*joint.description, joint.geometry, joint.tail, *lines, evaluator_, found_);
+        check_hand(
+            *joint.description, joint.geometry, topology_, joint.tail, *lines, evaluator_, found_);
       }
     }
   }

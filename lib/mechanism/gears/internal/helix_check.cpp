@@ -8,6 +8,7 @@
 
 #include "core/motion_tolerance.hpp"
 #include "core/tolerance.hpp"
+#include "couplings/kinds.hpp"
 
 namespace kinestat {
 
@@ -21,6 +22,18 @@ Vec3 outwards(const CouplingGeometry& geometry, double alpha) {
   return std::cos(alpha) * axis.cross(line) + std::sin(alpha) * (line - line.dot(axis) * axis);
 }
 
+// Whether nothing else holds the body but teeth.
+bool hangs_on(const HingeLine& line, BodyId body, const Topology& topology) {
+  for (int e = 0; e < topology.coupling_count(); ++e) {
+    const CouplingTopology& one = topology.coupling(CouplingId{e});
+    const bool holds = (one.tail == body || one.head == body) && !has_teeth(one.type);
+    if (holds && std::ranges::find(line.hinges, CouplingId{e}) == line.hinges.end()) {
+      return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 bool has_helix_by_tangent(const CouplingDescription& coupling) {
@@ -29,6 +42,7 @@ bool has_helix_by_tangent(const CouplingDescription& coupling) {
 
 void check_hand(const CouplingDescription& coupling,
                 const CouplingGeometry& geometry,
+                const Topology& topology,
                 BodyId tail,
                 std::span<const HingeLine> lines,
                 const Evaluator& evaluator,
@@ -37,13 +51,15 @@ void check_hand(const CouplingDescription& coupling,
     return std::ranges::find(line.bodies, tail) != line.bodies.end();
   };
   const auto line = std::ranges::find_if(lines, is_of_tail);
+  if (line == lines.end() || !hangs_on(*line, tail, topology)) {
+    return;
+  }
   Diagnostics said_before;
   const std::optional<double> beta =
       evaluator.complaining_to(said_before).number(*coupling.helix_angle, QuantityKind::angle);
   const std::optional<double> alpha =
       evaluator.complaining_to(said_before).number(*coupling.pressure_angle, QuantityKind::angle);
-  if (line == lines.end() || std::ranges::count_if(lines, is_of_tail) > 1 || !beta ||
-      *beta == 0.0 || !alpha) {
+  if (!beta || *beta == 0.0 || !alpha) {
     return;
   }
   // Of teeth on a pitch circle, which the tangent touches; about other lines there is no hand.

@@ -13,10 +13,11 @@ namespace kinestat {
 bool has_helix_by_tangent(const CouplingDescription& coupling);
 
 /// Adds E0305 where axis x tangent points from the teeth to the axis of their tail, not outwards:
-/// the helix angle would then be that of the other hand. Where no hinge, or more than one, tells
-/// the axis of the tail, nothing is known. `lines` are those of all hinges.
+/// the helix angle would then be that of the other hand. Nothing is known where the tail hangs on
+/// more than hinges about one axis and teeth. `lines` are those of all hinges.
 void check_hand(const CouplingDescription& coupling,
                 const CouplingGeometry& geometry,
+                const Topology& topology,
                 BodyId tail,
                 std::span<const HingeLine> lines,
                 const Evaluator& evaluator,

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "core/extreme_tolerance.hpp"
 #include "math/numbers/zero_within_bound.hpp"
 #include "power/efficiency.hpp"
 
@@ -25,10 +26,11 @@ void erase_part(std::size_t first, std::size_t count, List& list) {
   }
 }
 
-// Zero within what fewer steps make of it.
+// Zero within what fewer steps make of it and, in time, what its points do.
 double settled(const ColumnFigures& one) {
-  const double error = one.mean_by_half ? std::abs(*one.mean - *one.mean_by_half) : 0.0;
-  return zero_within_bound(*one.mean, error);
+  const double by_steps = one.mean_by_half ? std::abs(*one.mean - *one.mean_by_half) : 0.0;
+  const double by_points = one.rms ? kMeansAgree * *one.rms : 0.0;
+  return zero_within_bound(*one.mean, std::max(by_steps, by_points));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <numbers>
 
+#include "core/extreme_tolerance.hpp"
 #include "core/motion_tolerance.hpp"
 #include "math/dense/legendre_pieces.hpp"
 
@@ -122,9 +123,8 @@ class PointCounter {
   }
 
   static bool agree(const std::vector<double>& some, const std::vector<double>& finest) {
-    constexpr double kAgree = 0x1p-17;
     return std::ranges::equal(some, finest, [](double one, double other) {
-      return std::abs(one - other) <= kAgree * other;
+      return std::abs(one - other) <= kMeansAgree * other;
     });
   }
 
