@@ -94,9 +94,6 @@ DECISIONS: dict[str, dict[str, str]] = {
     "lib/mechanism/gears/internal/gear_train_check.cpp": {
         "check_bearing": "consistency: typed points are on typed axes",
     },
-    "lib/mechanism/gears/internal/helix_check.cpp": {
-        "check_hand": "consistency: on which side of typed teeth a typed axis is",
-    },
     "lib/mechanism/gears/tooth_flanks.cpp": {"makes": "rank: whether rates make a motion at all"},
     "lib/mechanism/motion_plan.cpp": {"end_steady_course": "consistency: two typed ends are one"},
     "lib/network/primary_check.cpp": {"clear_part": "rank: which magnitudes a relation holds"},

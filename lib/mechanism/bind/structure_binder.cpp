@@ -20,7 +20,6 @@
 #include "mechanism/couplings/internal/coupling_binder.hpp"
 #include "mechanism/couplings/internal/friction_binder.hpp"
 #include "mechanism/couplings/internal/screw_binder.hpp"
-#include "mechanism/gears/internal/helix_check.hpp"
 
 namespace kinestat {
 
@@ -80,7 +79,6 @@ class StructureBinder {
     for (const Joint& joint : joints) {
       add_coupling(joint);
     }
-    check_hands(joints);
     turn_teeth(joints.size());
     geometry_.references =
         bind_reference_points<double>(description_, has_point_, topology_, geometry_, evaluator_);
@@ -229,19 +227,6 @@ class StructureBinder {
 
   bool is_on_axis(const CouplingDescription& coupling) const {
     return gears_ && gears_->layout.train.axis_between(coupling.tail.text, coupling.head.text) >= 0;
-  }
-
-  void check_hands(const std::vector<Joint>& joints) {
-    std::optional<std::vector<HingeLine>> lines;
-    for (const Joint& joint : joints) {
-      if (has_helix_by_tangent(*joint.description)) {
-        if (!lines) {
-          lines = find_hinge_lines(topology_, geometry_);
-        }
-        check_hand(
-            *joint.description, joint.geometry, topology_, joint.tail, *lines, evaluator_, found_);
-      }
-    }
   }
 
   // Couplings with an error are no joints.
